@@ -1,4 +1,4 @@
-// Number by number, none of them changed.
+// Member-by-member copy; numbers are not changed.
 #include "nodes/evidence/verified_structure.hpp"
 
 #include <cmath>
@@ -21,7 +21,8 @@ verify::Vector vector(const Column& column) {
   return result;
 }
 
-// The axis that is farthest from the normal, of equals the first: docs/problem-files.md.
+// The axis with the smallest component of the normal, the first of equal ones:
+// docs/problem-files.md.
 std::size_t farthest_axis(const Eigen::VectorXd& normal) {
   Eigen::Index farthest = 0;
   for (Eigen::Index axis = 1; axis < normal.size(); ++axis) {

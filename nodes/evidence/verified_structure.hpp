@@ -1,5 +1,5 @@
-// From a problem file to the plain data that verify/ proves something of. Reading files is all that
-// the searches and the proofs share; the mathematics is not.
+// Conversion of a structure to the plain data of verify/. File reading is the only code shared by
+// searches and proofs.
 #pragma once
 
 #include <string>

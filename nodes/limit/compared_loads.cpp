@@ -1,4 +1,4 @@
-// Samples are shared among the ranks.
+// Samples are distributed over the ranks.
 #include "nodes/limit/compared_loads.hpp"
 
 #include <algorithm>
@@ -17,15 +17,15 @@
 namespace kusabi::limit {
 namespace {
 
-/// Samples in one piece of work: some milliseconds.
+/// Samples in one unit of work: some milliseconds.
 constexpr std::uint64_t samples_a_piece = 16;
 
-// A sample of its own generator, |zeta|_inf = alpha. @param alpha scaled
+// A sample with a generator of its own, |zeta|_inf = alpha. @param alpha scaled
 Eigen::VectorXd sampled_zeta(std::uint64_t seed, std::uint64_t sample, int count, double alpha) {
   std::seed_seq sequence{seed, sample};
   std::mt19937_64 bits(sequence);
   Eigen::VectorXd zeta(count);
-  // The standard fixes what mt19937_64 yields, not what its distributions make of it.
+  // The standard specifies the numbers of mt19937_64 but not its distributions.
   for (double& each : zeta) each = 2 * (static_cast<double>(bits() >> 11U) * 0x1p-53) - 1;
   if (zeta.size() > 0) zeta *= alpha / zeta.cwiseAbs().maxCoeff();
   return zeta;
@@ -44,7 +44,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
     return load_factor.solve(
         dead_load(model, sampled_zeta(question.seed, sample, model.uncertain_count(), alpha)));
   };
-  // Each sample that was solved, with its number.
+  // Factor of each solved sample, with its number.
   using Factors = std::vector<std::pair<std::uint64_t, double>>;
   const auto piece = [&](std::uint64_t number) {
     Factors factors;
@@ -69,7 +69,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
     }
   }
   if (!least) return result;
-  // What one rank has no time for, none has.
+  // All ranks use the decision of the first one.
   const auto motion = engine::from_first_rank(search.analysis().transport(), [&] {
     std::vector<double> found;
     if (solve(least->second) != LoadStatus::collapses) return found;

@@ -1,4 +1,4 @@
-// What a worst case is looked at beside: random loads.
+// Random loads for comparison with the worst case.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace kusabi::limit {
 
-/// What random loads with |zeta|_inf = alpha come to, each from a generator of its own: the same on
+/// Factors of random loads with |zeta|_inf = alpha, each from a generator of its own: the same on
 /// any number of ranks.
 struct SampledLoads {
-  std::vector<double> factors;  ///< in the unit of the factor; minus infinity: not carried
-  /// The least finite factor, and the collapse at it: v^U of remark 4.5.
+  std::vector<double> factors;  ///< in the unit of the factor; minus infinity: no factor
+  /// The least finite factor, and its collapse: v^U of remark 4.5.
   std::optional<ZeroOneStart> best;
 };
 

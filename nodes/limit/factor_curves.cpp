@@ -1,4 +1,4 @@
-// Places solved one by one, and what is proved of them put together.
+// Points of curves, solved one by one, and the proofs of the pieces.
 #include "nodes/limit/factor_curves.hpp"
 
 #include <algorithm>
@@ -20,23 +20,23 @@ namespace {
 
 using problems::LimitProblem;
 
-/// Factors on a curve that differ by less are one, relative to the nominal one (at least 1 in
-/// scaled units): a mode's line is known to 1e-12 or so.
+/// Tolerance for equal factors on a curve, relative to the nominal one (at least 1 in scaled
+/// units): lines of modes are accurate to about 1e-12.
 constexpr double curve_tolerance = 1e-9;
 
-/// How narrowly the end of a worst case is bracketed, if that can be proved: the nearer to it, the
-/// less room is left in the yield forces for a proof.
+/// Relative widths of the bracket of a curve's end, tried in turn: the closer to the end, the
+/// smaller the margin of the yield forces for a proof.
 constexpr std::array<double, 3> end_widths = {usual_end_width, 1e-5, 1e-3};
 
-// What the members can dissipate on a motion, n^d.
+// The largest dissipation of the members on a motion, n^d.
 double dissipation_on(const LimitProblem& problem, const Eigen::VectorXd& motion) {
   const Eigen::VectorXd rates = problem.equilibrium.transpose() * motion;
   return rates.cwiseMax(0).dot(problem.tension) - rates.cwiseMin(0).dot(problem.compression);
 }
 
-// Up to which beta a motion on which f_R does no work lets f_D + beta g be carried, g doing
-// `growth` work on it: f_D'v + beta g'v is no more than the members can dissipate on v. A reason
-// for infeasibility may have either sign.
+// The largest beta such that a motion without work of f_R admits f_D + beta g, where g does
+// `growth` work on it: f_D'v + beta g'v may not exceed the largest dissipation on v. A proof of
+// infeasibility may have either sign.
 double carried_up_to(const LimitProblem& problem, Eigen::VectorXd motion,
                      const std::function<double(const Eigen::VectorXd&)>& growth) {
   double last = linear::infinity;
@@ -59,20 +59,20 @@ Eigen::VectorXd worst_direction(const LimitProblem& problem, const problems::Lim
   return dead_load(problem, worst_for(model, 1, scaled, none)) - problem.dead;
 }
 
-/// The worst case over beta, and what has been proved of it.
+/// The worst case as a function of beta, and its proofs.
 class WorstCurve {
  public:
   WorstCurve(RootSearch& search, const verify::Structure& truss, double alpha)
       : search_(search), truss_(truss), alpha_(alpha), model_(search.model()) {}
 
-  /// In units of the place, whichever were asked for before.
+  /// Sample at a place; alpha is in the unit of force of the model at this place.
   CurveSample at(double beta);
 
-  /// Puts down what is proved of the pieces.
+  /// Stores the proofs of the pieces.
   void prove(LoadCurve& curve) const;
 
  private:
-  /// The most that exact arithmetic leaves between a piece and the curve; infinity: no bound.
+  /// A proved bound of the distance between a piece and the curve; infinity: no bound.
   [[nodiscard]] double error_of(const CurvePiece& piece) const;
   [[nodiscard]] double upper_at(double beta, const Eigen::VectorXd& scaled_motion) const;
   [[nodiscard]] double growth(const Eigen::VectorXd& motion) const {

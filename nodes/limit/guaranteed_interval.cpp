@@ -1,4 +1,4 @@
-// Two worst cases, of the reference load and of its reverse, put together.
+// Combination of the worst cases of the reference load and of its opposite.
 #include "nodes/limit/guaranteed_interval.hpp"
 
 #include <algorithm>
@@ -7,19 +7,19 @@
 namespace kusabi::limit {
 namespace {
 
-// The ends of a worst case with the reference load reversed, seen from the other side.
+// The bounds of a worst case with the opposite reference load, in terms of the original one.
 FactorBracket reversed(const LimitEnds& ends) {
   return {-ends.upper, -ends.lower, ends.upper_proved, ends.lower_proved};
 }
 
-// The higher of two lower bounds counts, the one that is proved if they are equal.
+// Keeps the larger of two lower bounds, and the proved one if they are equal.
 void raise(double& bound, bool& proved, double other, bool other_proved) {
   if (other < bound || (other == bound && proved)) return;
   bound = other;
   proved = other_proved;
 }
 
-// The larger of both numbers: not below any lower bound, not above the higher of the upper ones.
+// Bracket of the larger of both numbers.
 void raise(FactorBracket& one, const FactorBracket& other) {
   raise(one.lower, one.lower_proved, other.lower, other.lower_proved);
   one.upper = std::max(one.upper, other.upper);
@@ -30,7 +30,7 @@ FactorBracket negative(const FactorBracket& bracket) {
   return {-bracket.upper, -bracket.lower, bracket.upper_proved, bracket.lower_proved};
 }
 
-// The least factors that are known of single loads: no search is needed for these.
+// Uses the known least factors of single loads, which require no search.
 void raise_by_collapse(FactorBracket& least, const std::optional<LimitCollapse>& collapse) {
   if (collapse && collapse->least) raise(least.lower, least.lower_proved, *collapse->least, false);
 }

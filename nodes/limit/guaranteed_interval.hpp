@@ -1,5 +1,5 @@
-// The load factors that are carried under every admissible load: an interval from the maximum of
-// the least factors to the minimum of the largest ones (docs/theory/limit.md). It may be empty.
+// Load factors that are carried under every admissible load: an interval from the maximum of the
+// least factors to the minimum of the largest ones (docs/theory/limit.md). It may be empty.
 #pragma once
 
 #include <limits>
@@ -18,20 +18,20 @@ struct FactorBracket {
 };
 
 struct GuaranteedInterval {
-  FactorBracket least;    ///< of its lower end L
-  FactorBracket largest;  ///< of its upper end H
-  bool at_none = false;   ///< some admissible load is carried at no factor
+  FactorBracket least;    ///< of the smallest guaranteed factor L
+  FactorBracket largest;  ///< of the largest guaranteed factor H
+  bool at_none = false;   ///< some admissible load has no factor
   bool at_none_proved = false;
 
-  /// No factor is carried under all admissible loads, by the bounds as they are.
+  /// True if the bounds prove that no factor is carried under all admissible loads.
   [[nodiscard]] bool is_empty() const { return at_none || least.lower > largest.upper; }
-  /// Some factor is.
+  /// True if the bounds prove that some factor is.
   [[nodiscard]] bool has_factors() const { return !at_none && least.upper <= largest.lower; }
-  /// One of the two is proved.
+  /// True if one of the two is proved.
   [[nodiscard]] bool decided() const;
 };
 
-/// @pre answer.worst, or the nominal load is carried at no factor
+/// @pre answer.worst, or the nominal load has no factor
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);
 
 /// The factors that are carried in all load cases. @param cases at least one

@@ -1,4 +1,4 @@
-// The nominal load first, in units that make it sure; then whatever else is asked for.
+// Nominal load in suitable units first, then the other results.
 #include "nodes/limit/limit_loads.hpp"
 
 #include <functional>
@@ -13,15 +13,15 @@
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/worst_case_search.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 
 namespace kusabi::limit {
 namespace {
 
 using verify::LimitClaim;
 
-// Solves the nominal load, in units that make it sure. @param shown whether a load that is carried
-// at no factor is shown to be
+// Solves the nominal load in suitable units. @param shown whether it is proved that the load has no
+// factor
 LoadStatus set_up(RootSearch& search, const std::function<bool()>& shown) {
   const auto& problem = search.problem();
   auto status = search.set_up(problems::limit_model(problem));
@@ -64,7 +64,7 @@ void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitCl
   findings.statements.push_back({{}, claim, std::move(*evidence)});
 }
 
-// The worst case with the reference load reversed, of least factors, by static cuts.
+// The worst case with the opposite reference load, for least factors, by static cuts.
 void find_least_factors(engine::Analysis& analysis, const verify::Structure& truss,
                         const problems::LimitProblem& problem, double alpha,
                         LimitFindings& findings) {
@@ -134,7 +134,7 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
   std::optional<ZeroOneStart> start;
   if (question.of_the_paper()) start = sample();
   find_worst_cases(search, question, truss, std::move(start), findings);
-  if (!search.is_set_up()) search.set_up(model);  // the last try was in units that did not do
+  if (!search.is_set_up()) search.set_up(model);  // the units of the last attempt were not suitable
   if (!question.of_the_paper()) sample();
   const bool known = answer.worst->collapse || answer.worst->status == RootStatus::not_carried;
   if (question.curve && known) {

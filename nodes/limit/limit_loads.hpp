@@ -1,6 +1,5 @@
-// The load factor at which a truss collapses, (5) of the limit paper, the least one that an
-// uncertain dead load can bring about, (13), and the factors that are carried under every
-// admissible load, proved: the question that `kusabi limit` asks.
+// Proved limit load factor of a truss, (5) of the limit paper, its minimum over uncertain dead
+// loads, (13), and the factors carried under every admissible load: the analysis of `kusabi limit`.
 #pragma once
 
 #include <vector>
@@ -15,14 +14,14 @@
 namespace kusabi::limit {
 
 struct LimitFindings {
-  LimitAnswer answer;  ///< on every rank, but for what only rank 0 is told: counts
-  /// The claims that are proved, with their evidence, as a certificate wants them; on rank 0. None
-  /// of the least factors without one of the largest.
+  LimitAnswer answer;  ///< on every rank, except counts, which are on rank 0
+  /// The proved claims with their evidence for a certificate, on rank 0. None on least factors
+  /// without one on the largest.
   std::vector<verify::LimitStatement> statements;
 };
 
 /// Every rank makes the same call.
-/// @param truss what the ends are proved of
+/// @param truss for the proofs
 /// @param problem of `truss`
 /// @throws BigMTooSmall on every rank alike
 LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& truss,

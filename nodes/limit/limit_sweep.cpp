@@ -1,4 +1,4 @@
-// One question after another; the last one asks for the curve, too.
+// One analysis for each alpha; the last one also computes the curve.
 #include "nodes/limit/limit_sweep.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ bool has_fixed(const problems::LimitProblem& problem) {
   return std::ranges::any_of(problem.uncertain, &problems::UncertainColumn::in_file);
 }
 
-// Lets those that the file leaves open go up to alpha, beside those that it does not.
-// @return the alpha to search with
+// Sets the half-widths of loads without one in the file to alpha.
+// @return alpha of the search
 double settle(problems::LimitProblem& problem, double alpha) {
   const std::array cases{&problem};
   return problems::settle_half_widths(cases, {.alpha = alpha}).value();
@@ -31,7 +31,7 @@ LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structu
   for (const double alpha : alphas) {
     auto own = problem;
     LimitQuestion question{.alpha = settle(own, alpha)};
-    // The worst curve is that of all uncertain loads in proportion.
+    // The worst-case curve scales all uncertain loads in proportion.
     question.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
     sweep.last = limit_loads(analysis, truss, own, question).answer;
     sweep.status = sweep.last.ended();

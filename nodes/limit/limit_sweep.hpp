@@ -1,7 +1,7 @@
-// The worst-case limit load over a range of uncertainties: at each of some alphas with both ends
-// proved, as by limit_loads, and all breakpoints of lambda_min between zero and the largest. The
-// question that `kusabi sweep --alpha` asks. Where the file says how far some loads go, alpha is
-// that of the others, and there are points only.
+// Worst-case limit load over a range of uncertainties: proved bounds at each alpha, as by
+// limit_loads, and all breakpoints of lambda_min between zero and the largest alpha. Analysis of
+// `kusabi sweep --alpha`. If the file specifies half-widths of some loads, alpha is that of the
+// others, and there are points only.
 #pragma once
 
 #include <span>
@@ -22,21 +22,20 @@ struct LimitSweepPoint {
 };
 
 struct LimitSweep {
-  engine::Status status = engine::Status::solved;  ///< why it ended before it was done
-  std::vector<LimitSweepPoint> points;             ///< of those asked for the first, in their order
-  /// At the last one that was looked at: the nominal factor, and at the largest of all the worst
-  /// curve, over beta from 0 to 1, in multiples of the largest, unless loads have half-widths of
-  /// their own.
+  engine::Status status = engine::Status::solved;  ///< reason of an early end
+  std::vector<LimitSweepPoint> points;  ///< of the first of the requested alphas, in their order
+  /// At the last alpha: the nominal factor, and at the largest alpha the worst-case curve over beta
+  /// from 0 to 1, in multiples of alpha, unless loads have half-widths of their own.
   LimitAnswer last;
 
-  /// Whether all that was asked for is answered and proved. @param asked how many alphas
+  /// True if all results are complete and proved. @param asked number of alphas
   [[nodiscard]] bool whole(std::size_t asked) const;
 };
 
-/// Every rank makes the same call, and all come to the same.
-/// @param truss what the ends are proved of @param problem of `truss`; not all of its uncertain
-///        loads have half-widths of their own
-/// @param alphas not negative, increasing, in the unit of force; at least one
+/// Every rank makes the same call and gets the same result.
+/// @param truss for the proofs @param problem of `truss`; not all of its uncertain loads have
+///        half-widths of their own
+/// @param alphas nonnegative, increasing, in the unit of force; at least one
 LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
                              const problems::LimitProblem& problem, std::span<const double> alphas);
 

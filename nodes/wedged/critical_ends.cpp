@@ -1,4 +1,4 @@
-// One leaf, or one tree of sign patterns; again if an end has to move outwards.
+// Verification of one leaf or of one tree of sign patterns, repeated if a bound has to be relaxed.
 #include "nodes/wedged/critical_ends.hpp"
 
 #include <algorithm>
@@ -27,9 +27,9 @@ namespace kusabi::wedged {
 
 struct DecidedEnd {
   engine::Status status = engine::Status::solved;
-  std::vector<Configuration> leaves;  ///< maximal cones and open leaves
-  std::uint64_t alive = 0;            ///< leaves that live by the verifier's test
-  std::uint64_t unproved = 0;  ///< nodes whose evidence it refuses, or of which nothing is claimed
+  std::vector<Configuration> leaves;  ///< maximal cones and undecided leaves
+  std::uint64_t alive = 0;            ///< leaves that the exact test proves feasible
+  std::uint64_t unproved = 0;         ///< nodes whose evidence it refuses, or which are undecided
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -48,9 +48,9 @@ struct DecidedEnd {
 
 /// A leaf at one coefficient.
 struct CriticalEnds::DecidedLeaf {
-  std::vector<Configuration> found;  ///< it, if it is not dead
-  bool holds = false;                ///< that it is feasible, by the verifier's test
-  bool tie = false;                  ///< t* = 0 within the tolerance: nothing is claimed of it
+  std::vector<Configuration> found;  ///< the leaf, if it is not infeasible
+  bool holds = false;                ///< feasible by the exact test
+  bool tie = false;                  ///< t* = 0 within the tolerance: undecided
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -65,12 +65,12 @@ struct CriticalEnds::DecidedLeaf {
 
 namespace {
 
-/// An end moves outwards by the width first, and eight times as far each time.
+/// A bound is relaxed by the width first, then by eight times as much in each step.
 constexpr int most_moves = 7;
 constexpr double growth = 8;
 
-/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself
-/// a multiple of the width has a neighbour on either side.
+/// A bracket of at least this many widths counts as wider than requested. A coefficient that is a
+/// multiple of the width has a neighbour on either side.
 constexpr double wide = 2.5;
 
 bool is_cone(const Configuration& leaf) {
@@ -111,7 +111,7 @@ bool CriticalEnds::enclose() {
   return stiffness_.has_value();
 }
 
-// The solver's own bounds count where K cannot be enclosed, but not where they may be wrong.
+// If K cannot be enclosed, the bounds of the solver are used, unless they may be wrong.
 CriticalEnds::Test CriticalEnds::test(std::span<const double> friction,
                                       std::span<const ProvedBound> bounds) const {
   const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_);
@@ -204,7 +204,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
     }
     return decided;
   };
-  // A record is of one run.
+  // A record is written by one rank.
   auto decided = record ? engine::from_first_rank(analysis_.transport(), decide)
                         : analysis_.by_first_rank(decide);
   if (record) record->end({}, EndClaim::one_pattern, decided.holds);
@@ -212,8 +212,8 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
   return decided;
 }
 
-/// All sign patterns at one coefficient; what that takes is added to the costs.
-/// @param wanted whether what was found is worth a record
+/// Decides all sign patterns at one coefficient and adds the costs.
+/// @param wanted whether the result is to be recorded
 template <class Wanted>
 DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase,
                                 const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {
@@ -231,7 +231,7 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
   if (record) tree.report_to([&record](const auto& evidence) { record->add(evidence); });
   engine::Options search;
   search.limits.nodes = nodes;
-  // A record is of one run.
+  // A record is written by one rank.
   auto outcome = record ? analysis_.search_anew(tree, search) : analysis_.search(tree, search);
   costs_.push_back({phase, factor, outcome.opened(), outcome.opened()});
   auto decided = engine::from_first_rank(analysis_.transport(), [&] {
@@ -247,8 +247,8 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
   return decided;
 }
 
-// The verifier's test alone says where something lives: what lives at a coefficient lives above it.
-// The search's own ends are asked first.
+// Bisection by the exact test alone: a leaf feasible at a coefficient is feasible at all larger
+// ones. The bracket of the search is tested first.
 engine::Status CriticalEnds::bisect() {
   const double width = question_.grid.width;
   const FrictionGrid grid(width);
@@ -285,13 +285,13 @@ engine::Status CriticalEnds::bisect() {
   return status;
 }
 
-// Down to where everything is dead, and the verifier says so. Without friction nothing wedges, K
-// being definite, and for less than the least nothing is computed.
+// Decreases the lower bound until the exact test proves infeasibility. Without friction nothing is
+// wedged, since K is definite; smaller coefficients than the least supported one are not computed.
 engine::Status CriticalEnds::prove_lower() {
   if (bracket_.lower_proved() && !recorder_) return engine::Status::solved;
   const double least = CriticalFriction::range(problem_).least;
   const auto all_dead = [](const DecidedEnd& decided) { return decided.all_dead(); };
-  std::optional<double> dead;  // by the solver's own bounds
+  std::optional<double> dead;  // by the bounds of the solver
   double factor = bracket_.lower();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
@@ -310,14 +310,14 @@ engine::Status CriticalEnds::prove_lower() {
   return engine::Status::solved;
 }
 
-// Up to where the leaf lives, and the verifier says so. A flat one is a tie, and nothing above
-// proves it better; another pattern may be solid there.
+// Increases the upper bound until the exact test proves the leaf feasible. A flat leaf remains
+// degenerate at larger coefficients; then another pattern may be solid there.
 engine::Status CriticalEnds::prove_upper() {
   const bool recorded = recorder_ && !question_.list;
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> living;
-  bool ties_decided = false;  // by the other patterns, at the first tie
+  bool ties_decided = false;  // by the other patterns, at the first degenerate one
   double factor = *bracket_.upper();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {
@@ -344,7 +344,7 @@ engine::Status CriticalEnds::prove_upper() {
   return prove_by_any(living.value_or(std::min(factor, question_.grid.most)));
 }
 
-// By whatever pattern is feasible there: where the leaf that is known is a tie only.
+// Proves the upper bound by any feasible pattern, if the known leaf is degenerate.
 engine::Status CriticalEnds::prove_by_any(double factor) {
   if (question_.list || question_.grid.precision == Precision::doubles)
     return engine::Status::solved;

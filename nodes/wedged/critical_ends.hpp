@@ -1,6 +1,6 @@
-// The proof of both ends of a bracket of the critical friction coefficient, put to the verifier's
-// own test. At the lower end the tree of sign patterns decides every node; at the upper end one
-// leaf that is feasible is enough. An end that cannot be verified is moved outwards until it can.
+// Verification of the lower and upper bound of the critical friction coefficient in exact
+// arithmetic. At the lower bound the tree of sign patterns decides every node; at the upper bound
+// one feasible leaf is sufficient. A bound that cannot be verified is relaxed until it can.
 #pragma once
 
 #include <functional>
@@ -24,10 +24,10 @@ namespace kusabi::wedged {
 
 enum class CriticalEnd { lower, upper };
 
-/// Which patterns a record is about: all, or one that is feasible.
+/// Claim of a record: all patterns, or one feasible pattern.
 enum class EndClaim { all_patterns, one_pattern };
 
-/// Records the evidence of one end while it is searched, on one rank.
+/// Recorder of the evidence for one bound during its search, on one rank.
 class EndRecord {
  public:
   EndRecord() = default;
@@ -37,29 +37,29 @@ class EndRecord {
 
   virtual void add(const Evidence& evidence) = 0;
 
-  /// When the search is done, on every rank alike. @param bounds that the evidence uses
-  /// @param holds whether it shows what was wanted; else the end moves on, and there will be
-  /// another record
+  /// Ends the record, on every rank alike. @param bounds used by the evidence
+  /// @param holds whether the evidence proves the bound; otherwise the bound is relaxed and another
+  /// record follows
   virtual void end(std::span<const ProvedBound> bounds, EndClaim claim, bool holds) = 0;
 };
 
 /// Begins a record, on every rank alike. @param factor the friction coefficient @param friction
-/// that of each candidate @return null: this end is not to be recorded
+/// that of each candidate @return null: this bound is not recorded
 using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, double factor,
                                                              std::span<const double> friction)>;
 
-/// What the ends are moved by, and what is asked at the upper one.
+/// Parameters of the verification.
 struct EndsQuestion {
   CriticalGrid grid;
   Tightening tightening = Tightening::automatic;
-  bool list = false;             ///< whether all patterns are asked for
-  std::uint64_t list_nodes = 0;  ///< as of CriticalQuestion
+  bool list = false;             ///< true if all patterns are listed
+  std::uint64_t list_nodes = 0;  ///< see CriticalQuestion
 };
 
-/// What lives at one coefficient.
+/// Configurations at one coefficient.
 struct DecidedEnd;
 
-/// Every rank makes the same calls. All must outlive it.
+/// Every rank makes the same calls. @pre arguments outlive this object
 class CriticalEnds {
  public:
   CriticalEnds(engine::Analysis& analysis, const problems::Structure& structure,
@@ -67,25 +67,25 @@ class CriticalEnds {
                const EndRecorder& recorder, CriticalBracket& bracket,
                std::vector<CriticalCost>& costs);
 
-  /// Puts both ends to the test as they are, and moves none: the lower one by the roots alone, the
-  /// upper one by its leaf.
+  /// Tests both bounds without relaxing them: the lower one by the roots alone, the upper one by
+  /// its leaf.
   void prove_at_once();
 
-  /// Proves the ends, or widens the bracket. Says what stays open and where it was stopped; the
-  /// patterns are told on rank 0.
+  /// Proves the bounds or widens the bracket. Stores open points and the phase of a stop; patterns
+  /// are stored on rank 0.
   void prove(CriticalFindings& findings);
 
  private:
   struct DecidedLeaf;
-  /// Whether evidence proves what it claims.
+  /// True if evidence proves its claim.
   using Test = std::function<bool(const Evidence&)>;
 
   bool enclose();
   void know(std::vector<Configuration> found);
   bool roots_are_dead(double factor);
   DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, bool recorded);
-  /// Whether the search may be wrong by more than an end can be moved, and all can be put to the
-  /// verifier's test.
+  /// True if the error of the search may exceed the largest relaxation of a bound, while the exact
+  /// test is available.
   [[nodiscard]] bool is_to_bisect() const {
     return far_apart_ && question_.grid.precision == Precision::escalating &&
            std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
@@ -115,12 +115,13 @@ class CriticalEnds {
   const EndRecorder& recorder_;
   CriticalBracket& bracket_;
   std::vector<CriticalCost>& costs_;
-  /// Or why the ends cannot be put to the verifier's test; nothing before it is computed.
+  /// Enclosure of K, or the reason why there is none; nothing before it is computed.
   std::optional<Enclosure> stiffness_;
-  bool far_apart_;  ///< scales of unconstrained bodies: what the solver finds may be wrong
+  bool far_apart_;  ///< unconstrained bodies with very different scales: results of the solver may
+                    ///< be wrong
   double proved_lower_ = 0;
-  std::vector<Configuration> known_;       ///< feasible at the upper end, and
-  std::optional<PatternNode> known_leaf_;  ///< the leaf that the bracket had then
+  std::vector<Configuration> known_;       ///< feasible at the upper bound
+  std::optional<PatternNode> known_leaf_;  ///< leaf of the bracket at that time
 };
 
 }  // namespace kusabi::wedged

@@ -1,4 +1,4 @@
-// Ways to the bracket.
+// Strategies for the bracket of the critical coefficient.
 #include "nodes/wedged/critical_search.hpp"
 
 #include <algorithm>
@@ -24,19 +24,20 @@
 namespace kusabi::wedged {
 namespace {
 
-/// A trial from below opens so many nodes a candidate, and no more than so many: a descent takes
-/// more programs than that, and larger trees are the descent's.
+/// Maximum number of nodes of a global search for each candidate, and in all; larger trees use
+/// descent.
 constexpr std::uint64_t trial_nodes_a_candidate = 15;
 constexpr std::uint64_t most_trial_nodes = 600;
 
-/// In doubles a leaf is not told from a tie within some cells of its own; no tree can.
+/// In doubles a leaf is numerically undecided within this many cells of its critical coefficient,
+/// for every tree.
 constexpr double cells_in_doubt = 16;
 
 double or_infinity(const std::optional<double>& number) {
   return number.value_or(std::numeric_limits<double>::infinity());
 }
 
-// What lives or may live at the largest coefficient: maximal cones and open leaves.
+// Feasible or undecided leaves at the largest coefficient: maximal cones and undecided leaves.
 struct Living {
   engine::Status status = engine::Status::solved;
   std::vector<Configuration> leaves;
@@ -59,7 +60,7 @@ Living living_patterns(engine::Analysis& analysis, const problems::WedgedProblem
   });
 }
 
-// What a trial from below says, and who has worked on it.
+// Result of a limited global search, and the ranks' costs.
 struct BelowTrial {
   Smallest smallest;
   std::uint64_t opened = 0, programs = 0;
@@ -71,8 +72,8 @@ struct BelowTrial {
   }
 };
 
-// On the first rank alone, so that what it comes to depends on no timing; a part of the question,
-// since what comes next depends on it.
+// The search runs on the first rank, such that the result does not depend on timing. It belongs to
+// the analysis of its caller, whose next steps depend on it.
 BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalQuestion& question, const CriticalGrid& grid,
                             double known) {
@@ -94,7 +95,7 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
   return trial;
 }
 
-// The ways to the bracket of the smallest, and what is done before and between them.
+// Strategies for the smallest coefficient, with the steps before and between them.
 class SmallestWays {
  public:
   SmallestWays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -108,8 +109,8 @@ class SmallestWays {
         bracket_(bracket),
         findings_(findings) {}
 
-  // From below for so many nodes: of small trees that is the answer, of others a lower end to go
-  // down to.
+  // Global search within a limit of nodes: small trees are solved, others get a lower bound for the
+  // descent.
   void either() {
     if (start() || search_patterns() || known_at_most()) return;
     if (stopped(CriticalPhase::dive)) return;
@@ -130,7 +131,7 @@ class SmallestWays {
   }
 
  private:
-  // Without a tree. @return whether that is the answer, or all there is time for
+  // Initial bracket without a tree. @return whether it is the answer, or the time is over
   bool start() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto programs = start_bracket(analysis_, problem_, grid_, bracket_);
@@ -147,8 +148,8 @@ class SmallestWays {
     return bracket_.is_one_cell(cells * grid_.width);
   }
 
-  // For patterns that stick at less than is known, without a tree. @return whether the bracket is
-  // the answer, or there is no time for more
+  // Search without a tree for patterns that stick at less friction than is known. @return whether the
+  // bracket is the answer, or there is no time for more
   bool search_patterns() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto before = bracket_.upper();
@@ -159,8 +160,8 @@ class SmallestWays {
     return stopped(CriticalPhase::primal) || is_answered();
   }
 
-  // Whether anything lives at the largest coefficient, if it was given: it may be there to ask
-  // that, and a descent from there would begin so, too. @return whether nothing does
+  // True if any leaf is feasible at the largest coefficient, if the user specified one. A descent
+  // would begin with the same search. @return whether none is
   bool known_at_most() {
     if (!question_.most || bracket_.leaf()) return false;
     const auto dive =
@@ -171,8 +172,9 @@ class SmallestWays {
     return dive.all_dead;
   }
 
-  // Nothing above the leaf that is known is of interest; below it, that leaf would be in doubt.
-  // @return whether that is the answer
+  // The search is limited to coefficients up to the known leaf; just below them, that leaf would be
+  // undecided.
+  // @return whether it found the answer
   bool try_from_below() {
     CriticalGrid below = grid_;
     if (bracket_.leaf()) below.most = *bracket_.upper();
@@ -207,7 +209,7 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
   CriticalFindings findings;
   const auto living = living_patterns(analysis, problem, most, costs);
   findings.status = living.status;
-  // A part of them would say nothing.
+  // A partial list does not determine the answer.
   if (findings.status != engine::Status::solved) return findings;
   auto outcome =
       bracket_patterns(analysis, problem, living.leaves, method, width, multiples(most, width));
@@ -232,7 +234,7 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
   return findings;
 }
 
-// The bracket of the patterns that begin first, on all ranks.
+// Narrows the bracket by the patterns with the smallest coefficients, on all ranks.
 void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                         const CriticalFindings& findings, CriticalBracket& bracket) {
   const auto found = engine::from_first_rank(analysis.transport(), [&] {
@@ -269,7 +271,7 @@ void CriticalFindings::conclude(double dead) {
 
 CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuestion& question) {
   CriticalGrid grid;
-  // No further than the roughest candidate can be computed with.
+  // The limit is also that of the candidate with the largest relative friction.
   grid.most = question.most.value_or(std::min(usual_most, CriticalFriction::range(problem).most));
   int largest = 0;
   for (const auto& block : problems::blocks_of(problem)) largest = std::max(largest, block.size());
@@ -291,8 +293,8 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const EndRecorder& recorder) {
   if (!looks_for_smallest(question.way) && !question.most) {
     throw std::invalid_argument(
-        "the patterns are looked for at the largest friction coefficient of interest, which must "
-        "be given");
+        "the upper limit of the friction coefficient is missing; expected one for a search of all "
+        "patterns");
   }
   const auto grid = grid_of(problem, question);
   CriticalFindings findings;

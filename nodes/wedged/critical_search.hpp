@@ -1,6 +1,6 @@
-// The smallest friction coefficient at which anything can wedge, with a proved bracket, on all
-// ranks: by one global search, or pattern by pattern (Algorithm 6.1 of the wedged paper). The
-// question that `kusabi critical` asks.
+// Smallest friction coefficient at which a configuration is wedged, with a proved bracket, on all
+// ranks: by a global search, or for each pattern (Algorithm 6.1 of the wedged paper). Analysis of
+// `kusabi critical`.
 #pragma once
 
 #include "engine/analysis/analysis.hpp"
@@ -11,10 +11,10 @@
 
 namespace kusabi::wedged {
 
-/// Finds the bracket and proves its ends. Every rank makes the same call; what was found is
-/// complete on rank 0, its status on all.
-/// @param structure what the ends are proved of  @param problem of `structure`
-/// @param recorder of the evidence of both ends
+/// Finds the bracket and proves its bounds. Every rank makes the same call; the result is complete
+/// on rank 0, its status on all.
+/// @param structure for the proofs  @param problem of `structure`
+/// @param recorder of the evidence of both bounds
 /// @throws std::invalid_argument if a coefficient or the width is out of range
 CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::Structure& structure,

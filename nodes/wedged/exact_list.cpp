@@ -1,4 +1,4 @@
-// One tree with the exact test for each coefficient.
+// One tree with exact test for each coefficient.
 #include "nodes/wedged/exact_list.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Trees for a sweep; more steps than these many are not tested.
+/// Maximum number of steps of a sweep that are tested, since each takes a tree.
 constexpr std::size_t most_tested = 400;
 
 using Cones = std::set<std::pair<rays::Candidates, rays::Candidates>>;
@@ -40,7 +40,7 @@ PatternFindings exact_list(engine::Analysis& analysis, const ExactQuestion& ques
   return find_patterns(analysis, question.problem, friction, patterns);
 }
 
-/// Takes over what a list says of its test, and why it is none to hold anything against.
+/// Adds the test of a list, and the reasons why the list cannot be used for comparison.
 void add(ExactTest& test, const PatternFindings& list) {
   test.done = list.exact.done;
   test.refused += list.exact.refused;
@@ -52,7 +52,7 @@ void add(ExactTest& test, const PatternFindings& list) {
   test.done = test.unable.empty();
 }
 
-/// The list is another one.
+/// Records that the lists differ.
 void refute(ExactTest& test, std::string why) {
   test.unable = std::move(why);
   test.done = false;
@@ -64,9 +64,9 @@ rays::Candidates bits_of(const support::IndexSet& candidates) {
   return bits;
 }
 
-/// The list's, block by block; any of one block goes with any of another. Of a block without a
-/// reaction the list says nothing, and a cone where one that can have some has none is no part of
-/// it: that body moves away.
+/// Compares the cones of the list with the found ones by blocks; cones of different blocks combine
+/// freely. The list has no cones for a block without reactions, and a cone without reaction on a
+/// block that can have reactions is not part of it, since that body moves away.
 bool is_same(const std::vector<rays::Cone>& found, const PatternFindings& list) {
   std::vector<rays::Candidates> blocks;
   std::vector<Cones> listed(list.blocks.size());

@@ -1,5 +1,5 @@
-// What other methods find, held against the list of patterns with the exact test: by rays and by
-// histories nothing is proved.
+// Comparison of results without proof, by rays and by histories of leaves, with the list of
+// patterns of a search with exact test.
 #pragma once
 
 #include <span>
@@ -14,21 +14,22 @@
 
 namespace kusabi::wedged {
 
-/// A structure, and how much is to be proved of it.
+/// A structure, and the extent of the proof.
 struct ExactQuestion {
   const problems::Structure& structure;
   const problems::WedgedProblem& problem;
   Proving proving = Proving::automatic;
 };
 
-/// Whether the maximal cones that were found are those of the list. Without a need nothing is done.
-/// Every rank makes the same call; the answer is that of rank 0. @param found of a whole search
+/// Compares the maximal cones that were found with those of the list. Nothing is done if no test is
+/// required. Every rank makes the same call; the answer is valid on rank 0. @param found of a
+/// complete search
 ExactTest tested_cones(engine::Analysis& analysis, const ExactQuestion& question,
                        std::span<const double> friction, const std::vector<rays::Cone>& found);
 
-/// The same of the counts of a sweep: at given points, at the largest coefficient and at both ends
-/// of every bracket. What lives at a coefficient lives above it, so where the list is the same at
-/// both ends of a step it is so between.
+/// The same for the counts of a sweep: at given points, at the largest coefficient and at both
+/// bounds of every bracket. A cone feasible at a coefficient is feasible at all larger ones, so
+/// equal lists at both bounds of a step imply the same list between them.
 ExactTest tested_counts(engine::Analysis& analysis, const ExactQuestion& question,
                         std::span<const double> points, const SweepFindings& found);
 

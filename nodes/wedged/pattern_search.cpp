@@ -1,4 +1,4 @@
-// The leaves sorted into blocks and counted.
+// Leaves sorted by blocks, and their counts.
 #include "nodes/wedged/pattern_search.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace kusabi::wedged {
 namespace {
 
-// Those that a search that stopped early did not come upon, up to so many in all.
+// Adds known patterns that a stopped search has not found, up to a maximum number in all.
 void add_missing(std::vector<Configuration>& known, std::uint64_t most,
                  std::vector<Configuration>& leaves) {
   for (auto& leaf : known) {
@@ -28,8 +28,7 @@ void add_missing(std::vector<Configuration>& known, std::uint64_t most,
   }
 }
 
-/// K of the structure, enclosed for the exact test, if the question asks for it or the scales of
-/// the structure do.
+/// Enclosure of K for the exact test, if requested or required by the scales of the structure.
 std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analysis,
                                                          const problems::WedgedProblem& problem,
                                                          const PatternQuestion& question,
@@ -53,7 +52,7 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analy
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
 }
 
-// Whether the only leaf found shows nothing: the rest of the tree may.
+// True if the only leaf found is undecided: other nodes may show a pattern.
 bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& findings) {
   return engine::from_first_rank(analysis.transport(), [&] {
     const auto& outcome = findings.outcome;
@@ -85,7 +84,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   if (question.exists && options.facets == 0 && !enclosed && known.empty())
     if (auto leaf = leaf_without_tree(analysis, problem, friction, options.tolerances))
       known.push_back(std::move(*leaf));
-  // Without a search where these are all that is asked for.
+  // No search if the known patterns suffice.
   const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
   const bool enough = known.size() >= most;
   if (enough) search.limits.nodes = 0;
@@ -94,7 +93,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
                                     .tightening = Tightening::never};
   const auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
   inform(tree, prepared);
-  if (question.witness) tree.report_to(question.witness);
+  if (question.recorder) tree.report_to(question.recorder);
   findings.bounds = proved_bounds(prepared);
   std::optional<EvidenceCheck> check;
   if (enclosed) {
@@ -102,7 +101,8 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     check.emplace(problem, *enclosed, friction, findings.bounds,
                   far_apart ? FarMotion::counted : FarMotion::left_out);
     findings.exact.done = check->is_able();
-    // Of held bodies the solver's own bounds hold; its cut-offs are of motions.
+    // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
+    // modes.
     if (!check->is_able() && problem.motions.cols() > 0)
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
     if (check->is_able() || problem.motions.cols() > 0)

@@ -1,5 +1,5 @@
-// All sign patterns of wedged configurations (Algorithms 5.1 and 5.8 of the wedged paper), and what
-// the leaves of the tree say of the structure: the question that `kusabi patterns` asks.
+// All sign patterns of wedged configurations (Algorithms 5.1 and 5.8 of the wedged paper), with
+// results for the whole structure: the analysis of `kusabi patterns`.
 #pragma once
 
 #include <cstddef>
@@ -17,81 +17,84 @@
 
 namespace kusabi::wedged {
 
-/// The candidates of a block, and how many maximal cones it has.
+/// The candidates of a block, and its number of maximal cones.
 struct PatternBlock {
   support::IndexSet candidates;
-  Branching branching = Branching::relative;  ///< the rule that its tree was searched by
+  Branching branching = Branching::relative;  ///< branching rule of its tree
   std::uint64_t bound_programs = 0;           ///< solved to bound its candidates before
   std::uint64_t cones = 0;
-  std::uint64_t open = 0;  ///< leaves of which it could not be told whether they are patterns
+  std::uint64_t open = 0;  ///< numerically undecided leaves
 
   [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
 };
 
-/// Whether every node is put to the exact test of `kusabi verify` while it is searched.
+/// Verification of every node by the exact test of `kusabi verify` during the search.
 enum class Proving {
-  automatic,  ///< where floating point may miss something: scale_ratio() is above wide_scales
-  always,     ///< however large the structure is
+  automatic,  ///< if floating point may miss a pattern: scale_ratio() is above wide_scales
+  always,     ///< for structures of any size
 };
 
-/// Scales of a structure farther apart than this are too far for cut-offs of 1e-10 and 1e-12 of the
-/// largest: what they leave out may count.
+/// Largest ratio of the scales of a structure for tolerances of 1e-10 and 1e-12 relative to the
+/// largest number; above it, smaller numbers may be significant.
 inline constexpr double wide_scales = 1e7;
 
-/// What is told by its sign then, though it is a tie in sixteen digits.
+/// Threshold of |t*| above which its sign is used with the exact test, although it is zero in
+/// sixteen digits.
 inline constexpr double finest = 1e-22;
 
-/// What the exact test was for, and what it left.
+/// Purpose and result of the exact test.
 struct ExactTest {
   double scale_ratio = 1;
   bool asked = false;
   bool done = false;
-  std::string unable{};       ///< why it was not done although it should have been, a sentence
+  std::string unable{};       ///< the reason why a required test was impossible, a sentence
   std::uint64_t refused = 0;  ///< claims that it did not accept
-  std::uint64_t doubted = 0;  ///< nodes closed all the same, since too much is below them
-  std::uint64_t ties = 0;     ///< closed nodes of which nothing is claimed, and it proves nothing
+  std::uint64_t doubted = 0;  ///< nodes closed nevertheless, since their subtrees are too large
+  std::uint64_t ties = 0;     ///< closed nodes without claim that it does not prove either
 
-  /// Whether the list is less than what was asked for, though nothing on it is open.
+  /// True if the list may be incomplete although all its patterns are decided.
   [[nodiscard]] bool leaves_doubt() const {
     return !unable.empty() || doubted > 0 || (asked && ties > 0);
   }
 };
 
-/// The answer, of rank 0.
+/// The answer, on rank 0.
 struct PatternFindings {
   engine::Outcome<SignPatternTree> outcome;
-  std::vector<Configuration> leaves;  ///< the maximal cones, then the open leaves
+  std::vector<Configuration> leaves;  ///< the maximal cones, then undecided leaves
   std::vector<PatternBlock> blocks;
   std::vector<ProvedBound> bounds;  ///< of candidates, on every rank
-  /// Of Algorithm 5.8: the leaves to test, block by block in the order of a dictionary.
+  /// Of Algorithm 5.8: the leaves to test, in lexicographic order within each block.
   std::vector<PolyhedralCandidate> tested;
-  std::size_t flat = 0, marginal = 0, undecided = 0;  ///< of the leaves
+  std::size_t flat = 0, marginal = 0, undecided = 0;  ///< among the leaves
   ExactTest exact;
 
   [[nodiscard]] bool whole() const { return outcome.status == engine::Status::solved; }
 
-  /// Leaves of which it could not be told whether they are patterns.
+  /// Number of numerically undecided leaves.
   [[nodiscard]] std::size_t open() const { return marginal + undecided; }
 
-  /// The sign patterns of the whole structure: any of one block goes with any of another.
+  /// The number of sign patterns of the whole structure: patterns of different blocks combine
+  /// freely.
   [[nodiscard]] support::ExactCount count() const;
 
-  /// The candidates of blocks that cannot wedge: at rest whatever the others do. None if the
-  /// search stopped early, since some may come.
+  /// The candidates of blocks that cannot wedge, which are always inactive. None if the search
+  /// stopped early.
   [[nodiscard]] support::IndexSet idle() const;
 };
 
-/// What can be chosen beside the problem.
+/// Options of the analysis.
 struct PatternQuestion {
   SignPatternOptions tree;
-  engine::Options search;  ///< checkpoints, traces, whom to warn
-  Witness witness;         ///< told, on each rank, why nodes are closed there; empty: nobody
+  engine::Options search;     ///< checkpoints, traces, warnings
+  EvidenceRecorder recorder;  ///< receives on each rank the evidence of closed nodes; empty: none
   const problems::Structure* structure = nullptr;  ///< of the problem; null: no exact test
   Proving proving = Proving::automatic;
   bool exists = false;  ///< only whether there is any: one configuration is enough
 };
 
-/// Every rank makes the same call. The findings are whole on rank 0; elsewhere the status counts.
+/// Every rank makes the same call. The findings are complete on rank 0; other ranks have the
+/// status.
 /// @param friction mu of each contact candidate
 /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,

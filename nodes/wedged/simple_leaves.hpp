@@ -1,5 +1,6 @@
-// Sign patterns that need no search: all candidates of a block in contact, or one whose coefficient
-// has a closed form. Of hundreds of candidates a tree may find none for a long time.
+// Sign patterns found without a search: all candidates of a block in contact, or a single one,
+// whose coefficient has a closed form. A tree with hundreds of candidates may find no pattern for a
+// long time.
 #pragma once
 
 #include <span>
@@ -11,8 +12,8 @@
 
 namespace kusabi::wedged {
 
-/// Those that are alive, of blocks that are not small. Every rank makes the same call and gets the
-/// same. @param friction mu of each candidate
+/// The feasible ones of these, in blocks that are not small. Every rank makes the same call and
+/// gets the same result. @param friction mu of each candidate
 std::vector<Configuration> simple_leaves(engine::Analysis& analysis,
                                          const problems::WedgedProblem& problem,
                                          std::span<const double> friction,

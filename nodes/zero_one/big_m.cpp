@@ -1,4 +1,5 @@
-// Rounds over all rows; each asks a linear program what the row can need where it is switched off.
+// Rounds over all rows; each solves a linear program for the range of the row where it is switched
+// off.
 #include "nodes/zero_one/big_m.hpp"
 
 #include <algorithm>
@@ -15,13 +16,13 @@ using linear::rounded::sum_down;
 using linear::rounded::sum_up;
 
 constexpr std::uint64_t most_rounds = 20;
-// A round pays for the next if it took at least this share of all the Ms.
+// Another round follows if one reduces the Ms by at least this share.
 constexpr double worth_a_round = 0.01;
-// An M is 0 or at least this share of the largest term of its row, and this share of itself as it
-// was given: a smaller one is nothing but rounding.
+// Smallest M other than 0, relative to the largest term of its row and to its given value; smaller
+// ones would be rounding errors.
 constexpr double least_share = 1e-6;
 constexpr double least_share_of_given = 1e-12;
-// An M that shrinks by less than this share of itself is left as it is.
+// An M that decreases by less than this share is not changed.
 constexpr double worth_a_change = 1e-3;
 
 }  // namespace
@@ -80,7 +81,7 @@ class BigMs::Round {
         stop_(stop),
         result_(result) {}
 
-  /// @return the share of the Ms that is gone
+  /// @return the relative reduction of the Ms
   double apply(std::vector<Row>& rows) {
     double gone = 0;
     for (auto& row : rows) {
@@ -92,12 +93,12 @@ class BigMs::Round {
   }
 
  private:
-  // @return the share of M that is gone
+  // @return the relative reduction of M
   double apply(Row& big) {
     const double now = std::abs(mixed_.program.entries[big.entry].value);
     auto& column = mixed_.program.columns[static_cast<std::size_t>(big.binary)];
     if (column.lower == column.upper || now == 0) return 0;
-    // The value of the binary at which the row asks for less.
+    // The value of the binary at which the row is relaxed.
     const double slack_at = big.m > 0 ? 0 : 1;
     ends_.set_column_bounds(big.binary, slack_at, slack_at);
     const auto range = ends_.upper_end(big.others);
@@ -108,7 +109,7 @@ class BigMs::Round {
       return 0;
     }
     if (!std::isfinite(range.upper)) return 0;
-    // Rounded such that no side asks for more than as given, or than needed.
+    // Rounded such that neither side is stricter than given, or than necessary.
     const double tight = big.m > 0 ? sum_up(big.upper, -big.m) : big.upper;
     const double least = std::max(least_share * std::max(range.size, std::abs(tight)),
                                   least_share_of_given * std::abs(big.m));

@@ -1,5 +1,5 @@
-// Big Ms made as small as they may be: an M larger than what its row can need makes the relaxation
-// weak, and ranges of what a row can need come from linear programs (bound_tightening.hpp).
+// Minimisation of big Ms: too large an M makes the relaxation weak, and the ranges of rows follow
+// from linear programs (bound_tightening.hpp).
 #pragma once
 
 #include <cstddef>
@@ -11,31 +11,31 @@
 
 namespace kusabi::zero_one {
 
-/// What one call of BigMs::tighten() did.
+/// Result of one call of BigMs::tighten().
 struct Tightening {
-  bool changed = false;     ///< whether any coefficient or bound of a binary is another one now
+  bool changed = false;     ///< true if any coefficient or bound of a binary has changed
   std::uint64_t fixed = 0;  ///< binaries fixed because the other value is infeasible
   std::uint64_t rounds = 0;
   std::uint64_t programs = 0;
   bool nothing_left = false;  ///< no point is as good as the cutoff
-  bool proved = true;         ///< whether all of it holds in spite of rounding
+  bool proved = true;         ///< true if all of it holds despite rounding
 };
 
-/// The rows of the kind a'x + M tau <= b, with one binary and other columns besides, of a program
-/// as it is given. Each new M is worked out from the M and b that were given, so that rounds come
-/// to an end; it is 0 where the row holds whatever tau is.
+/// The rows of the form a'x + M tau <= b, with one binary and other columns. Each new M is computed
+/// from the given M and b, such that rounds end; it is 0 where the row holds for both values of
+/// tau.
 class BigMs {
  public:
   explicit BigMs(const linear::MixedProgram& given);
 
-  /// Makes each M as small as the points that matter allow, in rounds, until little changes. Points
-  /// with an objective of at most `cutoff` stay; of others some may be lost.
-  /// @param mixed the program given, or what earlier calls have made of it
-  /// @param proofs_only whether to leave all as it is that is not proved
+  /// Makes each M as small as the relevant points allow, in rounds, until little changes. Points
+  /// with an objective of at most `cutoff` are kept; others may be lost.
+  /// @param mixed the given program, or the result of earlier calls
+  /// @param proofs_only whether to omit changes without proof
   Tightening tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only = false,
                      const support::Stop& stop = {});
 
-  /// How many coefficients are smaller than they were given.
+  /// The number of coefficients that are smaller than given.
   [[nodiscard]] std::uint64_t smaller() const;
 
  private:
@@ -45,7 +45,7 @@ class BigMs {
     std::size_t row = 0;
     std::size_t entry = 0;  // of the binary, among those of the program
     int binary = 0;
-    bool from_below = false;  // the row is lower <= a'x + m tau, here with all signs changed
+    bool from_below = false;  // the row is lower <= a'x + m tau, stored with opposite signs
     double m = 0;
     double upper = 0;
     std::vector<linear::LinearTerm> others = {};

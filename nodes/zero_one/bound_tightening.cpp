@@ -1,4 +1,4 @@
-// Linear programs that ask for the ends of a form.
+// Linear programs for the bounds of a form.
 #include "nodes/zero_one/bound_tightening.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using linear::infinity;
 using linear::LinearStatus;
 using linear::LinearTerm;
 
-// An end whose proof in doubles is this near to it, relative to its size (at least one), is left at
-// that.
+// Gap between a bound and its proof in doubles, relative to its size (at least one), that is
+// accepted.
 constexpr double margin = 1e-6;
 
 linear::LinearProgram with_objective_row(const linear::LinearProgram& given, double cutoff) {
@@ -64,7 +64,7 @@ FormRange BoundTightening::upper_end(std::span<const LinearTerm> form) {
   return end(form, -1);
 }
 
-// The least of sign * form.
+// The minimum of sign * form.
 FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
   const auto set_costs = [&](double factor) {
     for (const auto& [column, value] : form) {
@@ -96,7 +96,8 @@ FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
                   : FormRange{-infinity, -least, proved, size};
 }
 
-// At the point found; a column near zero counts as one, or as its bound if that is nearer.
+// Largest term at the point found; a column near zero counts as one, or as its bound if that is
+// nearer.
 double BoundTightening::largest_term(std::span<const LinearTerm> form) const {
   double largest = 0;
   for (const auto& [column, value] : form) {
@@ -108,8 +109,8 @@ double BoundTightening::largest_term(std::span<const LinearTerm> form) const {
   return largest;
 }
 
-// The least of the form as it is among the costs, in more digits, and whether that is proved;
-// infinity: no point matters.
+// The minimum of the form that is set as costs, at a higher precision level, and whether it is
+// proved; infinity: there is no relevant point.
 std::pair<double, bool> BoundTightening::least_precisely() {
   using linear::Residuals;
   const auto found = linear::solve_precisely(program_, simplex_.basis(), stop_);

@@ -1,5 +1,5 @@
-// Optimisation-based bound tightening: how far a linear form can go where it matters, that is among
-// the points of the relaxation with an objective of at most that of a point known.
+// Optimisation-based bound tightening: the range of a linear form over the points of the relaxation
+// with an objective of at most that of a known point.
 #pragma once
 
 #include <cstdint>
@@ -12,30 +12,31 @@
 
 namespace kusabi::zero_one {
 
-/// A linear form lies in [lower, upper] at every point that matters; lower > upper: there is none.
+/// A linear form is in [lower, upper] at every relevant point; lower > upper: there is none.
 struct FormRange {
   double lower = -linear::infinity;
   double upper = linear::infinity;
-  /// Whether both ends hold in spite of rounding. If not, reduced costs that are zero but for the
-  /// last of 30 digits were counted as zero.
+  /// True if both bounds hold despite rounding. If not, reduced costs that are zero up to the last
+  /// of 30 digits were counted as zero.
   bool proved = true;
-  /// Of the terms at the ends: the scale that rounding in the form has.
+  /// Of the terms at the bounds: the scale of rounding errors in the form.
   double size = 0;
 };
 
 /// Ranges of linear forms over {x of the program, binaries relaxed : objective <= cutoff}.
 class BoundTightening {
  public:
-  /// @param cutoff infinity: all points matter
-  /// @param stop asked within each program; one that is stopped says nothing
+  /// @param cutoff infinity: all points are relevant
+  /// @param stop polled within each program; a stopped one has no result
   BoundTightening(const linear::LinearProgram& program, double cutoff, support::Stop stop = {});
 
-  /// From the basis of the last call. @throws std::invalid_argument if a term is no column
+  /// Starts from the basis of the last call. @throws std::invalid_argument if a term is not a
+  /// column
   FormRange range(std::span<const linear::LinearTerm> form);
-  /// One end only: half the work.
+  /// One bound only: half the work.
   FormRange upper_end(std::span<const linear::LinearTerm> form);
 
-  /// Bounds of a column from now on.
+  /// Sets the bounds of a column.
   void set_column_bounds(int column, double lower, double upper);
 
   [[nodiscard]] std::uint64_t programs() const { return simplex_.solves(); }

@@ -1,4 +1,4 @@
-// The rounds of Algorithm 5.1.
+// Rounds of Algorithm 5.1.
 #include "nodes/zero_one/cut_rounds.hpp"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
       result.basis = relaxation.basis();
       order.kept();
     } else {
-      // The next cut is made for this point, as the algorithm says, but without this cut.
+      // The next cut is made for this point, as in the algorithm, but without this cut.
       relaxation.drop_last_row();
       order.rejected(*chosen);
     }

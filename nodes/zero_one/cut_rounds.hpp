@@ -11,10 +11,10 @@
 
 namespace kusabi::zero_one {
 
-/// Which binary the next cut is made for: the set J of Algorithm 5.1.
+/// Order of the binaries for cuts: the set J of Algorithm 5.1.
 ///
-/// Where (51) finds no cut, the paper as printed would keep 0 >= 0 and ask the same of the same
-/// point until the rounds are used up. Here such a binary is left out until there is another point.
+/// Where (51) finds no cut, the paper as printed would keep 0 >= 0 and repeat the same program
+/// until the rounds are used up. Here such a binary is left out until the point changes.
 class CutOrder {
  public:
   explicit CutOrder(std::size_t binaries) : without_cut_(binaries) {}
@@ -27,7 +27,7 @@ class CutOrder {
   void kept() { new_point({}); }
   void rejected(std::size_t binary) { new_point(binary); }
 
-  /// (51) has no cut for it at this point.
+  /// Records that (51) has no cut for it at this point.
   void found_none(std::size_t binary);
 
  private:
@@ -38,13 +38,13 @@ class CutOrder {
   std::optional<std::size_t> rejected_;
 };
 
-/// What Algorithm 5.1 did.
+/// Result of Algorithm 5.1.
 struct CutRounds {
   std::uint64_t rounds = 0;    ///< values of k: at most 1.8 m
   std::uint64_t programs = 0;  ///< cut generating programs solved
   std::uint64_t found = 0;     ///< cuts that the optimum violated
   std::uint64_t kept = 0;      ///< of those, kept in step 4
-  linear::Basis basis;         ///< an optimum of the relaxation with all that were kept
+  linear::Basis basis;         ///< an optimum of the relaxation with all kept cuts
 };
 
 /// Algorithm 5.1: adds cuts to the relaxation.

@@ -1,4 +1,4 @@
-// The cut generating program, and how its answer is read.
+// Cut-generating program and interpretation of its solution.
 #include "nodes/zero_one/disjunctive_cuts.hpp"
 
 #include <algorithm>
@@ -13,20 +13,20 @@ using linear::infinity;
 using linear::LinearStatus;
 using linear::LinearTerm;
 
-// A column nearer to its bound than this lies at it.
+// A column closer to its bound than this is at it.
 constexpr double at_bound = 1e-9;
-// Coefficients below this share of the largest are rounding; without them the cut is another one,
-// whose right-hand side is computed for itself.
+// Coefficients below this share of the largest are rounding errors; without them the cut is another
+// one, whose right-hand side is computed for itself.
 constexpr double no_coefficient = 1e-10;
-// A cut violated by less cuts off what GLPK calls feasible.
+// A smaller violation is within the feasibility tolerance of GLPK.
 constexpr double least_violation = 1e-6;
-// Of a point that no inequality of both sides admits on its face, (51) is unbounded; the violation
-// is held below this many times the size of the point.
+// If no inequality of both sides holds at the point's face, (51) is unbounded; the violation is
+// limited to this multiple of the size of the point.
 constexpr double most_violation = 1e3;
-// Right-hand sides that cannot be made safe give way by so much, relative to the size of the terms.
-constexpr double give_way = 1e-8;
-// What is smaller is a zero that was rounded. As a coefficient of the cut generating program it
-// would spoil its scaling; the cut loses nothing, since its right-hand side is computed anew.
+// Right-hand sides without a safe bound are relaxed by this, relative to the size of the terms.
+constexpr double relaxation_share = 1e-8;
+// Smaller numbers are rounded zeros. As coefficients of the cut-generating program they would spoil
+// its scaling; the cut remains valid, since its right-hand side is computed anew.
 constexpr double noise = 1e-9;
 
 double without_noise(double number) {
@@ -40,7 +40,7 @@ std::vector<double> without_noise(std::vector<double> numbers) {
 
 enum class Spot : std::uint8_t { inside, lower, upper };
 
-// (51), and how to read its answer.
+// (51), and the interpretation of its solution.
 class CutProgram {
  public:
   CutProgram(const Relaxation& relaxation, std::size_t rows, const std::vector<double>& point,
@@ -87,8 +87,8 @@ class CutProgram {
     std::vector<LinearTerm> depth{{beta_, 1}};
     for (std::size_t j = 0; j < spot_.size(); ++j) {
       if (spot_[j] != Spot::inside) continue;
-      // (51) norms what is not zero. A column that has bounds is normed even at zero: without, its
-      // bounds make deep cuts of coefficients that tell little.
+      // (51) normalises nonzero columns. A column with bounds is normalised even at zero: otherwise
+      // its bounds make deep but useless cuts.
       const bool free = columns[j].lower == -infinity && columns[j].upper == infinity;
       const double norm = free && point_[j] == 0 ? infinity : 1;
       alpha_[j] = program_.add_column({.cost = point_[j], .lower = -norm, .upper = norm});
@@ -100,11 +100,12 @@ class CutProgram {
     program_.add_row({.upper = most_violation * size}, depth);
   }
 
-  // alpha and beta of one side of the disjunction, as combinations of what holds there: (48).
+  // alpha and beta of one side of the disjunction, as combinations of its inequalities: (48).
   void write_side(std::size_t side) {
     const auto& columns = given().columns;
-    std::vector<std::vector<LinearTerm>> sums(columns.size());  // alpha_i, of the columns inside
-    std::vector<LinearTerm> right{{beta_, -1}};                 // >= 0
+    std::vector<std::vector<LinearTerm>> sums(
+        columns.size());                         // alpha_i of the columns that are not at a bound
+    std::vector<LinearTerm> right{{beta_, -1}};  // >= 0
     const auto multiplier = [&](double lower, double upper, double bound) {
       const int column = program_.add_column({.lower = lower, .upper = upper});
       right.push_back({column, without_noise(bound)});
@@ -200,7 +201,7 @@ class CutProgram {
       largest = std::max(largest, std::abs(alpha[j]));
     }
     if (largest == 0) return {};
-    // By a power of two, so that multipliers and coefficients go on fitting each other.
+    // Scaled by a power of two, such that multipliers and coefficients remain consistent.
     const double scale = std::exp2(-std::ceil(std::log2(largest)));
     DisjunctiveCut cut;
     double at_point = 0;
@@ -216,8 +217,8 @@ class CutProgram {
       auto scaled = y[side];
       for (double& multiplier : scaled) multiplier *= scale;
       const double held = side == 0 ? 0 : 1;
-      cut.lower = std::min(
-          cut.lower, relaxation_.least(alpha, scaled, static_cast<int>(split_), held, give_way));
+      cut.lower = std::min(cut.lower, relaxation_.least(alpha, scaled, static_cast<int>(split_),
+                                                        held, relaxation_share));
     }
     cut.violation = cut.lower - at_point;
     if (!(cut.violation > least_violation)) return {};
@@ -231,7 +232,7 @@ class CutProgram {
   std::vector<Spot> spot_;
   linear::LinearProgram program_;
   int beta_ = -1;
-  std::vector<int> alpha_;  // columns of the cut generating program; -1: left out
+  std::vector<int> alpha_;  // columns of the cut-generating program; -1: left out
   std::array<std::vector<std::array<int, 2>>, 2> multipliers_;  // side, row, {lower, upper}
 };
 

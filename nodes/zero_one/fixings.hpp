@@ -1,5 +1,5 @@
-// The sets J0 and J1 of Algorithm 4.2 of the limit paper: which binaries are held at 0 and at 1.
-// Bit sets over any number of binaries, counted in the order of MixedProgram::binaries.
+// Sets J0 and J1 of Algorithm 4.2 of the limit paper: the binaries fixed at 0 and at 1. Bit sets
+// over any number of binaries, in the order of MixedProgram::binaries.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Rows as intervals: what the other columns leave for one.
+// Rows as intervals: bounds of one column from those of the others.
 #include "nodes/zero_one/implied_bounds.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ using linear::rounded::product_down;
 using linear::rounded::product_up;
 
 constexpr int rounds = 8;
-// A bound that moves by less than this share of the width is left: otherwise bounds may creep
-// towards a limit in ever smaller steps.
+// A bound that changes by less than this share of the width is not changed: otherwise bounds may
+// approach a limit in ever smaller steps.
 constexpr double worth_it = 0.05;
 
 struct Row {
@@ -40,11 +40,11 @@ class Propagation {
  public:
   explicit Propagation(ColumnBounds& bounds) : bounds_(bounds) {}
 
-  /// @return whether a bound moved
+  /// @return whether a bound changed
   bool apply(const Row& row) {
     const std::size_t count = row.terms.size();
     // Sums over the terms before and from each one on; both together leave one out, without a
-    // subtraction that infinity would spoil.
+    // subtraction, which infinite terms would spoil.
     from_.assign(count + 1, {});
     for (std::size_t k = count; k-- > 0;) from_[k] = term(row, k) + from_[k + 1];
     Interval before{};

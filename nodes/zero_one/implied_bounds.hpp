@@ -1,5 +1,5 @@
-// Bounds of columns that follow from the rows: what the safe bound needs of columns that were given
-// none (a flow that only its capacity row holds). Rounded outwards, so that no point is lost.
+// Bounds of columns implied by rows, which the safe bound requires for columns without bounds (such
+// as a flow limited by a capacity row). Rounded outwards, such that no point is lost.
 #pragma once
 
 #include <span>
@@ -18,8 +18,7 @@ struct ColumnBounds {
 ColumnBounds own_bounds(const linear::LinearProgram& program);
 
 /// Bounds that every point of the program with an objective of at most `cutoff` satisfies
-/// (infinity: every point at all): those of the columns, made tighter by one row after another a
-/// few times.
+/// (infinity: every point): those of the columns, tightened by all rows a few times.
 ColumnBounds implied_bounds(const linear::LinearProgram& program, double cutoff = linear::infinity);
 
 }  // namespace kusabi::zero_one

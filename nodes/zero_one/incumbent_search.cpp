@@ -11,7 +11,7 @@ namespace {
 
 using linear::LinearStatus;
 
-// Each step of a dive holds this share of the binaries that are still fractional, but one at least.
+// Each step of a dive fixes this share of the fractional binaries, but one at least.
 constexpr std::size_t steps_of_a_dive = 12;
 
 struct Candidate {
@@ -19,7 +19,7 @@ struct Candidate {
   std::size_t binary;
 };
 
-// The fractional binaries, those nearest to 0 or 1 first; the others are held where they are.
+// The fractional binaries, those nearest to 0 or 1 first; the others are fixed at their values.
 std::vector<Candidate> hold_whole_ones(const Relaxation& relaxation, Fixings& fixings) {
   std::vector<Candidate> rest;
   for (std::size_t k = 0; k < relaxation.binaries(); ++k) {
@@ -37,7 +37,7 @@ std::vector<Candidate> hold_whole_ones(const Relaxation& relaxation, Fixings& fi
   return rest;
 }
 
-// By how much rows do not hold, in all; infinite if one is off by more than rounding.
+// Sum of the violations of rows; infinite if one exceeds rounding.
 double excess(const linear::LinearProgram& program, const std::vector<double>& values) {
   constexpr double part = 1e-12;
   struct Activity {
@@ -94,8 +94,8 @@ std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixi
     const auto& column = program.columns[j];
     point.values[j] = std::clamp(point.values[j], column.lower, column.upper);
   }
-  // The doubles are good enough if they are worth what the bound says, and what rows lack is worth
-  // nothing even at the largest cost: it may be a penalty on just that.
+  // The doubles are accurate enough if their objective agrees with the bound and the violations of
+  // rows are negligible even at the largest cost, which may be a penalty on them.
   constexpr double share = 0.25;
   point.objective = numbers::rounded(objective_of(program, point.values));
   const double most = share * relaxation.steps().width(point.objective);

@@ -1,5 +1,5 @@
-// Points that satisfy a mixed zero-one program, found without a tree: by rounding, and by diving,
-// that is going down from a node without coming back. They give the search something to prune with.
+// Primal heuristics of a mixed zero-one program: points by rounding and by diving, that is
+// descending from a node without backtracking. The search prunes with them.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace kusabi::zero_one {
 
-/// A point of the program; its binaries are 0 or 1 exactly, its columns are within their bounds,
-/// and rows hold to 1e-12 of their terms.
+/// A point of the program: its binaries are exactly 0 or 1, its columns are within their bounds,
+/// and rows are satisfied to 1e-12 of their terms.
 struct ZeroOnePoint {
   double objective = 0;  ///< constant + c'x, correct to its last digits
   std::vector<double> values;
@@ -23,8 +23,8 @@ struct ZeroOnePoint {
   }
 };
 
-/// The best point with all binaries held as `fixings` say, which leave none free; none if there is
-/// none, or it cannot be had to so many digits. What was found is in the relaxation.
+/// The best point with all binaries fixed by `fixings`, which leave none free; none if there is
+/// none, or not to the required accuracy. The solution is in the relaxation.
 std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixings,
                                      const linear::Basis& basis);
 
@@ -33,7 +33,7 @@ Fixings rounded_fixings(const Relaxation& relaxation, Fixings fixings);
 
 /// Dives from the relaxation's optimum under `fixings` (with its basis): fixes the binaries that
 /// are at 0 or 1 and the one that is nearest to it, solves again, and so on; if that is infeasible,
-/// the nearest one is fixed at its other value. Some dozens of linear programs at most.
+/// the nearest one is fixed at its other value. It takes some dozens of linear programs.
 std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
                                  const linear::Basis& basis);
 

@@ -1,4 +1,4 @@
-// The root on every rank alike, the tree shared, and what both say.
+// Root on every rank, tree on all ranks, and the combined result.
 #include "nodes/zero_one/mixed_search.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace kusabi::zero_one {
 namespace {
 
-// What the search starts from, which every rank has worked out by itself.
+// Fingerprint of the initial data of the search, which every rank has computed.
 std::uint64_t fingerprint_of(const ZeroOneRoot& root) {
   support::Fingerprint fingerprint;
   const auto& program = root.relaxation.program();
@@ -29,7 +29,7 @@ std::uint64_t fingerprint_of(const ZeroOneRoot& root) {
   return fingerprint.value();
 }
 
-// The outcome if the work at the root was stopped: its bound and its point, and one open node.
+// The outcome of a stopped root: its bound and its point, and one open node.
 engine::Outcome<ZeroOneTree> outcome_of_root(const ZeroOneTree& tree, int ranks,
                                              engine::Status why) {
   engine::Outcome<ZeroOneTree> outcome;
@@ -41,9 +41,8 @@ engine::Outcome<ZeroOneTree> outcome_of_root(const ZeroOneTree& tree, int ranks,
   return outcome;
 }
 
-// If the relaxation has no lower bound, neither has the program, if it has a point at all: the
-// direction in which the objective falls leaves the binaries alone. So a point is all there is to
-// look for.
+// If the relaxation is unbounded, so is the program if it has a point: the direction of decreasing
+// objective does not change the binaries. The search then only needs a point.
 bool without_bound(ZeroOneRoot& root, const linear::MixedProgram& mixed,
                    const ZeroOneRootOptions& options) {
   if (root.status != linear::LinearStatus::unbounded || !falls_for_ever(mixed, options.stop)) {
@@ -62,7 +61,7 @@ MixedRoot mixed_root(engine::Analysis& analysis, const linear::MixedProgram& mix
   options.stop = analysis.budget().stop();
   MixedRoot result{.root = prepare_root(mixed, options)};
   result.unbounded = without_bound(result.root, mixed, options);
-  // One rank that was stopped at the root stops all: their roots differ.
+  // A rank stopped at the root stops all, since their roots differ.
   const std::uint64_t interrupted = result.root.interrupted ? 1 : 0;
   const auto all = engine::all_reduce(analysis.transport(), {.ranks = 1, .found = interrupted});
   result.stopped = all.found != 0;

@@ -1,5 +1,5 @@
-// A mixed zero-one program from end to end, on all ranks: the work at the root, whether it has a
-// bound at all, the tree, and what the outcome says of the program.
+// Solution of a mixed zero-one program on all ranks: the root, a test for unboundedness, the tree,
+// and the answer.
 #pragma once
 
 #include <cstdint>
@@ -11,61 +11,61 @@
 
 namespace kusabi::zero_one {
 
-/// An answer is optimal if objective and bound differ by no more than this part of the objective's
-/// size (ObjectiveSteps::size). Objectives are told apart in steps of at most 2^-30, or 9.3e-10, of
-/// it, and the bound of a whole search is half a step below the objective: ten steps leave room for
-/// that and hide nothing.
+/// An answer is optimal if objective and bound differ by at most this part of the objective's size
+/// (ObjectiveSteps::size). Objectives are distinguished in steps of at most 2^-30, or 9.3e-10, of
+/// it, and the bound of a complete search is half a step below the objective, so ten steps are
+/// sufficient.
 inline constexpr double optimality_tolerance = 1e-8;
 
-/// What was found out about a program.
+/// Answer on a program.
 enum class MixedStatus {
   optimal,     ///< a point, and no other is better by more than the tolerance
-  feasible,    ///< a point; it is not known whether there is a better one
+  feasible,    ///< a point, which may not be the best
   infeasible,  ///< no point satisfies all rows, bounds and binaries
-  unbounded,   ///< points of any objective, however good
-  unknown,     ///< no point was found, and it is not known that there is none
+  unbounded,   ///< points of arbitrarily small objective
+  unknown,     ///< no point was found, and infeasibility is not proved
 };
 
-/// What every rank has before the tree.
+/// Data of every rank before the tree.
 struct MixedRoot {
   ZeroOneRoot root;
-  /// The objective has no lower bound if there is any point: the root is of the program without
-  /// its costs, of which a point is looked for.
+  /// The objective has no lower bound if there is any point: the root is that of the program
+  /// without costs, of which a point is searched.
   bool unbounded = false;
-  /// Some rank was stopped at it (the budget says why): then there is no tree to search.
+  /// Some rank was stopped at the root (the budget has the reason): there is no tree to search.
   bool stopped = false;
 };
 
-/// The work at the root, by every rank alike.
-/// @param options but for `stop`, which is that of the analysis
-/// @throws engine::Disagreement on every rank if they have not come to the same
+/// The root, computed by every rank alike.
+/// @param options except `stop`, which is that of the analysis
+/// @throws engine::Disagreement on every rank if their results differ
 MixedRoot mixed_root(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                      ZeroOneRootOptions options);
 
-/// The answer; on rank 0, but for the tree. The program is minimised.
+/// The answer, on rank 0 except for the tree. The program is minimised.
 struct MixedAnswer {
   ZeroOneTree tree;
   engine::Outcome<ZeroOneTree> outcome;
   bool unbounded = false;
 
   [[nodiscard]] MixedStatus status() const;
-  /// The best one found, or null.
+  /// The best point found, or null.
   [[nodiscard]] const ZeroOnePoint* point() const;
-  /// No point has a smaller objective.
+  /// Lower bound of the objective.
   [[nodiscard]] double bound() const;
-  /// Whether the bound holds in spite of rounding.
+  /// True if the bound holds despite rounding.
   [[nodiscard]] bool proved() const { return tree.proves(); }
-  /// Whether the question is answered: not stopped, and nothing left open.
+  /// True if the answer is complete: not stopped, and nothing left open.
   [[nodiscard]] bool answered() const;
 };
 
 /// The tree below the root, searched with Goal::best; or the root's own answer if it was stopped.
 /// @param options order, checkpoints and the like
-/// @param shown how objectives are shown meanwhile
+/// @param shown format of objectives in the progress output
 MixedAnswer search_tree(engine::Analysis& analysis, MixedRoot root, ZeroOneBranching branching,
                         engine::Options options, const engine::ShownObjective& shown);
 
-/// Both.
+/// Root and tree.
 MixedAnswer solve_mixed(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                         const ZeroOneRootOptions& root_options = {},
                         ZeroOneBranching branching = ZeroOneBranching::paper,

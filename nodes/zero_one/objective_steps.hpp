@@ -1,7 +1,6 @@
-// How finely objectives are told apart: in steps of about 1e-9 of their own size. Otherwise all
-// optima that are equal but for rounding would be searched for. The step depends on the objective
-// itself and on the program, never on a point that was found: the first one may contain a penalty
-// of 1e12.
+// Resolution of objectives: steps of about 1e-9 of their own size. Otherwise the search would
+// enumerate all optima that are equal up to rounding. The step depends on the objective itself and
+// on the program, never on a point found: the first one may contain a penalty of 1e12.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +11,20 @@ namespace kusabi::zero_one {
 class ObjectiveSteps {
  public:
   ObjectiveSteps() = default;
-  /// @param least_size objectives below this are told apart as if they were as large: zero has no
-  ///   size of its own
+  /// @param least_size smaller objectives are distinguished as if they had this size, since zero
+  /// has
+  ///   no size of its own
   explicit ObjectiveSteps(double least_size) : least_size_(least_size) {}
 
   [[nodiscard]] double least_size() const { return least_size_; }
 
-  /// The size that a difference of objectives is measured by.
+  /// The size for differences of objectives.
   [[nodiscard]] double size(double objective) const {
     return std::max(std::abs(objective), least_size_);
   }
 
-  /// Of the step around a finite objective: a power of two, 2^-30 of its size or somewhat more than
-  /// half of that.
+  /// Width of the step around a finite objective: a power of two, 2^-30 of its size or somewhat
+  /// more than half of that.
   [[nodiscard]] double width(double objective) const {
     return std::ldexp(1.0, std::ilogb(size(objective)) - bits);
   }

@@ -1,4 +1,4 @@
-// Fixings become bounds of columns; multipliers become a bound of the objective.
+// Fixings as bounds of columns; bounds of the objective from multipliers.
 #include "nodes/zero_one/relaxation.hpp"
 
 #include <algorithm>
@@ -29,11 +29,11 @@ const linear::LinearProgram& checked(const linear::MixedProgram& mixed) {
   return mixed.program;
 }
 
-// A bound that misses the optimum by less than this share of a step is as good as it.
+// A bound whose distance from the optimum is below this share of a step is tight.
 constexpr double tight_share = 0.25;
 
-// The smallest cost that is one; 1 if there is none. An objective near zero is told apart by it:
-// the largest may be a penalty.
+// The smallest nonzero cost; 1 if there is none. It is the scale of an objective near zero, since
+// the largest cost may be a penalty.
 double least_cost(const linear::LinearProgram& program) {
   double least = linear::infinity;
   for (const auto& column : program.columns) {
@@ -157,8 +157,8 @@ void Relaxation::conclude() {
   }
 }
 
-// The bound of the multipliers at hand. Where columns have no bounds, it is that of the others, if
-// what is left out is nothing.
+// The bound of the present multipliers. Columns without bounds are left out if their part is
+// negligible.
 void Relaxation::conclude_in_doubles() {
   safe_ = linear::safe_bound(mixed_.program, simplex_.duals(), node_.lower, node_.upper);
   bound_ = safe_.value;
@@ -168,7 +168,7 @@ void Relaxation::conclude_in_doubles() {
   }
 }
 
-// About what the residuals of columns without bounds may be worth.
+// Estimate of the part of columns without bounds.
 double Relaxation::left_out() const {
   double sum = 0;
   for (std::size_t j = 0; j < values_.size(); ++j) {
@@ -180,15 +180,15 @@ double Relaxation::left_out() const {
   return sum;
 }
 
-// Whether the bound is what the simplex method says the optimum is.
+// True if the bound agrees with the simplex method's optimum.
 bool Relaxation::is_tight(double objective) const {
   return std::isfinite(bound_) &&
          std::abs(objective - bound_) <= tight_share * steps_.width(bound_);
 }
 
-// The program as the simplex method has it, in more digits. What was optimal may turn out to have
-// no point, and the other way round. Cuts next to each other can make a basis that no digits are
-// enough for; then it is solved without them.
+// Solves the simplex method's program at a higher precision level. An optimal program may turn out
+// infeasible, and the other way round. Nearly parallel cuts can make a basis too ill-conditioned
+// for any level; then it is solved without them.
 void Relaxation::conclude_precisely() {
   for (const std::size_t rows : {mixed_.program.rows.size(), given_rows_}) {
     if (!precise_ || rows < mixed_.program.rows.size()) precise_ = solve_precisely(rows);
@@ -198,7 +198,7 @@ void Relaxation::conclude_precisely() {
   }
 }
 
-// Whether that says something.
+// @return whether the solution decides the program
 bool Relaxation::conclude_from(const linear::PreciseSolution& solution) {
   using linear::Residuals;
   const auto residuals = proves_ ? Residuals::proved : Residuals::forgiven;
@@ -235,7 +235,7 @@ linear::PreciseSolution Relaxation::precise_point() {
   return solution;
 }
 
-// If these multipliers give a better one.
+// Keeps the bound of these multipliers if it is better.
 void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
   using linear::Residuals;
   auto better = linear::safe_bound(mixed_.program, duals, node_.lower, node_.upper,
@@ -245,8 +245,8 @@ void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
   bound_ = safe_.value;
 }
 
-// The first rows of the program, with the bounds that the simplex method has, from its basis; of
-// fewer rows from one of their own.
+// Solves the first rows of the program, with the bounds of the simplex method, from its basis; with
+// fewer rows from a basis of their own.
 linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
   linear::LinearProgram program;
   program.constant = mixed_.program.constant;
@@ -268,7 +268,7 @@ linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
   ++precise_programs_;
   const bool all = rows == mixed_.program.rows.size();
   if (all) return linear::solve_precisely(program, basis_, stop_);
-  // Without the cuts the basis is another one: from that of no pivots at all it may not get there.
+  // Without the cuts the basis differs; from the slack basis the precise solver may not converge.
   linear::Simplex doubles(program);
   doubles.solve_robustly({.stop = stop_});
   return linear::solve_precisely(program, doubles.basis(), stop_);
@@ -282,7 +282,7 @@ double Relaxation::objective() const {
 }
 
 double Relaxation::least(const std::vector<double>& alpha, const std::vector<double>& duals,
-                         int column, double held, double give_way) const {
+                         int column, double held, double relaxation_share) const {
   auto bounds = proves_ ? implied_ : own_bounds(mixed_.program);
   const auto at = static_cast<std::size_t>(column);
   bounds.lower[at] = bounds.upper[at] = held;
@@ -302,17 +302,17 @@ double Relaxation::least(const std::vector<double>& alpha, const std::vector<dou
     size += std::abs(duals[i] * pressed);
   }
   for (std::size_t j = 0; j < alpha.size(); ++j) {
-    // What should be zero is taken for it where the column has no bound to weigh it with.
+    // Taken as zero if the column has no bound.
     const double residual = safe.residuals[j].lower;
     const double bound = residual > 0 ? bounds.lower[j] : bounds.upper[j];
     if (!std::isfinite(bound)) {
-      if (std::abs(residual) > give_way) return -linear::infinity;
+      if (std::abs(residual) > relaxation_share) return -linear::infinity;
       continue;
     }
     total += residual * bound;
     size += std::abs(residual * bound);
   }
-  return total - give_way * size;
+  return total - relaxation_share * size;
 }
 
 double Relaxation::bound_if(std::size_t binary, bool at_one) const {

@@ -1,11 +1,11 @@
-// The linear relaxation of a mixed zero-one program, (41) of the limit paper: solved for any
-// fixings from any basis, with a lower bound that the tree can rely on.
+// Linear relaxation of a mixed zero-one program, (41) of the limit paper, for any fixings from any
+// basis, with a safe lower bound for the tree.
 //
-// Where all columns have bounds (their own, or such as follow from the rows), the bound is that of
-// Neumaier and Shcherbina: rounding cannot make it wrong. Where some have none, reduced costs of
-// the size of rounding count as zero, and proves() is false. If the bound of the simplex method's
-// multipliers is not tight, as with penalties far above other costs, the program is solved in more
-// digits (linear/precise_simplex.hpp).
+// If all columns have bounds (their own, or implied by the rows), the bound is that of Neumaier and
+// Shcherbina, which holds despite rounding. Otherwise reduced costs of the size of rounding errors
+// count as zero, and proves() is false. If the bound of the simplex method's multipliers is not
+// tight, as with penalties far above other costs, the program is solved at a higher precision level
+// (linear/precise_simplex.hpp).
 #pragma once
 
 #include <cstddef>
@@ -27,54 +27,54 @@
 
 namespace kusabi::zero_one {
 
-/// A binary this close to 0 or 1 is at it. (The solution that is handed out has it there exactly.)
+/// A binary this close to 0 or 1 is at it. (The returned solution has it there exactly.)
 inline constexpr double integrality_tolerance = 1e-6;
 
 class Relaxation {
  public:
   /// @throws std::invalid_argument if a binary is no column, occurs twice, or has bounds outside
-  ///   [0, 1], or the program is none
+  ///   [0, 1], or the program is invalid
   explicit Relaxation(linear::MixedProgram mixed);
 
   [[nodiscard]] const linear::MixedProgram& mixed() const { return mixed_; }
   [[nodiscard]] const linear::LinearProgram& program() const { return mixed_.program; }
   [[nodiscard]] std::size_t binaries() const { return mixed_.binaries.size(); }
   [[nodiscard]] int column(std::size_t binary) const { return mixed_.binaries[binary]; }
-  /// How objectives of this program are told apart.
+  /// The resolution of objectives of this program.
   [[nodiscard]] const ObjectiveSteps& steps() const { return steps_; }
 
-  /// Asked within long solves from now on; those end as `interrupted`.
+  /// Sets the stop condition of long solves, which then end as `interrupted`.
   void end_when(support::Stop stop) { stop_ = std::move(stop); }
   [[nodiscard]] const support::Stop& stop() const { return stop_; }
 
-  /// The fixings that the bounds of the binaries say themselves.
+  /// The fixings implied by the bounds of the binaries.
   [[nodiscard]] Fixings root() const { return Fixings(binaries()); }
 
-  /// A valid inequality (a cut); the basis stays good.
+  /// Adds a valid inequality (a cut); the basis remains valid.
   void add_row(const linear::LinearRow& row, const std::vector<linear::LinearTerm>& terms);
   void drop_last_row();
 
-  /// Only points with an objective of at most `cutoff` matter from now on: that may bound columns.
+  /// Restricts the relevant points to an objective of at most `cutoff`, which may bound columns.
   void matters_below(double cutoff);
 
-  /// Holds the binaries where `fixings` say, and solves from `basis` (an empty one: from slacks).
+  /// Fixes binaries by `fixings`, and solves from `basis` (an empty one: from slacks).
   linear::LinearStatus solve(const Fixings& fixings, const linear::Basis& basis,
                              const linear::SolveLimits& limits = {});
-  /// A lower bound of alpha'x over all points that have `held` in `column`, by the multipliers
-  /// `duals` of the rows: safe if bounds are proved, else less `give_way` relative to the size of
-  /// its terms.
+  /// A lower bound of alpha'x over all points with `held` in `column`, by the multipliers
+  /// `duals` of the rows: safe if bounds are proved, otherwise reduced by `relaxation_share`
+  /// relative to the size of its terms.
   [[nodiscard]] double least(const std::vector<double>& alpha, const std::vector<double>& duals,
-                             int column, double held, double give_way) const;
+                             int column, double held, double relaxation_share) const;
 
   // ---- after a solve ---------------------------------------------------------------------------
 
   [[nodiscard]] linear::LinearStatus status() const { return status_; }
-  /// A lower bound of all points with those fixings; of use after `optimal`, `cut_off`, `stopped`,
+  /// A lower bound of all points with those fixings; valid after `optimal`, `cut_off`, `stopped`,
   /// `interrupted`.
   [[nodiscard]] double bound() const { return bound_; }
-  /// After `infeasible`: whether that is proved, whatever was rounded (see proves()).
+  /// After `infeasible`: whether that is proved despite rounding (see proves()).
   [[nodiscard]] bool contradiction() const { return contradiction_; }
-  /// Of the optimum, as the simplex method has it.
+  /// Of the optimum of the simplex method.
   [[nodiscard]] double objective() const;
   [[nodiscard]] const linear::Basis& basis() const { return basis_; }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
@@ -82,20 +82,20 @@ class Relaxation {
   [[nodiscard]] double value(std::size_t binary) const {
     return values_[static_cast<std::size_t>(column(binary))];
   }
-  /// After `optimal`: the optimum of the program without the rows added since, which a point need
-  /// not satisfy to its last digit, in more digits; `failed` if they cannot be had.
-  /// Its multipliers may raise bound().
+  /// After `optimal`: the optimum of the program without added rows, which a point need not satisfy
+  /// exactly, at a higher precision level; `failed` if it cannot be computed. Its multipliers may
+  /// raise bound().
   linear::PreciseSolution precise_point();
-  /// The bound if `binary`, not fixed, were held at `at_one`, by the same multipliers.
+  /// The bound if the free `binary` were fixed at `at_one`, by the same multipliers.
   [[nodiscard]] double bound_if(std::size_t binary, bool at_one) const;
 
-  /// Whether bounds hold in spite of rounding (see above).
+  /// True if bounds hold despite rounding (see above).
   [[nodiscard]] bool proves() const { return proves_; }
-  /// From now on bounds are what the simplex method finds: for programs whose columns have bounds
-  /// so wide that the safe ones are of no use.
+  /// Makes the bounds those of the simplex method, for programs whose columns have bounds so wide
+  /// that the safe bounds are useless.
   void do_without_proof() { proves_ = false; }
 
-  /// Linear programs solved here.
+  /// Number of linear programs solved.
   [[nodiscard]] std::uint64_t programs() const { return simplex_.solves() + precise_programs_; }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
@@ -116,7 +116,7 @@ class Relaxation {
   linear::Simplex simplex_;
   ColumnBounds implied_;  // at the root
   ColumnBounds node_;     // with the fixings
-  ColumnBounds held_;     // of the binaries, in the order of them, as the simplex method has them
+  ColumnBounds held_;     // of the binaries, in their order, in the simplex method
   ObjectiveSteps steps_;
   support::Stop stop_;
   bool proves_ = false;

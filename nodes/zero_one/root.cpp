@@ -1,4 +1,4 @@
-// The order of the work at the root.
+// Steps at the root in their order.
 #include "nodes/zero_one/root.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 using linear::LinearStatus;
 
-// The largest number of which every cost is a multiple, if no column but binaries has a cost and
-// the costs are whole numbers after multiplication by a small power of ten; otherwise 0.
+// The largest number of which every cost is a multiple, if only binaries have costs and these are
+// integers after multiplication by a small power of ten; otherwise 0.
 struct Grid {
   double width = 0;
   double error = 0;
@@ -49,7 +49,7 @@ Grid grid_of_objectives(const linear::MixedProgram& mixed) {
 
 void relax(ZeroOneRoot& root) {
   root.status = root.relaxation.solve(root.relaxation.root(), root.basis);
-  // Every bound of the way holds; the last may be one of a solve that was stopped.
+  // Every intermediate bound is valid; the last may be one of a stopped solve.
   root.bound = std::max(root.bound, root.relaxation.bound());
   if (root.status != LinearStatus::optimal) return;
   root.basis = root.relaxation.basis();
@@ -80,8 +80,8 @@ void find_points(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   keep_better(root.point, dive(relaxation, relaxation.root(), root.basis));
 }
 
-// Bounds of columns so wide that rounding alone brings the safe bound below what can be told apart:
-// then no node would ever be closed by it.
+// True if the safe bound is useful: with very wide bounds of columns, rounding alone may decrease
+// it by more than the resolution of objectives, and no node would be closed.
 bool safe_bound_is_of_use(ZeroOneRoot& root) {
   relax(root);
   constexpr double share = 0.25;
@@ -90,8 +90,8 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
              share * root.relaxation.steps().width(root.bound);
 }
 
-// Coefficients as small as the best point known allows; better points may then be found, which
-// allow for smaller ones.
+// Decreases coefficients as the best known point allows; better points may then be found, which
+// allow smaller ones.
 void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   constexpr int most_times = 3;
   BigMs big_ms(root.relaxation.mixed());

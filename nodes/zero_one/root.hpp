@@ -1,5 +1,5 @@
-// What is done with a mixed zero-one program before the search, on every rank alike: the first
-// relaxation, points to prune with, tighter coefficients, cuts.
+// Root of a mixed zero-one program, on every rank alike: the first relaxation, points for pruning,
+// tighter coefficients, cuts.
 #pragma once
 
 #include <cstdint>
@@ -20,32 +20,31 @@ enum class ZeroOneCuts {
 struct ZeroOneRootOptions {
   ZeroOneCuts cuts = ZeroOneCuts::none;
   bool tighten = true;  ///< coefficients by optimisation (bound_tightening)
-  bool dive = true;     ///< look for points
-  /// A point known beforehand, as values of all columns; it is used if the program agrees that it
-  /// is one. Empty: none.
+  bool dive = true;     ///< heuristics for points
+  /// A known point, as values of all columns; it is used if it satisfies the program. Empty: none.
   std::vector<double> start = {};
-  /// A point and an upper bound of its objective, to prune with from the first node on: v^U of
-  /// remark 4.5. It is taken as it is.
+  /// A point and an upper bound of its objective for pruning from the first node on: v^U of remark
+  /// 4.5. It is not checked.
   std::optional<ZeroOnePoint> incumbent = {};
-  /// Nodes do what Algorithm 4.2 says and no more: they round nothing and fix nothing by its cost.
+  /// True if nodes follow Algorithm 4.2 only, without rounding heuristics and reduced-cost fixing.
   bool as_printed = false;
-  /// Asked within the work; ZeroOneRoot::interrupted says whether it was heeded. The tree asks it
-  /// within long linear programs.
+  /// Polled during the work; ZeroOneRoot::interrupted records a stop. The tree polls it within long
+  /// linear programs.
   support::Stop stop = {};
 };
 
-/// What was done at the root.
+/// Counts of the root.
 struct ZeroOneRootCounts {
   std::uint64_t programs = 0;      ///< all
-  std::uint64_t cut_rounds = 0;    ///< times round Algorithm 5.1
+  std::uint64_t cut_rounds = 0;    ///< rounds of Algorithm 5.1
   std::uint64_t cuts = 0;          ///< kept
   std::uint64_t cut_programs = 0;  ///< cut generating programs (51)
   std::uint64_t tightened = 0;     ///< coefficients made smaller
   std::uint64_t tighten_programs = 0;
   std::uint64_t fixed = 0;                 ///< binaries fixed because the other value is infeasible
-  bool proved = true;                      ///< whether the tightening holds in spite of rounding
-  double first_bound = -linear::infinity;  ///< of the relaxation as given
-  double last_bound = -linear::infinity;   ///< of the relaxation as the tree gets it
+  bool proved = true;                      ///< true if the tightening holds despite rounding
+  double first_bound = -linear::infinity;  ///< of the given relaxation
+  double last_bound = -linear::infinity;   ///< of the relaxation after all steps
 };
 
 struct ZeroOneRoot {
@@ -55,11 +54,11 @@ struct ZeroOneRoot {
   double bound = -linear::infinity;
   std::optional<ZeroOnePoint> point = {};
   bool as_printed = false;  ///< see the options
-  /// The work was ended early: bound and point are valid, but may differ from rank to rank.
+  /// The work was stopped: bound and point are valid, but may differ between ranks.
   bool interrupted = false;
   /// All points have an objective of program().constant plus a multiple of this; 0: no such number.
   double grid = 0;
-  double grid_error = 0;  ///< but for this much: doubles are not 0.1
+  double grid_error = 0;  ///< rounding error of these, since doubles are not decimals
   ZeroOneRootCounts counts = {};
 };
 

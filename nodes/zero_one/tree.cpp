@@ -1,4 +1,4 @@
-// How a node of the zero-one tree is bounded, closed and split.
+// Bounding, closing and splitting of nodes of the zero-one tree.
 #include "nodes/zero_one/tree.hpp"
 
 #include <algorithm>
@@ -12,21 +12,20 @@ namespace {
 
 using linear::LinearStatus;
 
-// How much is looked ahead: measured on random programs (bench/README.md); more candidates or steps
-// cost more linear programs than they save nodes.
+// Parameters of look-ahead branching, measured on random programs (bench/README.md): more
+// candidates or steps cost more linear programs than they save nodes.
 constexpr std::size_t look_ahead_candidates = 8;
 constexpr int look_ahead_steps = 15;
-// Where one bound does not rise at all the product of both should still tell; in steps of the
-// resolution.
+// Minimum rise of a bound in the product of both, in steps of the resolution.
 constexpr double least_rise = 1;
 
-// Below the grid by as much as this share of its width counts as on it: the bound is safe, but the
-// costs that make the grid are sums that round.
+// Tolerance below a grid point, relative to the grid's width: the bound is safe, but the costs that
+// make the grid are rounded sums.
 constexpr double grid_slack = 1e-6;
 
 }  // namespace
 
-// The best way to split a node, and what looking ahead found out about the children.
+// The best way to split a node, with the bounds of the children by look-ahead.
 struct ZeroOneTree::Split {
   std::size_t binary = 0;
   std::array<double, 2> bound = {};
@@ -51,7 +50,7 @@ ZeroOneTally ZeroOneTree::tally() const {
   return tally;
 }
 
-// A node that was pruned unopened has a bound that rounds to a step not below that of the optimum.
+// A node pruned unopened has a bound that rounds to a step not below that of the optimum.
 double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
   if (!std::isfinite(outcome_bound)) return std::min(outcome_bound, total.least_bound.value);
   constexpr double half = 0.5 * (1 + 1e-9);
@@ -60,7 +59,7 @@ double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const 
   return raised(outcome_bound - half_a_step);
 }
 
-// If objectives lie on a grid, a bound between two of its points is as good as the upper one.
+// If objectives lie on a grid, a bound between two of its points is raised to the upper one.
 double ZeroOneTree::raised(double bound) const {
   if (root_.grid == 0 || !std::isfinite(bound)) return bound;
   const double constant = root_.relaxation.program().constant;
@@ -76,7 +75,7 @@ bool ZeroOneTree::worse_than_root_point(double bound) const {
 }
 
 // The free binaries, those furthest from 0 and 1 in the last solve first; of equal ones the first,
-// so that the tree is the same everywhere.
+// such that the tree is the same everywhere.
 std::vector<std::size_t> ZeroOneTree::free_binaries(const Node& node) const {
   std::vector<std::pair<double, std::size_t>> list;
   for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
@@ -104,7 +103,7 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
     });
     if (whole) {
       if (close_if_whole(node, out)) return;
-      // What rounding took away was worth something: go on with the binary it moved most.
+      // Rounding has changed the objective: branch on the binary that it changed most.
       branch(node, {free.front(), {node.bound, node.bound}, {node.basis, node.basis}}, true, out);
       return;
     }
@@ -120,8 +119,8 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
   }
 }
 
-// Solves the relaxation. True if the node is closed by it, or split for want of an answer;
-// otherwise the node has the new bound and basis.
+// Solves the relaxation. @return whether the node is closed by it, or split since it is undecided;
+// otherwise the node has the new bound and basis
 bool ZeroOneTree::settle(Node& node, Out& out) {
   auto& relaxation = root_.relaxation;
   const double cutoff = out.cutoff();
@@ -133,7 +132,7 @@ bool ZeroOneTree::settle(Node& node, Out& out) {
   }
   if (status == LinearStatus::interrupted) {
     node.bound = std::max(node.bound, raised(relaxation.bound()));
-    out.branch(std::move(node));  // as it was: the search ends soon, and may go on from it
+    out.branch(std::move(node));  // unchanged: the search ends soon, and may be resumed from it
     return true;
   }
   if (status == LinearStatus::infeasible) {
@@ -166,12 +165,12 @@ void ZeroOneTree::close(const Node& node, std::uint64_t& how) {
   tally_.least_bound += {node.bound};
 }
 
-// Its bound is all that is known of it.
+// Only its bound is recorded.
 void ZeroOneTree::close_without_proof(const Node& node) {
   close(node, tally_.unproved);
 }
 
-// All binaries of the optimum are 0 or 1 within the tolerance: held there exactly, what is left?
+// Fixes all binaries of an optimum that are 0 or 1 within the tolerance exactly, and solves again.
 bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   const auto fixings = rounded_fixings(root_.relaxation, node.fixings);
   auto point = point_at(root_.relaxation, fixings, node.basis);
@@ -189,7 +188,7 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   out.solution(*std::move(point));
   if (was_whole || nothing_lost) {
     Node closed = node;
-    // Where the point took more digits, they are worth a better bound as well.
+    // A point at a higher precision level also gives a better bound.
     if (was_whole) closed.bound = std::max(closed.bound, raised(root_.relaxation.bound()));
     close(closed, tally_.leaves);
     return true;
@@ -198,8 +197,9 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   return false;
 }
 
-// A binary whose other value would bring the bound above the point known from the root. (Not the
-// best point known by now: what a node yields must not depend on when it is opened.)
+// Reduced-cost fixing of binaries whose other value would bring the bound above the point known
+// from the root. (The incumbent is not used, since the result of a node must not depend on the time
+// when it is opened.)
 void ZeroOneTree::hold_by_cost(Node& node) {
   if (!root_.point || root_.as_printed) return;
   for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
@@ -221,7 +221,7 @@ void ZeroOneTree::try_rounding(const Node& node, Out& out) {
   out.solution(*std::move(point));
 }
 
-// None if a binary had to be held: then the node is another one, to be solved again.
+// None if a binary had to be fixed: the node has then changed and is solved again.
 std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
     Node& node, const std::vector<std::size_t>& candidates, double before) {
   auto& relaxation = root_.relaxation;

@@ -1,13 +1,13 @@
-// The zero-one tree: Algorithm 4.2 of the limit paper, for any mixed zero-one linear program.
+// Zero-one tree: Algorithm 4.2 of the limit paper, for any mixed zero-one linear program.
 //
-// A node is a pair (J0, J1) of sets of binaries, held at 0 and at 1. Its bound is the linear
+// A node is a pair (J0, J1) of sets of binaries, fixed at 0 and at 1. Its bound is the linear
 // relaxation with those fixings, solved by the dual simplex method from its parent's basis, which
-// travels with the node: so what a node yields depends on the node alone, and the tree is the same
-// on any number of ranks. It is closed if no point is left, if its bound says that nothing better
-// than the best point known is below, or if all binaries of its optimum are 0 or 1.
+// is stored in the node: its result depends on the node alone, and the tree is the same on any
+// number of ranks. It is closed if it is infeasible, if its bound excludes anything better than the
+// incumbent, or if all binaries of its optimum are 0 or 1.
 //
-// Objectives are told apart in steps (objective_steps.hpp): else many optima that are equal but for
-// rounding would all be searched for.
+// Objectives are distinguished in steps (objective_steps.hpp): otherwise the search would enumerate
+// many optima that are equal up to rounding.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ namespace kusabi::zero_one {
 
 struct ZeroOneNode {
   Fixings fixings;
-  linear::Basis basis;  ///< of the parent's optimum, or nearer
+  linear::Basis basis;  ///< of the parent's optimum, or a nearer one
   double bound = -std::numeric_limits<double>::infinity();
 
   template <class Archive>
@@ -39,20 +39,21 @@ struct ZeroOneNode {
   }
 };
 
-/// What became of the nodes that were opened, and what it cost.
+/// Counts of opened nodes by their result, and costs.
 struct ZeroOneTally : engine::Counts<ZeroOneTally> {
   std::uint64_t branched = 0;
-  std::uint64_t infeasible = 0;  ///< closed: no point is left
+  std::uint64_t infeasible = 0;  ///< closed: infeasible
   std::uint64_t above = 0;       ///< closed: nothing better can be below
   std::uint64_t leaves = 0;      ///< closed: the optimum has all binaries at 0 or 1
-  std::uint64_t points = 0;      ///< found by rounding on the way
-  /// Closed by what the simplex method says, without a proof: that no point is left, or (of a leaf)
-  /// for failure to solve it. Their bounds are in `least_bound`.
+  std::uint64_t points = 0;      ///< found by rounding
+  /// Closed by the result of the simplex method without a proof: infeasible, or (a leaf) not
+  /// solved. Their bounds are in `least_bound`.
   std::uint64_t unproved = 0;
   std::uint64_t held = 0;        ///< binaries fixed by reduced costs or by look-ahead
   std::uint64_t programs = 0;    ///< linear programs
   std::uint64_t iterations = 0;  ///< of the simplex method
-  /// The least bound of the nodes closed here: a lower bound of all that was not pruned unopened.
+  /// The least bound of the nodes closed here: a lower bound of all points that were not pruned
+  /// unopened.
   engine::Least least_bound;
 
   static constexpr auto fields() {
@@ -69,17 +70,16 @@ struct ZeroOneTally : engine::Counts<ZeroOneTally> {
   }
 };
 
-/// Which binary a node is split by. Any gives the same optimum.
+/// Branching rule. All rules give the same optimum.
 enum class ZeroOneBranching {
-  /// The largest tau (1 - tau), 1 first: Algorithm 4.2. On random programs the fastest.
+  /// The largest tau (1 - tau), 1 first: Algorithm 4.2. The fastest on random programs.
   paper,
-  /// Of some with large tau (1 - tau) the one whose children's bounds rise most, found by some
-  /// steps
-  /// of the dual simplex method; the lower child first. Fewer nodes, more linear programs.
+  /// Of some with large tau (1 - tau) the one whose children's bounds rise most, by some steps of
+  /// the dual simplex method; the lower child first. Fewer nodes, more linear programs.
   look_ahead,
 };
 
-/// The problem type that engine::search searches, with Goal::best.
+/// Problem type of engine::search, with Goal::best.
 class ZeroOneTree {
  public:
   using Node = ZeroOneNode;
@@ -95,12 +95,12 @@ class ZeroOneTree {
   double bound(const Node& node) const { return in_steps(node.bound); }
   Tally tally() const;
 
-  /// What is known below the optimum, from the outcome of a search: engine::Outcome::bound (in
-  /// steps, of the nodes that are open and of those that were pruned) and the sum of all tallies.
-  /// No point has a smaller objective; proved if the relaxation proves its bounds.
+  /// Lower bound of the optimum from the outcome of a search: engine::Outcome::bound (in steps, of
+  /// open and pruned nodes) and the sum of all tallies. It is proved if the relaxation proves its
+  /// bounds.
   [[nodiscard]] double lower_bound(double outcome_bound, const Tally& total) const;
 
-  /// Whether bounds hold in spite of rounding.
+  /// True if bounds hold despite rounding.
   [[nodiscard]] bool proves() const { return root_.relaxation.proves() && root_.counts.proved; }
 
   [[nodiscard]] const ZeroOneRoot& prepared() const { return root_; }

@@ -1,4 +1,4 @@
-// The program of the directions, in a box.
+// Linear program of the directions within a box.
 #include "nodes/zero_one/unboundedness.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ bool falls_for_ever(const linear::MixedProgram& mixed, const support::Stop& stop
   }
   directions.entries = mixed.program.entries;
   const auto found = linear::solve_precisely(directions, {}, stop);
-  // Below this it may be what the last digits are wrong by.
+  // Smaller numbers may be rounding errors.
   constexpr double rounding = 1e-18;
   return found.status == linear::LinearStatus::optimal &&
          numbers::rounded(found.objective) < -rounding * largest;

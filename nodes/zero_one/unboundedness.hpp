@@ -1,4 +1,4 @@
-// Whether a program without an optimum has none because its objective falls for ever.
+// Test for unboundedness of a program without an optimum.
 #pragma once
 
 #include "solvers/linear/linear_program.hpp"
@@ -6,8 +6,8 @@
 
 namespace kusabi::zero_one {
 
-/// Whether there is a direction, found in 104 bits, that no row, bound or binary ends and along
-/// which the objective falls: if there is a point at all, the program is unbounded then.
+/// True if there is a direction, found in 104 bits, along which the objective decreases and which
+/// no row, bound or binary limits: the program is then unbounded if it has a point.
 bool falls_for_ever(const linear::MixedProgram& mixed, const support::Stop& stop = {});
 
 }  // namespace kusabi::zero_one

@@ -27,7 +27,7 @@ struct YieldingMember {
 struct CollapseMode {
   std::vector<NodeVelocity> moving;      ///< moving nodes, in their order
   std::vector<YieldingMember> yielding;  ///< in their order
-  /// Whether every velocity is along the resultant of the reference load (sway-type mode of the
+  /// True if every velocity is along the resultant of the reference load (sway-type mode of the
   /// paper).
   bool sway = false;
 };

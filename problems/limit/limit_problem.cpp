@@ -28,9 +28,10 @@ void require_bars_with_yield_and_reference(const Structure& structure) {
                           "for bars only");
   }
   if (has_constraints(structure)) {
-    throw structure_error(structure, top_of(structure),
-                          "limit analysis knows no pairs of bodies, ties and inclined supports; "
-                          "expected supports along axes and bars only");
+    throw structure_error(
+        structure, top_of(structure),
+        "limit analysis does not support pairs of bodies, ties and inclined supports; "
+        "expected supports along axes and bars only");
   }
   if (!structure.springs.empty()) {
     throw structure_error(structure, position_of(structure.sources.springs, 0),

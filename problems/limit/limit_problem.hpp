@@ -50,7 +50,7 @@ std::string member_name(const LimitProblem& problem, int member);
 /// Name of a column of T, or "x at tip" by its component.
 std::string parameter_name(const LimitProblem& problem, int column);
 
-/// Whether alpha is a force: every uncertain load is a single component with half-width alpha.
+/// True if alpha is a force: every uncertain load is a single component with half-width alpha.
 /// Otherwise alpha is a multiple of loads with weights or several components.
 bool alpha_is_force(const LimitProblem& problem);
 
@@ -61,7 +61,7 @@ Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& sh
 /// digits. No bound and no proof depends on it.
 inline constexpr double no_reference_work = 1e-9;
 
-/// Whether f_R^T t_j is not zero: such a load changes the reference load, and assumption 3.1 (ii)
+/// True if f_R^T t_j is not zero: such a load changes the reference load, and assumption 3.1 (ii)
 /// of the paper does not hold (docs/theory/limit.md).
 bool works_with_reference(const LimitProblem& problem, const UncertainColumn& column);
 

@@ -25,7 +25,7 @@ struct UncertainColumn {
   /// h_j: |zeta_j| <= h_j alpha. A requested alpha applies to all columns, with h_j = 1; if some
   /// have a half-width of their own, each has h_j and alpha is 1.
   double half_width = 1;
-  bool in_file = false;  ///< whether the file specifies its half-width
+  bool in_file = false;  ///< true if the file specifies its half-width
 
   /// A load at one free displacement. @param value not zero
   static UncertainColumn single(int degree, double value);

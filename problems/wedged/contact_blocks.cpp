@@ -5,8 +5,8 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "problems/structure/model/corner.hpp"
 #include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/superelement.hpp"
 
 namespace kusabi::problems {
@@ -42,7 +42,7 @@ std::vector<int> free_of(const Structure& structure, const FreeDegrees& degrees,
 
 std::vector<support::IndexSet> contact_blocks(const Structure& structure,
                                               const FreeDegrees& degrees,
-                                              std::span<const LooseBody> bodies) {
+                                              std::span<const UnconstrainedBody> bodies) {
   Connections connections(degrees.size());
   const auto join_nodes = [&](const std::vector<int>& nodes) {
     std::vector<int> moving;
@@ -73,8 +73,8 @@ std::vector<support::IndexSet> contact_blocks(const Structure& structure,
       connections.join({row, column});
     });
   }
-  for (const LooseBody& body : bodies) join_nodes(body.nodes);
-  const auto corners = corner_nodes(structure);
+  for (const UnconstrainedBody& body : bodies) join_nodes(body.nodes);
+  const auto corners = nodes_with_several_normals(structure);
   for (const ContactCandidate& candidate : structure.contact) {
     auto together = free_of(structure, degrees, candidate.node);
     for (int axis = 0; axis < structure.dimension && corners.contains(candidate.node); ++axis) {

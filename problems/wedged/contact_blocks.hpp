@@ -24,6 +24,6 @@ namespace kusabi::problems {
 /// @pre the structure passes `check_structure`
 std::vector<support::IndexSet> contact_blocks(const Structure& structure,
                                               const FreeDegrees& degrees,
-                                              std::span<const LooseBody> bodies);
+                                              std::span<const UnconstrainedBody> bodies);
 
 }  // namespace kusabi::problems

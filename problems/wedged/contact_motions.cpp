@@ -32,7 +32,7 @@ struct Numbering {
   std::vector<Eigen::Index> first;
   Eigen::Index count = 0;
 
-  explicit Numbering(std::span<const LooseBody> bodies) {
+  explicit Numbering(std::span<const UnconstrainedBody> bodies) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       for (const int node : bodies[b].nodes) body.emplace(node, b);
       first.push_back(count);
@@ -42,12 +42,12 @@ struct Numbering {
 };
 
 // Adds the components of a node's modes, times a weight, along the axes of a frame.
-void add_motions(const Structure& structure, std::span<const LooseBody> bodies,
+void add_motions(const Structure& structure, std::span<const UnconstrainedBody> bodies,
                  const Numbering& numbering, const Share& share, const PreciseMatrix& frame,
                  Eigen::Index row, PreciseMatrix& seen) {
   const auto found = numbering.body.find(share.node);
   if (found == numbering.body.end()) return;
-  const LooseBody& body = bodies[found->second];
+  const UnconstrainedBody& body = bodies[found->second];
   seen.block(row, numbering.first[found->second], frame.cols(), body.count()) +=
       Precise(share.weight) *
       (frame.transpose() * displacements(body, structure.coordinates.col(share.node)));
@@ -71,13 +71,13 @@ Eigen::VectorXd rounding_of_place(const Structure& structure, const ContactCandi
 }
 
 /// Adds the change of the node's modes if it is moved to its exact place.
-void add_placing(const Structure& structure, std::span<const LooseBody> bodies,
+void add_placing(const Structure& structure, std::span<const UnconstrainedBody> bodies,
                  const Numbering& numbering, const ContactCandidate& candidate,
                  const PreciseMatrix& frame, Eigen::Index row, PreciseMatrix& seen) {
   const auto found = numbering.body.find(candidate.node);
   const Eigen::VectorXd away = rounding_of_place(structure, candidate);
   if (found == numbering.body.end() || away.isZero(0)) return;
-  LooseBody about_origin = bodies[found->second];
+  UnconstrainedBody about_origin = bodies[found->second];
   about_origin.centre.setZero();
   const PreciseMatrix more = displacements(about_origin, away) -
                              displacements(about_origin, Eigen::VectorXd::Zero(away.size()));
@@ -91,7 +91,7 @@ std::string name(const Structure& structure, int node) {
 
 // An unconstrained body without contact candidates has no influence on answers and is most likely
 // an input error.
-void refuse_untouched(const Structure& structure, std::span<const LooseBody> bodies,
+void refuse_untouched(const Structure& structure, std::span<const UnconstrainedBody> bodies,
                       const Numbering& numbering) {
   std::vector<bool> touched(bodies.size(), false);
   const auto touch = [&](int node) {
@@ -107,8 +107,8 @@ void refuse_untouched(const Structure& structure, std::span<const LooseBody> bod
     const int node = bodies[b].nodes.front();
     throw structure_error(
         structure, position_of(structure.sources.nodes, node),
-        fmt::format("the body of node {} is loose, {}, and has no contact candidate; expected "
-                    "supports, or a candidate that something may hold it at",
+        fmt::format("the body of node {} is unconstrained, {}, and has no contact candidate; "
+                    "expected supports, or a contact candidate on it",
                     name(structure, node), described(bodies[b])));
   }
 }
@@ -116,16 +116,18 @@ void refuse_untouched(const Structure& structure, std::span<const LooseBody> bod
 [[noreturn]] void refuse_line(const Structure& structure) {
   throw structure_error(
       structure, position_of(structure.sources.contact, 0),
-      "the contact candidates of a loose body lie almost on one line, so that it cannot be told "
-      "whether it can turn about it; expected candidates exactly on a line, or clearly off it");
+      "the contact candidates of an unconstrained body lie almost on one line, and whether it can "
+      "turn "
+      "about that line is numerically undecided; expected candidates exactly on a line, or clearly "
+      "off it");
 }
 
 [[noreturn]] void refuse_gap(const Structure& structure) {
   throw structure_error(
       structure, position_of(structure.sources.contact, 0),
-      "loose bodies touch at places that are almost, but not exactly, one, or almost on one line, "
-      "so that it cannot be told whether the candidates see them turn together; expected pairs of "
-      "nodes that meet, or candidates that a rigid obstacle may hold the bodies at");
+      "unconstrained bodies touch at places that almost coincide, or almost lie on one line, and "
+      "whether they can turn together is numerically undecided; expected pairs of nodes that "
+      "coincide, or candidates on a rigid obstacle");
 }
 
 double least_sine(const Structure& structure) {
@@ -139,7 +141,7 @@ double least_sine(const Structure& structure) {
 
 }  // namespace
 
-PreciseMatrix seen_motions(const Structure& structure, std::span<const LooseBody> bodies) {
+PreciseMatrix seen_motions(const Structure& structure, std::span<const UnconstrainedBody> bodies) {
   const Numbering numbering(bodies);
   const Eigen::Index d = structure.dimension;
   PreciseMatrix seen =
@@ -156,7 +158,8 @@ PreciseMatrix seen_motions(const Structure& structure, std::span<const LooseBody
   return seen;
 }
 
-ContactMotions contact_motions(const Structure& structure, std::span<const LooseBody> bodies) {
+ContactMotions contact_motions(const Structure& structure,
+                               std::span<const UnconstrainedBody> bodies) {
   refuse_untouched(structure, bodies, Numbering(bodies));
   const auto seen = seen_motions(structure, bodies);
   ContactMotions result{PreciseMatrix(seen.rows(), 0), 0};
@@ -181,7 +184,7 @@ ContactMotions contact_motions(const Structure& structure, std::span<const Loose
   for (std::size_t k = 0; k < columns.size(); ++k)
     result.matrix.col(static_cast<Eigen::Index>(k)) = columns[k];
   double error = 0;
-  for (const LooseBody& body : bodies) error = std::max(error, body.error);
+  for (const UnconstrainedBody& body : bodies) error = std::max(error, body.error);
   error += motion_roundings * numbers::unit_roundoff<Precise> / least_sine(structure);
   result.error = bodies.empty() ? 0 : error / least_left;
   return result;

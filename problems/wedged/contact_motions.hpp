@@ -20,10 +20,12 @@ struct ContactMotions {
 /// @param bodies those of the structure
 /// @throws InputError if it is numerically undecided whether a mode displaces candidates, or if a
 ///         body has no candidates
-ContactMotions contact_motions(const Structure& structure, std::span<const LooseBody> bodies);
+ContactMotions contact_motions(const Structure& structure,
+                               std::span<const UnconstrainedBody> bodies);
 
 /// The same without combinations: a column for each mode of each body, dm x sum of p, zero if it
 /// displaces no candidate.
-numbers::PreciseMatrix seen_motions(const Structure& structure, std::span<const LooseBody> bodies);
+numbers::PreciseMatrix seen_motions(const Structure& structure,
+                                    std::span<const UnconstrainedBody> bodies);
 
 }  // namespace kusabi::problems

@@ -12,9 +12,9 @@
 #include <Eigen/SparseCore>
 
 #include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/bodies/grounding_springs.hpp"
 #include "problems/structure/bodies/rigid_motions.hpp"
-#include "problems/structure/bodies/temporary_springs.hpp"
-#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/truss.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
@@ -58,7 +58,7 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
   const auto d = static_cast<Eigen::Index>(structure.dimension);
   const auto columns = d * static_cast<Eigen::Index>(structure.contact.size());
   Loads loads{numbers::PreciseMatrix::Zero(degrees.size(), columns), Eigen::VectorXd(columns)};
-  const auto corners = corner_nodes(structure);
+  const auto corners = nodes_with_several_normals(structure);
   Eigen::Index column = 0;
   for (const ContactCandidate& candidate : structure.contact) {
     const auto frame = precise_contact_frame(candidate);
@@ -270,7 +270,8 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
 
 Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
     const Structure& structure) {
-  const auto enclosed = enclosed_compliance(held_structure(structure, loose_bodies(structure)));
+  const auto enclosed =
+      enclosed_compliance(grounded_structure(structure, unconstrained_bodies(structure)));
   const auto& f = enclosed.matrix;
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> result = f.cast<long double>();
   const Eigen::Index d = structure.dimension;

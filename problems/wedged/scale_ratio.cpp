@@ -64,7 +64,7 @@ double compliance_ratio(const WedgedProblem& problem) {
 }
 
 /// Ratio for one body: `within` marks its nodes.
-double extent_ratio(const Structure& structure, const LooseBody& body,
+double extent_ratio(const Structure& structure, const UnconstrainedBody& body,
                     const std::vector<bool>& within) {
   Range distances;
   for (const int node : body.nodes) distances.add(distance(structure, body.nodes.front(), node));
@@ -92,7 +92,7 @@ double extent_ratio(const Structure& structure, const LooseBody& body,
 
 double scale_ratio(const Structure& structure, const WedgedProblem& problem) {
   double most = std::max(stiffness_ratio(structure), compliance_ratio(problem));
-  for (const LooseBody& body : loose_bodies(structure)) {
+  for (const UnconstrainedBody& body : unconstrained_bodies(structure)) {
     std::vector<bool> within(structure.node_names.size(), false);
     for (const int node : body.nodes) within[static_cast<std::size_t>(node)] = true;
     most = std::max(most, extent_ratio(structure, body, within));

@@ -32,8 +32,8 @@ struct Part {
 };
 
 /// The nodes and the nodes of their master degrees of freedom.
-std::vector<int> with_leaders(const FreeDegrees& degrees, std::vector<int> nodes) {
-  if (degrees.leaders.empty()) return nodes;
+std::vector<int> with_master_nodes(const FreeDegrees& degrees, std::vector<int> nodes) {
+  if (degrees.master_degrees.empty()) return nodes;
   for (std::size_t i = 0, own = nodes.size(); i < own; ++i) {
     for (int axis = 0; axis < static_cast<int>(degrees.number.rows()); ++axis) {
       for (const auto& part : parts_of<double>(degrees, axis, nodes[i]))
@@ -67,7 +67,7 @@ std::vector<std::vector<int>> neighbours(const Structure& structure, const FreeD
   std::vector<std::vector<int>> places(structure.node_names.size() +
                                        static_cast<std::size_t>(degrees.own_count));
   const auto join = [&](const std::vector<int>& touched) {
-    const auto together = with_leaders(degrees, touched);
+    const auto together = with_master_nodes(degrees, touched);
     for (const int node : together) {
       auto& own = places[static_cast<std::size_t>(node)];
       own.insert(own.end(), together.begin(), together.end());
@@ -127,12 +127,12 @@ int most_terms(const Structure& structure, const FreeDegrees& degrees) {
   for (const Superelement& each : structure.superelements) {
     for (const int node : nodes_of(each)) ++terms[static_cast<std::size_t>(node)];
   }
-  if (degrees.leaders.empty()) return *std::ranges::max_element(terms);
+  if (degrees.master_degrees.empty()) return *std::ranges::max_element(terms);
   constexpr int weight_roundings = 8;
   auto all = terms;
   std::vector<int> followers(terms.size(), 1);
   for (std::size_t node = 0; node < terms.size(); ++node) {
-    for (const int leader : with_leaders(degrees, {static_cast<int>(node)})) {
+    for (const int leader : with_master_nodes(degrees, {static_cast<int>(node)})) {
       all[static_cast<std::size_t>(leader)] += terms[node];
       ++followers[static_cast<std::size_t>(leader)];
     }
@@ -188,7 +188,7 @@ Part add_element(const Structure& structure, const FreeDegrees& degrees, const E
     part.sizes.push_back(sizes(column.place) * std::abs(numbers::rounded(column.weight)));
     for (const auto& row : places) {
       matrix.coeffRef(row.number, column.number) +=
-          degrees.leaders.empty()
+          degrees.master_degrees.empty()
               ? stiffness(row.place, column.place)
               : stiffness(row.place, column.place) * (row.weight * column.weight);
       const auto& bound = bounds(row.place, column.place);

@@ -6,7 +6,7 @@
 
 #include "problems/structure/assembly/contact_frame.hpp"
 #include "problems/structure/model/constraints.hpp"
-#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/several_normals.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -75,7 +75,7 @@ class TangentialSprings {
 double add_tangential_springs(const Structure& structure, const FreeDegrees& degrees,
                               const ScaledStiffness& stiffness,
                               numbers::PreciseMatrix& compliance) {
-  const auto corners = corner_nodes(structure);
+  const auto corners = nodes_with_several_normals(structure);
   TangentialSprings springs(structure, degrees, stiffness);
   const auto d = static_cast<Eigen::Index>(structure.dimension);
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/bodies/grounding_springs.hpp"
 #include "problems/structure/bodies/mechanism.hpp"
 #include "problems/structure/bodies/rigid_motions.hpp"
-#include "problems/structure/bodies/temporary_springs.hpp"
 #include "problems/structure/checks/structure_check.hpp"
 #include "problems/structure/checks/superelement_check.hpp"
 #include "problems/structure/model/truss.hpp"
@@ -107,15 +107,15 @@ void add_constraints(const Structure& structure, support::Fingerprint& result) {
 
 /// Sets G and the descriptions of the unconstrained bodies.
 void set_motions(WedgedProblem& problem, const Structure& structure,
-                 std::span<const LooseBody> bodies) {
+                 std::span<const UnconstrainedBody> bodies) {
   if (bodies.empty()) return;
   auto [matrix, error] = contact_motions(structure, bodies);
   problem.motions = matrix.cast<double>();
   problem.precise_motions = std::move(matrix);
   problem.precise_motion_error = error;
   problem.motion_error = error + numbers::unit_roundoff<double>;  // for entries up to 1
-  for (const LooseBody& body : bodies) {
-    problem.loose_bodies.push_back(
+  for (const UnconstrainedBody& body : bodies) {
+    problem.unconstrained_bodies.push_back(
         {structure.node_names[static_cast<std::size_t>(body.nodes.front())],
          static_cast<int>(body.nodes.size()), described(body)});
   }
@@ -208,8 +208,8 @@ WedgedProblem wedged_problem(const Structure& structure, const support::LongWork
   check_structure(structure);
   require_contact_and_stiffness(structure);
   const FreeDegrees degrees = free_degrees(structure);
-  const auto bodies = loose_bodies(structure);
-  const Structure held = held_structure(structure, bodies);
+  const auto bodies = unconstrained_bodies(structure);
+  const Structure held = grounded_structure(structure, bodies);
   if (structure.superelements.empty()) {
     refuse_mechanism(held, degrees);
   } else {

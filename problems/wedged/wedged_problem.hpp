@@ -24,7 +24,7 @@ namespace kusabi::problems {
 inline constexpr double largest_compliance_error = 1e-15;
 
 /// Description of an unconstrained body.
-struct LooseBodyText {
+struct UnconstrainedBodyText {
   std::string node;     ///< the name of its first node
   int nodes = 0;        ///< number of its nodes
   std::string motions;  ///< "can move along x and y and turn"
@@ -68,16 +68,16 @@ struct WedgedProblem {
   /// Bound of the error of an entry of `motions` and of `precise_motions`.
   double motion_error = 0;
   double precise_motion_error = 0;
-  std::vector<LooseBodyText> loose_bodies;  ///< in the order of their first nodes
-  int nodes = 0;                            ///< of the structure, including supported ones
-  int members = 0;                          ///< of the structure
-  int elements = 0;                         ///< of the structure
+  std::vector<UnconstrainedBodyText> unconstrained_bodies;  ///< in the order of their first nodes
+  int nodes = 0;     ///< of the structure, including supported ones
+  int members = 0;   ///< of the structure
+  int elements = 0;  ///< of the structure
   /// Hash of dimension, units, coordinates, members, EA, elements, supports, springs, contact,
   /// friction and frames, in the order of the file, without names.
   std::uint64_t fingerprint = 0;
 };
 
-/// Whether all candidates have relative friction one.
+/// True if all candidates have relative friction one.
 bool uniform_friction(const WedgedProblem& problem);
 
 /// The mean of the diagonal of F_nn, the normal block of the compliance. F is divided by it, such

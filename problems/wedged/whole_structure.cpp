@@ -186,14 +186,14 @@ void WholeStructure::set_reactions(const Structure& structure,
 }
 
 void WholeStructure::set_motions(const Structure& structure, const WedgedProblem& problem) {
-  const auto bodies = loose_bodies(structure);
+  const auto bodies = unconstrained_bodies(structure);
   if (bodies.empty()) return;
   compliance_ = problem.compliance;
   const Eigen::MatrixXd seen = seen_motions(structure, bodies).cast<double>();
   seen_.compute(seen);
   motions_.setZero(displacements_.rows(), seen.cols());
   Eigen::Index column = 0;
-  for (const LooseBody& body : bodies) {
+  for (const UnconstrainedBody& body : bodies) {
     for (const int node : body.nodes) {
       motions_.block(dimension_ * node, column, dimension_, body.count()) =
           problems::displacements(body, structure.coordinates.col(node)).cast<double>();

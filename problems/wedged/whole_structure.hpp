@@ -41,7 +41,7 @@ class WholeStructure {
   /// @param reactions as above
   [[nodiscard]] Eigen::MatrixXd contact_forces(std::span<const double> reactions) const;
 
-  /// Whether a support or a spring acts on the node along any axis.
+  /// True if a support or a spring acts on the node along any axis.
   [[nodiscard]] bool is_supported(int node) const;
 
  private:

@@ -72,7 +72,7 @@ std::vector<std::string> ExportMatrix::comments() const {
                 : fmt::format("The compliance F of the contact candidates: u = F r, in {}/{}.",
                               problem_.units.length, problem_.units.force),
       "Each has its displacements in its own frame: n out of the obstacle, t along it."};
-  for (const auto& [node, nodes, motions] : problem_.loose_bodies) {
+  for (const auto& [node, nodes, motions] : problem_.unconstrained_bodies) {
     lines.push_back(fmt::format("The body of node {} {}: {}", node, motions,
                                 stiffness ? "K is only semidefinite."
                                           : "F is that with springs that hold it, right for "

@@ -248,7 +248,7 @@ void Patterns::prepare(CommandRun& run) {
       fingerprint, !options_.checkpoint.restart.empty() || run.has_begun_to_search(),
       options_.checkpoint.state.empty() ? search.checkpoint.file : options_.checkpoint.state);
   if (certificate_->wanted())
-    question_.witness = [this](const auto& evidence) { certificate_->add(evidence); };
+    question_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
   search.warn = warn;
 }

@@ -83,7 +83,7 @@ Verdict PatternsReport::verdict() const {
   // test has decided them.
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
-                                 : findings_.flat == 0 && problem_.loose_bodies.empty();
+                                 : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
   const bool example = options_.exists && findings_.count() != 0U;
   const bool answered = example && findings_.outcome.status == engine::Status::solution_limit;
   Verdict verdict{.ended = answered ? engine::Status::solved : findings_.outcome.status,

@@ -49,7 +49,7 @@ std::string bodies(const Structure& structure) {
 std::string connected(const Structure& structure) {
   constexpr std::size_t most = 12;
   const auto all = problems::connected_bodies(structure);
-  const auto loose = problems::loose_bodies(structure);
+  const auto loose = problems::unconstrained_bodies(structure);
   const auto held = [&](const std::set<int>& nodes) {
     const auto own = std::ranges::find_if(
         loose, [&](const auto& body) { return nodes.contains(body.nodes.front()); });

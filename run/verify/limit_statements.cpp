@@ -15,7 +15,7 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "support/input_error.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::run {
@@ -69,7 +69,7 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
     if (statement.claim == LimitClaim::least) {
       truss = verify::with_reversed_reference(std::move(truss));
     }
-    auto found = verify::limit_agreement(statement.evidence, truss);
+    auto found = verify::limit_consistency(statement.evidence, truss);
     if (auto* const agreed = std::get_if<verify::LimitTruss>(&found))
       return AgreedTruss{std::move(*agreed), name, fingerprint, std::move(truss.load_names)};
     const auto& why = std::get<std::string>(found);

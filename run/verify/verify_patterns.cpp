@@ -17,8 +17,8 @@
 #include "run/output/wrong_input.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verify/verification.hpp"
-#include "verify/wedged/agreement.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/consistency.hpp"
 #include "verify/wedged/cover.hpp"
 #include "verify/wedged/proof.hpp"
 
@@ -69,7 +69,7 @@ std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOp
 void write_subject(std::string& text, const VerifyOptions& options,
                    const verify::Certificate& certificate,
                    const std::optional<problems::Structure>& structure,
-                   const std::optional<verify::Agreement>& agreement) {
+                   const std::optional<verify::ConsistentStructure>& consistent) {
   fmt::format_to(std::back_inserter(text), "contact candidates: {}\n",
                  fmt::join(certificate.names, " "));
   if (!structure) {
@@ -82,12 +82,12 @@ void write_subject(std::string& text, const VerifyOptions& options,
                  structure->name, options.problem,
                  hexadecimal(problems::wedged_fingerprint(*structure)));
   fmt::format_to(
-      std::back_inserter(text), "friction coefficient: {}{}\n", agreement->friction,
+      std::back_inserter(text), "friction coefficient: {}{}\n", consistent->friction,
       std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
           ? ""
           : " times that of each candidate");
   fmt::format_to(std::back_inserter(text), "K was computed anew from the structure, up to {:.1e}\n",
-                 agreement->stiffness.radius.nearest());
+                 consistent->stiffness.radius.nearest());
 }
 
 // Proved claims, in the order of the proof.
@@ -147,16 +147,16 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                                const std::string& text) {
   // Every rank reads the certificate and proves the parts that all nodes depend on.
   const auto certificate = certificate_in(text, options.certificate);
-  std::optional<verify::Agreement> agreement;
+  std::optional<verify::ConsistentStructure> consistent;
   if (structure) {
-    auto found = verify::agreement(certificate, evidence::verified_structure(*structure));
+    auto found = verify::consistency(certificate, evidence::verified_structure(*structure));
     if (const auto* why = std::get_if<std::string>(&found)) {
       return refusal_of_all(options, fmt::format("{}: {}", options.problem, *why));
     }
-    agreement = std::move(std::get<verify::Agreement>(found));
+    consistent = std::move(std::get<verify::ConsistentStructure>(found));
   }
-  auto proof = agreement ? verify::Proof(certificate, agreement->stiffness, agreement->motions)
-                         : verify::Proof(certificate);
+  auto proof = consistent ? verify::Proof(certificate, consistent->stiffness, consistent->motions)
+                          : verify::Proof(certificate);
   if (!proof.least_eigenvalue()) {
     return refusal_of_all(options, certificate.motions == 0
                                        ? "K was not shown to be positive definite"
@@ -200,7 +200,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     write_refusal(findings.refusals, options, certificate, found.solution);
   }
   if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
-  write_subject(findings.summary, options, certificate, structure, agreement);
+  write_subject(findings.summary, options, certificate, structure, consistent);
   write_summary(findings.summary, certificate, proof, !flaw && !one_pattern,
                 certificate.bounds.size() - bounds_refused.size(), proved);
   return findings;

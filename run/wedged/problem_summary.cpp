@@ -39,7 +39,7 @@ ordered_json contact_frames(const problems::WedgedProblem& problem) {
 // Unconstrained bodies: first node, number of nodes, and a sentence about their rigid-body modes.
 ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
   auto list = ordered_json::array();
-  for (const auto& [node, nodes, motions] : problem.loose_bodies)
+  for (const auto& [node, nodes, motions] : problem.unconstrained_bodies)
     list.push_back({{"node", node}, {"nodes", nodes}, {"motions", motions}});
   return list;
 }
@@ -53,7 +53,7 @@ std::string problem_line(const problems::WedgedProblem& problem) {
   auto line = fmt::format("{}: {}, {}, {} contact candidates", problem.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
                           problem.contact_names.size());
-  const auto& loose = problem.loose_bodies;
+  const auto& loose = problem.unconstrained_bodies;
   constexpr std::size_t most_described = 3;
   for (std::size_t k = 0; k < std::min(loose.size(), most_described); ++k) {
     line +=
@@ -77,7 +77,7 @@ ordered_json problem_json(const problems::Structure& structure,
                     {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
                     {"contact", contact_frames(problem)},
                     {"fingerprint", hexadecimal(problem.fingerprint)}};
-  if (!problem.loose_bodies.empty()) json["rigid_motions"] = rigid_motions_json(problem);
+  if (!problem.unconstrained_bodies.empty()) json["rigid_motions"] = rigid_motions_json(problem);
   json["structure"] = structure_json(structure);
   return json;
 }

@@ -14,7 +14,7 @@
 namespace kusabi::problems::test {
 namespace {
 
-// The numbers of the nodes of a cluster, all joined; the first `dimension` are held.
+// The numbers of the nodes of a cluster, all connected; the first `dimension` are supported.
 std::vector<int> add_cluster(Structure& structure, int nodes, double along, std::mt19937& bits) {
   std::vector<int> numbers;
   for (int i = 0; i < nodes; ++i) {
@@ -87,7 +87,8 @@ Structure random_bodies(int dimension, std::mt19937& bits) {
   touches(a(1), {{b(1), 0.3}, {b(2), 0.7}});
   touches(a(2), {{b(0), 0.25}, {b(3), 0.75}});
   touches(b(3), {});
-  if (dimension == 2) {  // an element of which one corner is tied and another against the ground
+  if (dimension == 2) {  // an element with one vertex in a multi-point constraint and another in
+                         // contact with the ground
     Element square{{}, 3.0, 0.25, 0.5, PlaneState::stress};
     for (const auto& corner : {Eigen::Vector2d(9, 0), Eigen::Vector2d(10, 0),
                                Eigen::Vector2d(10, 1), Eigen::Vector2d(9, 1)})

@@ -1,4 +1,4 @@
-// The candidates of random bodies, put elsewhere.
+// Candidates of random bodies at other places.
 #include "corners.hpp"
 
 #include <utility>

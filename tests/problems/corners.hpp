@@ -1,4 +1,4 @@
-// Random structures in which nodes are several candidates, in all the ways there are.
+// Random structures with several contact normals at a node, in all combinations.
 #pragma once
 
 #include <random>
@@ -12,12 +12,12 @@ namespace kusabi::problems::test {
 
 /// Two bodies of bars (`random_bodies`) with other candidates: a node in a corner of rigid walls,
 /// of three in every other draw in space; one between a wall and a place of the other body; one
-/// between two such places, of which nodes are themselves in a corner or on an inclined support; a
+/// between two such places, whose nodes are themselves in a corner or on an inclined support; a
 /// candidate on a roller, in space in a corner of two walls along it.
 Structure random_corners(int dimension, std::mt19937& bits);
 
-/// Unit normals at right angles to each other or less, so that a corner does not hold by itself
-/// below a friction of 0.7, and no less than 0.3 of a unit from depending on each other.
+/// Unit normals at angles of at most 90 degrees, such that a node does not wedge by itself below a
+/// friction of 0.7, and at least 0.3 from linear dependence.
 std::vector<Eigen::VectorXd> random_normals(int dimension, int count, std::mt19937& bits);
 
 }  // namespace kusabi::problems::test

@@ -1,4 +1,4 @@
-// Small trusses that several tests share.
+// Small trusses that several tests use.
 #include "trusses.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Small trusses that several tests share, each simple enough to know its behaviour by hand.
+// Small trusses that several tests use, each simple enough for hand calculation.
 #pragma once
 
 #include <random>
@@ -13,13 +13,13 @@ namespace kusabi::problems::test {
 /// Adds a node named after its number; returns the number.
 int add_node(Structure& structure, const Eigen::VectorXd& position);
 
-/// A plane structure without anything in it.
+/// A plane structure without any entries.
 Structure empty_structure(int dimension);
 
 void fix(Structure& structure, int node);
 
-/// Two fixed nodes and a tip at (1, 0), which hangs on a horizontal bar of EA / L = 1 and a
-/// vertical bar of EA / L = 3 and touches a surface of normal (-1, 1) / sqrt 2.
+/// Two fixed nodes and a tip at (1, 0) on a horizontal bar of EA / L = 1 and a vertical bar of EA /
+/// L = 3, which touches a surface of normal (-1, 1) / sqrt 2.
 Structure two_bars();
 
 /// A cantilever of square bays with one diagonal each, fixed at its left end, EA = 1, in contact at
@@ -27,7 +27,7 @@ Structure two_bars();
 /// @param bay_without_diagonal that bay gets none; -1: every bay has one
 Structure cantilever(int bays, int bay_without_diagonal = -1);
 
-/// Nodes at random places in a unit cube, every pair joined, no supports, no contact.
+/// Nodes at random places in a unit cube, every pair connected, no supports, no contact.
 Structure random_cluster(int dimension, int nodes, std::mt19937& bits);
 
 /// Like `random_cluster`, with the first `dimension` nodes fixed and the last three in contact,

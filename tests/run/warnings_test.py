@@ -42,7 +42,7 @@ class Warnings(Problems):
     def test_nodes_at_one_place_that_nothing_joins(self):
         message = self.said("critical", CASES / "dup.toml").stderr
         self.assertIn("kusabi: warning: ", message)
-        self.assertIn("5 nodes are where another node is and nothing joins them", message)
+        self.assertIn("5 nodes are at the place of another node without connection", message)
         self.assertIn("the structure is of 2 bodies", message)
         shown = self.said("show", CASES / "dup.toml").stdout
         self.assertIn("2 that nothing joins", shown)

@@ -1,4 +1,4 @@
-// The reader of bounds, and of nodes that need them.
+// Reader of bounds, and of nodes that require them.
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,8 +43,8 @@ TEST(BoundLines, AreReadAsTheyWereWritten) {
 }
 
 struct Wrong {
-  const char* what;  // in the file
-  const char* with;  // instead
+  const char* what;  // text in the file
+  const char* with;  // its replacement
   const char* said;
 };
 
@@ -97,7 +97,7 @@ TEST(BoundLines, SaysWhatIsWrongAndWhatWasExpected) {
   }
 }
 
-// Of a body that nothing holds they have the parts of its motions, too.
+// Bounds of an unconstrained body have coefficients of its rigid-body modes, too.
 TEST(BoundLines, AreOfTheirOwnBlock) {
   const std::vector<std::string> header = {"kusabi certificate 4\n",
                                            "dimension 2\n",

@@ -1,4 +1,4 @@
-// Bounds of candidates and the cuts that follow, of problems that are solved by hand.
+// Bounds of candidates and the cuts that follow, for problems solved by hand.
 #include <cmath>
 #include <random>
 #include <set>
@@ -22,9 +22,8 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// One candidate, K = [2 1; 1 2]: u_n = (2 r_n - r_t)/3 is above zero for mu < 2. No multipliers of
-// displacements alone show that it does not wedge, undecided as it is; the cut u_n + r_n <= r_n
-// does.
+// One candidate, K = [2 1; 1 2]: u_n = (2 r_n - r_t)/3 is positive for mu < 2. No multipliers of
+// displacements alone prove the undecided node infeasible; the cut u_n + r_n <= r_n does.
 BoundsDraft one(double mu) {
   BoundsDraft draft;
   draft.header = {"kusabi certificate 4\n",
@@ -66,7 +65,7 @@ TEST(Bounds, ProveThatOneCandidateDoesNotWedge) {
   EXPECT_THAT(verdict(without.text()).refusals, testing::SizeIs(1));
 }
 
-// K known up to a radius only: what is too near to the critical friction is not proved.
+// K is known up to a radius only: coefficients too close to the critical one are not proved.
 TEST(Bounds, HoldForEveryStiffnessWithinTheRadius) {
   const auto refused = [](double mu, double radius) {
     const auto certificate = read_certificate(one(mu).text(), "cert");
@@ -110,7 +109,7 @@ TEST(Bounds, WithoutTheCutNothingProvesTheNode) {
   }
 }
 
-// What has been shown of a side is known of every node; and of what is on neither nothing is left.
+// Excluded sides hold at every node; a candidate without sides makes a node infeasible.
 TEST(Bounds, SidesThatAreExcludedAreKnown) {
   auto draft = two_candidates(2);
   draft.nodes[0] = "cut 1 1 0" + numbers({0, 0, 0, 0});
@@ -121,7 +120,7 @@ TEST(Bounds, SidesThatAreExcludedAreKnown) {
 
 TEST(Bounds, OfASmallerBoundThanBeforeTheLargerIsForgotten) {
   auto draft = two_candidates(2);
-  // u_nb <= s/2 gives 2 u_nb + r_nb <= s: with eta = 1, y_b = -4 is beyond what it gives.
+  // u_nb <= s/2 gives 2 u_nb + r_nb <= s: with eta = 1, y_b = -4 exceeds its coefficient.
   const auto loose = "bound 1 1 separated" + numbers({0.5, 0, 1, 0, 0, 1});
   draft.bounds.insert(draft.bounds.begin() + 1, loose);
   EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());
@@ -137,10 +136,11 @@ TEST(Bounds, RefusesWhatIsSpoilt) {
     return !verdict(draft.text()).refusals.empty();
   };
   EXPECT_FALSE(refused(2, two_candidates(2).bounds[2]));
-  // u_na = s in the pattern of b: less is wrong, whatever the multipliers.
+  // u_na = s in the pattern of b: smaller bounds are wrong, for all multipliers.
   for (const double y : {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 2.0})
     EXPECT_TRUE(refused(2, "bound 1 0 separated" + numbers({0.75, 1, y, 0, 0, 1}))) << y;
-  // The other side, the other candidate, too much of the cut, too little of the opposite.
+  // The other side, the other candidate, too large a share of the cut, too small a share of the
+  // opposite.
   EXPECT_TRUE(refused(1, "never 1 0 separated" + numbers({-4, -4, 0, 1})));
   EXPECT_TRUE(refused(1, "never 1 1 contact" + numbers({-4, -4, 0, 1})));
   EXPECT_TRUE(refused(1, "never 1 0 contact" + numbers({-4, -4, 1, 0})));
@@ -155,7 +155,7 @@ TEST(Bounds, RestOnThoseBeforeThem) {
   const auto said = verdict(draft.text());
   EXPECT_FALSE(said.proved());
   EXPECT_EQ(said.bounds, 2U);
-  // And fall with them; so do nodes.
+  // Bounds that depend on a refused one are refused, too; so are nodes.
   draft = two_candidates(2);
   draft.bounds[0] = "bound 1 1 separated" + numbers({0.25, 0, -1, 0, 0, 0x1p-20});
   draft.bounds.erase(draft.bounds.begin());
@@ -163,9 +163,9 @@ TEST(Bounds, RestOnThoseBeforeThem) {
   EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(2));
 }
 
-// A bar in a groove, as in loose_bodies_test.cpp: the walls' normals are (0.6, 0.8) and (-0.6,
-// 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Motions alone prove all there
-// is.
+// A bar in a groove, as in unconstrained_bodies_test.cpp: the walls' normals are (0.6, 0.8) and
+// (-0.6, 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Rigid-body modes alone
+// give all proofs.
 BoundsDraft loose_bar(double mu) {
   BoundsDraft draft;
   draft.header = {
@@ -181,7 +181,7 @@ BoundsDraft loose_bar(double mu) {
   for (const auto& row : std::vector<std::vector<double>>{
            {0.6, 0.8, -0.8}, {0.8, -0.6, 0.6}, {-0.6, 0.8, 0.8}, {0.8, 0.6, 0.6}})
     draft.header.push_back(numbers(row).substr(1));
-  // Of w the normal parts are -1/2 at one end and 1/2 at the other, and there are no others.
+  // The normal components of w are -1/2 at one end and 1/2 at the other; all others are zero.
   draft.bounds = {"bound 1 0 contact" + numbers({0.6, 0, 0, -0.3, 0, 0.4, 0, 0, 1}),
                   "bound 1 1 contact" + numbers({0.6, 0, 0, 0.3, 0, -0.4, 0, 0, 1}),
                   "never 1 1 separated" + numbers({0, 0, -0.6, -0.8, 0, 0, 0})};
@@ -222,7 +222,7 @@ TEST(BoundsOfALooseBar, AreRefusedBelowHalfOfTheReactions) {
   EXPECT_TRUE(refused("never 1 0 contact" + numbers({0, 0, -0.3, 0, 0.4, 0, 0})));
 }
 
-// No end is ever separated, so all that is said of that is true.
+// No end is ever separated, so every bound on that side is true.
 TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
   const auto text = loose_bar(2).text();
   const auto begin = text.find("bounds 3\n");
@@ -247,7 +247,7 @@ TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
   EXPECT_GT(taken_up, 100);
 }
 
-// The search may ask without a file; what the reader would refuse is refused.
+// The search checks bounds without a file; faults that the reader would refuse are refused.
 TEST(Bounds, AreCheckedWithoutAReaderToo) {
   const auto certificate = read_certificate(two_candidates(2).text(), "cert");
   const auto refusal = [&](const auto& change) {
@@ -286,7 +286,7 @@ TEST(Bounds, AnyNumbersAreJudged) {
   }
 }
 
-// Of the one pattern, b in contact: u_na = s, r_nb = s.
+// For the single pattern, b in contact: u_na = s, r_nb = s.
 bool is_true(const Bound& bound) {
   const bool has_part =
       bound.candidate == 0 ? bound.side == Side::separated : bound.side == Side::contact;

@@ -1,4 +1,4 @@
-// The reader: what it says of files that are not as they should be, and that none of them harms.
+// Reader of certificates: messages on faulty files, all of which are harmless.
 #include "verify/wedged/certificate.hpp"
 
 #include <algorithm>
@@ -19,13 +19,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using wedged::random_problem;
 
-// A small problem with dead nodes and living ones.
+// A small problem with infeasible nodes and feasible leaves.
 const Draft& small() {
   static const Draft draft = searched(random_problem(2, 4, 5), 4.0);
   return draft;
 }
 
-// What is said of a text; empty if it is a certificate.
+// The message on a text; empty if it is a valid certificate.
 std::string complaint(const std::string& text) {
   try {
     read_certificate(text, "cert");
@@ -76,15 +76,15 @@ TEST(Certificate, EveryTruncationIsNoticed) {
   const auto text = small().text();
   for (std::size_t length = 0; length < text.size(); ++length) {
     EXPECT_NE(complaint(text.substr(0, length)), "") << length;
-    // And as if it had been meant so.
+    // The same with a valid digest.
     EXPECT_THAT(complaint(sealed(text.substr(0, std::min(length, text.rfind("digest") - 1)))),
                 AllOf(HasSubstr("cert"), HasSubstr("expected")));
   }
 }
 
 struct Wrong {
-  const char* what;  // in the file
-  const char* with;  // instead
+  const char* what;  // text in the file
+  const char* with;  // its replacement
   const char* said;
 };
 
@@ -141,7 +141,7 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
   EXPECT_THAT(complaint(sealed("")), HasSubstr("cert"));
 }
 
-// Two pieces of a structure, each with dead nodes and living ones.
+// Two components of a structure, each with infeasible nodes and feasible leaves.
 const Draft& pieces() {
   static const Draft draft =
       in_blocks(searched(random_problem(2, 3, 5), 4.0), searched(random_problem(2, 2, 7), 4.0));
@@ -182,7 +182,7 @@ TEST(CertificateInBlocks, SaysWhatIsWrongAndWhatWasExpected) {
       {"nodes\n", "nodes\nalive 2 8 0 0x0p+0\n", "expected a leaf"},
       {"nodes\n", "nodes\nmarginal 1 3\n", "expected two disjoint sets"},
       {"nodes\n", "nodes\nmarginal 1 3 0\n",
-       "the number of nodes above"},  // no leaf, and none needed
+       "the number of nodes above"},  // no leaf, and none required
   };
   for (const auto& [what, with, said] : table) {
     auto wrong = text;
@@ -214,8 +214,8 @@ TEST(CertificateInBlocks, EachBlockMustBeCovered) {
   }
 }
 
-// Whatever the file says, there is one line or a verdict; and a list that is proved is the right
-// one, since the problem is not touched.
+// Any change of the nodes leads to a message or a verdict; a proved list is correct, since the
+// problem is unchanged.
 TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
   const auto text = small().text();
   const auto nodes = text.find("nodes\n") + 6;
@@ -253,7 +253,7 @@ TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
 TEST(Certificate, NoChangeAnywhereDoesHarm) {
   std::mt19937_64 generator(3);
   const std::string texts[] = {small().text(), pieces().text()};
-  // Numbers from the ends of what a double is, and beyond.
+  // Numbers at the limits of doubles, and beyond.
   const std::string extremes[] = {"0x1p-1060",
                                   "0x0.0000000000001p-1022",
                                   "-0x1p-1074",

@@ -1,5 +1,5 @@
-// What a coarse matrix says of itself, against exact products; and that proofs that need the exact
-// one have it.
+// Error bounds of coarse matrices compared with exact products; and proofs that require the exact
+// matrix.
 #include "verify/arithmetic/coarse_matrix.hpp"
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verify/structure/held_stiffness.hpp"
+#include "verify/structure/regularised_stiffness.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -64,7 +64,7 @@ TEST(CoarseMatrix, IsNoFartherOffThanItSays) {
   }
 }
 
-// The largest sums there can be.
+// The largest possible sums.
 TEST(CoarseMatrix, ItsSumsHaveRoom) {
   constexpr std::size_t size = 1024;
   const auto largest = [](unsigned bits) -> mpz_class { return (mpz_class(1) << bits) - 1; };
@@ -94,19 +94,19 @@ TEST(CoarseMatrix, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(large * DyadicList(std::size_t{1025}));
 }
 
-// K = diag(1, 2^-100) + 2^-200: what the coarse one knows of the second unknown is nothing.
-TEST(HeldStiffness, ChecksWithAllDigitsWhatACoarseGuessLeavesOpen) {
+// K = diag(1, 2^-100) + 2^-200: the coarse matrix has lost the second unknown.
+TEST(RegularisedStiffness, ChecksExactlyWhatACoarseMatrixLeavesOpen) {
   DyadicMatrix middle{.size = 2, .entries = DyadicList(std::size_t{4})};
   middle.entries.exponent = -200;
   middle.entries.mantissas[0] = (mpz_class(1) << 200U) + 1;
   middle.entries.mantissas[3] = (mpz_class(1) << 100U) + 1;
-  const HeldStiffness held({middle, {}}, {});
+  const RegularisedStiffness held({middle, {}}, {});
   const auto all = first_numbers(2);
   const std::vector<double> right{1, 1};
   int coarse = 0;
   int exact = 0;
   const auto refusal =
-      held.guess(all, DyadicList(right),
+      held.solve(all, DyadicList(right),
                  [&](const DyadicList& x, const DyadicList& kx,
                      const Dyadic& off) -> std::optional<std::string> {
                    const auto error = norm_above(difference(middle * x, kx));

@@ -1,4 +1,4 @@
-// K from a structure: the closed form lies within the radius, and the radius is next to nothing.
+// Enclosure of K from a structure: it contains the closed form, and its radius is tiny.
 #include "verify/structure/condensation.hpp"
 
 #include <cmath>
@@ -31,7 +31,7 @@ mpq_class entry(const EnclosedMatrix& matrix, std::size_t i, std::size_t j) {
   return matrix.middle.entries[matrix.middle.size * i + j].rational();
 }
 
-// The true K, row by row, is within `matrix`, and that is small.
+// The true K, row by row, is within `matrix`, whose radius is small.
 void expect_holds(const EnclosedMatrix& matrix, const std::vector<mpq_class>& truth) {
   ASSERT_EQ(matrix.middle.entries.size(), truth.size());
   mpq_class square_of_distance = 0;
@@ -46,8 +46,8 @@ void expect_holds(const EnclosedMatrix& matrix, const std::vector<mpq_class>& tr
   EXPECT_LT(radius.get_d(), 1e-35 * std::sqrt(square_of_size.get_d()));
 }
 
-// A tip on a horizontal chain of two bars, and on a vertical bar; the chain's middle is held by a
-// vertical bar as well.
+// A tip on a horizontal chain of two bars, and on a vertical bar; the chain's middle is supported
+// by a vertical bar as well.
 Structure chain(double near, double far, double upright) {
   Structure structure;
   structure.dimension = 2;
@@ -91,7 +91,7 @@ TEST(Condensation, DoesNotDependOnTheUnits) {
   }
 }
 
-// The corner of a square whose other corners are held: the entries are in the books.
+// A vertex of a square whose other vertices are fixed: the entries have closed forms.
 TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
   Structure structure;
   structure.dimension = 2;
@@ -101,7 +101,7 @@ TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
   structure.fixed[0] = {false, false, false};
   ContactPoint corner;
   corner.normal = {1, 0, 0};
-  corner.tangent = Vector{5, 7, 0};  // less its part along n: (0, 1)
+  corner.tangent = Vector{5, 7, 0};  // minus its component along n: (0, 1)
   structure.contact = {corner};
   Element square;
   square.nodes = {0, 1, 2, 3};
@@ -114,14 +114,14 @@ TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
   structure.elements[0].modulus = 5;
   structure.elements[0].plane_strain = true;
   expect_holds(condensed(structure), {mpq_class(16, 3), 2, 2, mpq_class(16, 3)});
-  // The other way round, and as two halves, one upon the other.
+  // With the opposite orientation, and as two halves, one upon the other.
   structure.elements[0].nodes = {3, 2, 1, 0};
   structure.elements[0].thickness = 1;
   structure.elements.push_back(structure.elements[0]);
   expect_holds(condensed(structure), {mpq_class(16, 3), 2, 2, mpq_class(16, 3)});
 }
 
-// Against the solver's own K in double precision: other code, other formulas.
+// Compared with the solver's own K in double precision: other code, other formulas.
 TEST(Condensation, IsNearWhatTheSolverComputes) {
   for (const auto* name : {"space-truss.toml", "plane-truss.toml", "elastic-body.toml"}) {
     const auto problem = example(name);
@@ -138,7 +138,7 @@ TEST(Condensation, IsNearWhatTheSolverComputes) {
   }
 }
 
-// Turned by the angle of the triangle 3, 4, 5, coordinates are whole again and K is the same.
+// Rotated by the angle of the triangle 3, 4, 5, coordinates are integers again and K is the same.
 TEST(Condensation, DoesNotDependOnTheAxes) {
   const auto straight = chain(2, 7, 1);
   auto turned = straight;
@@ -156,7 +156,7 @@ TEST(Condensation, IsExactlyZeroBetweenPieces) {
   const auto shift = structure.places.size();
   for (std::size_t node = 0; node < other.places.size(); ++node) {
     structure.names.push_back("other " + other.names[node]);
-    structure.places.push_back(other.places[node]);  // in the same place, but not connected
+    structure.places.push_back(other.places[node]);  // at the same place, but not connected
     structure.fixed.push_back(other.fixed[node]);
   }
   for (auto bar : other.bars) {
@@ -179,10 +179,10 @@ TEST(Condensation, RefusesAMechanismAndABarWithoutLength) {
   mechanism.bars.erase(mechanism.bars.begin() + 2);
   EXPECT_THAT(std::get<std::string>(condensed_stiffness(mechanism)), HasSubstr("mechanism"));
   auto pinned = chain(1, 1, 1);
-  pinned.places[3] = {1, 0, 0};  // the upright under the middle has no length
+  pinned.places[3] = {1, 0, 0};  // the upright below the middle has length zero
   EXPECT_THAT(std::get<std::string>(condensed_stiffness(pinned)), HasSubstr("no length"));
   auto near = chain(1, 1, 1);
-  near.bars[2].axial_stiffness = 1e-30;  // of no use to hold the middle, but no mechanism
+  near.bars[2].axial_stiffness = 1e-30;  // useless for supporting the middle, but not a mechanism
   const auto found = condensed_stiffness(near);
   EXPECT_TRUE(std::holds_alternative<EnclosedMatrix>(found));
 }

@@ -1,4 +1,4 @@
-// Trees and what is not one, without any mechanics.
+// Covers by trees and other sets of nodes, without mechanics.
 #include "verify/wedged/cover.hpp"
 
 #include <algorithm>
@@ -71,8 +71,8 @@ TEST(Cover, NamesAContradiction) {
   EXPECT_THAT(flaw(certificate), HasSubstr("one says dead, the other alive"));
 }
 
-// Three nodes that cover six of eight patterns, two by two, and nothing that a tree could begin
-// with.
+// Three nodes that cover six of eight patterns, two by two, without a common candidate for the
+// root.
 TEST(Cover, RefusesWhatNoTreeHas) {
   auto certificate = of(3);
   add(certificate, 0b001, 0b010);
@@ -81,7 +81,7 @@ TEST(Cover, RefusesWhatNoTreeHas) {
   EXPECT_THAT(flaw(certificate), HasSubstr("do not come from a tree"));
 }
 
-// Random trees over 64 candidates, whole and with a node left out, doubled or turned round.
+// Random trees over 64 candidates: complete, with a node missing, repeated or with exchanged sides.
 TEST(Cover, HoldsForRandomTreesAndForNothingElse) {
   std::mt19937_64 generator(7);
   for (int round = 0; round < 200; ++round) {

@@ -1,4 +1,4 @@
-// Intervals: they hold what they should, and little else.
+// Intervals contain the exact results, and are narrow.
 #include "verify/arithmetic/enclosure.hpp"
 
 #include <cmath>
@@ -50,8 +50,8 @@ TEST(Enclosure, WhatHasNoResultIsNotFinite) {
   EXPECT_FALSE(magnitude(none).finite());
 }
 
-// Intervals around random thirds, with signs of all kinds, against rational arithmetic at their
-// ends and between.
+// Intervals around random thirds, with signs of all kinds, compared with rational arithmetic at and
+// between their bounds.
 TEST(Enclosure, OperationsHoldEveryResultOfTheirArguments) {
   std::mt19937_64 generator(3);
   std::uniform_int_distribution<int> number(-4, 4);

@@ -1,4 +1,4 @@
-// The arithmetic: nothing may be lost, however far apart two numbers are.
+// Exact arithmetic is lossless for numbers of any ratio.
 #include "verify/arithmetic/exact.hpp"
 
 #include <cmath>

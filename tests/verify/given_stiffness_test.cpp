@@ -1,4 +1,5 @@
-// Stiffnesses of other programs, enclosed: as the solver has them, proved, and told from others.
+// Enclosures of stiffness matrices of other programs: consistent with the solver, proved, and
+// distinguished from others.
 #include <random>
 #include <variant>
 
@@ -18,7 +19,7 @@ problems::Structure random_matrix(int draw, std::mt19937& bits) {
   return problems::test::with_a_matrix(problems::test::random_bodies(2 + draw % 2, bits));
 }
 
-// With a rotation, or the like, between the first row and the last: u of its own.
+// With an internal unknown, such as a rotation, between the first row and the last.
 problems::Structure with_an_own_unknown(problems::Structure structure) {
   auto& [rows, stiffness, rounding] = structure.superelements.front();
   const auto n = stiffness.rows();

@@ -1,4 +1,4 @@
-// Combinations of columns whose sizes are far apart, as the motions of a long lever are.
+// Combinations of columns with very different sizes, such as rigid-body modes with long levers.
 #include "verify/arithmetic/least_squares.hpp"
 
 #include <cmath>

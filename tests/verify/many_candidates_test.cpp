@@ -1,4 +1,4 @@
-// Certificates with more candidates than a word has bits.
+// Certificates with more candidates than bits in a word.
 #include <set>
 #include <string>
 
@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using wedged::random_problem;
 
-// What is said of a text; empty if it is a certificate.
+// The message on a text; empty if it is a valid certificate.
 std::string complaint(const std::string& text) {
   try {
     read_certificate(text, "cert");
@@ -26,13 +26,13 @@ std::string complaint(const std::string& text) {
 }
 
 struct Wrong {
-  const char* what;  // in the file
-  const char* with;  // instead
+  const char* what;  // text in the file
+  const char* with;  // its replacement
   const char* said;
 };
 
-// Candidates of which each lifts all others: one in contact leaves no reaction to any, and the tree
-// has as many dead nodes as there are candidates, and one more.
+// Candidates of which each opens all others: one in contact leaves no reaction to any other, and
+// the tree has one infeasible node more than there are candidates.
 problems::WedgedProblem lifting_each_other(int candidates) {
   auto problem = random_problem(2, candidates, 5);
   problem.stiffness.setIdentity();
@@ -43,8 +43,8 @@ problems::WedgedProblem lifting_each_other(int candidates) {
   return problem;
 }
 
-// Candidates c0, ..., c59 that are dead at once, and ten whose sets begin in the first word of a
-// set and end in the second.
+// Candidates c0, ..., c59 that are infeasible at once, and ten whose sets begin in the first word
+// of a set and end in the second.
 const Draft& seventy() {
   static const Draft draft =
       in_blocks(searched(lifting_each_other(60), 0.5), searched(random_problem(2, 10, 5), 4.0));

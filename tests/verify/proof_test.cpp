@@ -1,4 +1,4 @@
-// What a search records is proved; what is spoilt is refused, and for what is wrong with it.
+// Proofs of the records of a search; falsified records are refused with the right reason.
 #include "verify/wedged/proof.hpp"
 
 #include <algorithm>
@@ -98,7 +98,8 @@ TEST(Proof, DoesNotHangOnTheUnits) {
   }
 }
 
-// Displacements that differ ten thousandfold in stiffness: the guesses need more than a double.
+// Displacements whose stiffness differs by a factor of ten thousand: approximate solutions need
+// more than double precision.
 TEST(Proof, HoldsForBadlyScaledProblems) {
   std::size_t alive = 0;
   std::size_t dead = 0;
@@ -139,7 +140,7 @@ Draft frictionless() {
                   "0x1p+1\n",
                   "0x1p+0 0x1p+1\n",
                   "nodes\n"};
-  // Contact: u_n = 0, and r_t = 2 u_t = 0 leaves r_n = u_t = 0. Multiplier -1 pulls: w = (-2, 1)/3.
+  // Contact: u_n = 0, and r_t = 2 u_t = 0 implies r_n = u_t = 0. With multiplier -1, w = (-2, 1)/3.
   draft.nodes = {"dead 1 1 0 -0x1p+0\n", "dead 1 0 1 0x0p+0\n"};
   return draft;
 }
@@ -161,8 +162,8 @@ TEST(Proof, FrictionMayBeZero) {
               testing::ElementsAre(HasSubstr("a is not pressed against the obstacle")));
 }
 
-// K = [2 1; 1 2], in contact r_t = 2 r_n: between 2 and its neighbours lies the critical friction.
-// With K known up to a radius only, what is too near to it is not proved.
+// K = [2 1; 1 2], in contact r_t = 2 r_n: the critical friction is between 2 and its neighbours.
+// With K known up to a radius only, coefficients too close to it are not proved.
 TEST(Proof, HoldsForEveryStiffnessWithinTheRadius) {
   const auto refused = [](double mu, const std::string& claim, double radius) {
     auto draft = frictionless();
@@ -230,7 +231,7 @@ TEST(Proof, RefusesAStiffnessThatIsNotDefinite) {
   EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre("K"));
   *rows = "0x0p+0\n";
   EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre("K"));
-  // [1 1; 1 1] and [1 2; 2 1] in its corner.
+  // [1 1; 1 1] and [1 2; 2 1] as its leading block.
   for (const auto* row : {"0x1p+0 0x1p+0\n", "0x1p+1 0x1p+0\n"}) {
     rows[0] = "0x1p+0\n";
     rows[1] = row;
@@ -285,10 +286,10 @@ TEST(Proof, RefusesOtherMultipliers) {
   }
 }
 
-// One of them, where the displacement must not be negative, asks for what u_n >= 0 does not give.
+// A multiplier of a displacement that is nonnegative exceeds the coefficient of u_n >= 0.
 TEST(Proof, RefusesMultipliersOfTheWrongSign) {
   auto draft = searched(example("two-bars.toml"), 1.0);
-  // K = [2 1; 1 2], and without contact u_n >= 0 alone: no multiplier above zero can help.
+  // K = [2 1; 1 2], and without contact only u_n >= 0: no positive multiplier can help.
   draft.nodes = {"dead 0 0 -0x1p+0\n"};
   EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre(HasSubstr("ask for")));
 }
@@ -311,7 +312,7 @@ TEST(Proof, RefusesOtherReactions) {
   }
 }
 
-// No reaction whatever makes a dead leaf alive; random ones are tried.
+// No tangential reaction makes an infeasible leaf feasible; random ones are tried.
 TEST(Proof, RefusesADeadLeafTurnedAlive) {
   std::mt19937_64 generator(3);
   std::normal_distribution<double> normal;

@@ -1,5 +1,5 @@
-// Bounds and cuts of random problems, found by another program, against what is true of every
-// pattern (tests/reference/cvxopt_bounds.py).
+// Bounds and cuts of random problems, found by another program, compared with the exact values over
+// all patterns (tests/reference/cvxopt_bounds.py).
 #include <algorithm>
 #include <fstream>
 #include <optional>
@@ -34,7 +34,7 @@ support::IndexSet set_of(const Json& json) {
 struct Case {
   Certificate certificate;
   std::vector<bool> alone;  // of each bound: whether it can be proved without cuts
-  Json greatest;            // r_n / s and u_n / s of all patterns, by side and candidate
+  Json greatest;            // r_n / s and u_n / s over all patterns, by side and candidate
 };
 
 Case read_case(const Json& json) {
@@ -82,12 +82,12 @@ Side other(Side side) {
   return side == Side::contact ? Side::separated : Side::contact;
 }
 
-// What a change of one bound's line leads to, those before it being as they are.
+// Result of a change of one bound's line, with unchanged lines before it.
 class Changed {
  public:
   explicit Changed(const Case& problem) : problem_(problem), proof_(problem.certificate) {}
 
-  // Calls `visit(bound, number, refused)` at each bound, `refused(changed)` saying whether it is.
+  // Calls `visit(bound, number, refused)` at each bound, where `refused(changed)` is its result.
   template <class Visit>
   void at_each(Visit visit) {
     for (std::size_t k = 0; k < problem_.certificate.bounds.size(); ++k) {
@@ -112,7 +112,7 @@ TEST(ReferenceBounds, AreProvedAndTrue) {
     for (const auto& bound : problem.certificate.bounds) {
       EXPECT_EQ(proof.take_up(bound), std::nullopt);
       const auto truth = greatest(problem, bound.side, bound.candidate);
-      constexpr double accuracy = 1e-6;  // of the truth
+      constexpr double accuracy = 1e-6;  // of the exact values
       if (truth) {
         ASSERT_TRUE(bound.most);
         EXPECT_GE(*bound.most, *truth - accuracy);
@@ -177,7 +177,8 @@ TEST(ReferenceBounds, WithOtherMultipliersAreRefused) {
         changed = bound;
         changed.numbers[k] = -bound.numbers[k];
         EXPECT_TRUE(refused(changed));
-        // It counts at every other candidate that may have a reaction, of which there are some.
+        // It has an influence on all other candidates that may have a reaction, of which there are
+        // some.
         changed.numbers[k] = 1e6;
         EXPECT_TRUE(refused(changed));
       }
@@ -218,7 +219,7 @@ TEST(ReferenceBounds, NodesThatNeedCutsAreRefusedWithoutBounds) {
   }
 }
 
-// Of a softer structure gaps are larger, with more friction both are.
+// Gaps of a softer structure are larger, and both are larger with more friction.
 TEST(ReferenceBounds, OfAnotherStructureAreRefused) {
   int tried = 0;
   for (auto problem : cases()) {

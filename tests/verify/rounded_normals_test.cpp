@@ -1,5 +1,5 @@
-// Bodies that nothing holds, whose normals are directions of a mesh: parallel, or across an axis,
-// up to their sixteenth digit. What is dead or alive with a margin is proved all the same.
+// Unconstrained bodies whose normals are directions of a mesh: parallel, or through an axis, up to
+// their sixteenth digit. Infeasibility or feasibility with a margin is proved nevertheless.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -14,8 +14,8 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "searched.hpp"
-#include "verify/wedged/agreement.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/consistency.hpp"
 #include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
@@ -39,7 +39,7 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
-// A wedge of 2 x 2 cells, its sides at an angle to the vertical, in a groove that follows them.
+// A wedge of 2 x 2 cells, its sides at an angle to the vertical, in a groove with the same angle.
 problems::Structure wedge(const Shape& shape, double degrees) {
   const double lean = std::tan(degrees * std::numbers::pi / 180);
   constexpr int steps = 4;
@@ -113,7 +113,7 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
       const auto below = verdict(written(problem, 0.97 * critical), &own);
       EXPECT_THAT(below.refusals, IsEmpty()) << shape.name << ' ' << degrees;
       EXPECT_THAT(below.alive, IsEmpty());
-      EXPECT_EQ(below.but_for_far_motion, 0U);  // shown by a motion alone
+      EXPECT_EQ(below.but_for_far_motion, 0U);  // proved by a rigid-body mode alone
       const auto above = verdict(written(problem, 1.3 * critical), &own);
       EXPECT_THAT(above.refusals, IsEmpty()) << shape.name << ' ' << degrees;
       EXPECT_FALSE(above.alive.empty());
@@ -124,14 +124,14 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
   EXPECT_GT(far, 0U);
 }
 
-// What shows of other nodes that they are dead does not show it of what wedges, nor of what is
-// above it in the tree.
+// Evidence for the infeasibility of other nodes does not prove it for a wedged one or for its
+// ancestors.
 TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
   const auto body = wedge(shapes()[3], 15);
   const auto text = written(problems::wedged_problem(body), 0.35);
   const auto certificate = read_certificate(text, "test");
   const auto agreed =
-      std::get<Agreement>(agreement(certificate, evidence::verified_structure(body)));
+      std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   std::size_t tried = 0;
   for (const auto& leaf : certificate.records) {
@@ -152,7 +152,7 @@ TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
   EXPECT_GT(tried, 100U);
 }
 
-// A round plug: its turn about its axis is along all of its surface, but for rounding.
+// A round plug: its rotation about its axis is along its whole surface up to rounding.
 TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
   const auto plug = example_structure("morse-taper.toml");
   const auto own = evidence::verified_structure(plug);
@@ -161,9 +161,9 @@ TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
   EXPECT_THAT(said.refusals, IsEmpty());
   EXPECT_EQ(said.alive.size(), 1U);
   EXPECT_EQ(said.marginal, 0U);
-  // Of the leaf with other tangential reactions, and of one with less friction, nothing is proved.
+  // The leaf with other tangential reactions, or with less friction, is not proved.
   auto certificate = read_certificate(text, "test");
-  const auto agreed = std::get<Agreement>(agreement(certificate, own));
+  const auto agreed = std::get<ConsistentStructure>(consistency(certificate, own));
   const auto refused = [&] {
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& record : certificate.records) {

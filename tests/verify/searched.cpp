@@ -11,8 +11,8 @@
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "support/sha1.hpp"
-#include "verify/wedged/agreement.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/consistency.hpp"
 #include "verify/wedged/cover.hpp"
 #include "verify/wedged/proof.hpp"
 
@@ -99,7 +99,7 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
     draft.header.push_back(listed(row).substr(1) + "\n");
   }
   draft.header.emplace_back("nodes\n");
-  // Version 1 knows of no blocks.
+  // Version 1 has no blocks.
   auto whole = problem;
   whole.blocks.clear();
   wedged::SignPatternTree tree(whole, everywhere, {.tolerances = {}, .thorough = true});
@@ -172,14 +172,14 @@ Verdict verdict(const std::string& text) {
 Verdict verdict(const std::string& text, const Structure* structure) {
   const auto certificate = read_certificate(text, "cert");
   Verdict result;
-  std::optional<Agreement> agreed;
+  std::optional<ConsistentStructure> agreed;
   if (structure != nullptr) {
-    auto found = agreement(certificate, *structure);
+    auto found = consistency(certificate, *structure);
     if (const auto* why = std::get_if<std::string>(&found)) {
       result.refusals.push_back(*why);
       return result;
     }
-    agreed = std::move(std::get<Agreement>(found));
+    agreed = std::move(std::get<ConsistentStructure>(found));
   }
   auto proof = agreed ? Proof(certificate, agreed->stiffness, agreed->motions) : Proof(certificate);
   if (!proof.least_eigenvalue()) {

@@ -1,4 +1,4 @@
-// Certificates to try: as a search writes them, and taken apart to be spoilt.
+// Certificates for tests: as written by a search, and in parts for falsification.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace kusabi::verify {
 
-/// The lines of a certificate up to "end", each with its end.
+/// The lines of a certificate up to "end", each with its line feed.
 struct Draft {
   std::vector<std::string> header;  ///< up to the line "nodes"
   std::vector<std::string> nodes;
@@ -24,11 +24,11 @@ struct Draft {
   [[nodiscard]] std::string text() const;
 };
 
-/// `text` up to its digest, with the right one: whatever was done to it.
+/// `text` up to its digest, followed by the right one.
 std::string sealed(const std::string& text);
 
-/// The same with one to three letters of its part from `begin`, of `size`, changed for others that
-/// may stand there, and sealed.
+/// The same with one to three letters of its part from `begin`, of `size`, replaced by other valid
+/// letters, with the right digest.
 std::string misspelt(std::string text, std::size_t begin, std::size_t size,
                      std::mt19937_64& generator);
 
@@ -37,24 +37,24 @@ problems::WedgedProblem example(const std::string& name);
 
 problems::Structure example_structure(const std::string& name);
 
-/// The certificate as `kusabi patterns --certificate` writes it, also of loose bodies.
+/// The certificate as written by `kusabi patterns --certificate`, also for unconstrained bodies.
 std::string written(const problems::WedgedProblem& problem, double mu);
 
-/// What a search finds, on one rank, as a certificate of version 1.
+/// Result of a search on one rank as a certificate of version 1.
 Draft searched(const problems::WedgedProblem& problem, double friction);
 
-/// Two drafts of one dimension, as the two blocks of a certificate of version 2.
+/// Two drafts of one dimension as the two blocks of a certificate of version 2.
 Draft in_blocks(const Draft& first, const Draft& second);
 
-/// What is said of a certificate: refusals of bounds, of nodes, of the cover, of K.
+/// Verdict on a certificate: refusals of bounds, of nodes, of the cover, of K.
 struct Verdict {
   std::vector<std::string> refusals;
   std::set<support::IndexSet> alive;  ///< U of those proved
   std::size_t bounds = 0;             ///< proved
   std::size_t dead = 0;               ///< proved, with cuts or without
   std::size_t marginal = 0;
-  std::size_t but_for_far_motion = 0;  ///< of the dead ones
-  std::size_t unloaded = 0;            ///< of the marginal ones
+  std::size_t but_for_far_motion = 0;  ///< of the infeasible ones
+  std::size_t unloaded = 0;            ///< of the undecided ones
 
   [[nodiscard]] bool proved() const { return refusals.empty(); }
 };
@@ -62,7 +62,8 @@ struct Verdict {
 /// @throws CertificateError
 Verdict verdict(const std::string& text);
 
-/// The same with the K of a structure, unless it is null. A disagreement is the one refusal.
+/// The same with the K of a structure, unless it is null. An inconsistency is the only refusal
+/// then.
 /// @throws CertificateError
 Verdict verdict(const std::string& text, const Structure* structure);
 

@@ -1,5 +1,5 @@
-// Elements of every shape: the intervals hold what is computed in 104 bits, up to the bound of its
-// roundings, though the two have nothing in common but the nodes.
+// Elements of every shape: the intervals contain the results in 104 bits up to their error bound,
+// although both have only the nodes in common.
 #include "verify/structure/solid_element.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@ mpq_class exactly(const numbers::Precise& number) {
   return mpq_class(number.x[0]) + mpq_class(number.x[1]);
 }
 
-// Also far from the origin, flat, and almost incompressible: the bound follows.
+// Also far from the origin, flat, and almost incompressible: the bound remains valid.
 TEST_P(SolidElement, HoldsWhatIsComputedInOtherWays) {
   std::mt19937 bits(3);
   for (const double flat : {1.0, 1e-3}) {
@@ -52,7 +52,7 @@ TEST_P(SolidElement, HoldsWhatIsComputedInOtherWays) {
           const mpq_class own = exactly(precise(row, column));
           EXPECT_LE(lower - own, bound);
           EXPECT_LE(own - upper, bound);
-          // Both say something.
+          // Both are narrow.
           EXPECT_LE(mpq_class(upper - lower).get_d(), 1e-75 * largest);
           EXPECT_LE(bound.get_d(), 1e-16 * largest);
         }

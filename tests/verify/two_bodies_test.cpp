@@ -1,4 +1,5 @@
-// K of pairs, ties, inclined supports and rollers, enclosed anew: as the solver has it, and proved.
+// Enclosures of K with pairs, multi-point constraints, inclined supports and rollers: consistent
+// with the solver, and proved.
 #include <random>
 #include <variant>
 
@@ -49,8 +50,8 @@ TEST(TwoBodies, HaveCertificatesThatAreProved) {
   }
 }
 
-// A peg that nothing holds, tapered by 1 in 4, between two elastic walls, and its nodes between
-// theirs: it wedges from 1/4 on. Either body may be the loose one.
+// An unconstrained peg, tapered by 1 in 4, between two elastic walls, and its nodes between theirs:
+// it wedges from 1/4 on. Either body may be the unconstrained one.
 TEST(TwoBodies, MayBeLoose) {
   const auto mesh = [](const std::string& name, const std::string& corners, int rows) {
     return "[[mesh]]\nname = \"" + name + "\"\ncorners = " + corners + "\ndivisions = [2, " +
@@ -82,7 +83,7 @@ TEST(TwoBodies, MayBeLoose) {
   }
 }
 
-// Of another pair, another weight, another direction: another K.
+// Another pair, weight or direction has another K.
 TEST(TwoBodies, AreNotTakenForOthers) {
   std::mt19937 bits(8);
   const auto structure = problems::test::random_bodies(2, bits);

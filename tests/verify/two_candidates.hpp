@@ -1,4 +1,4 @@
-// Certificates with bounds, of a problem that is solved by hand.
+// Certificates with bounds of a problem solved by hand.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace kusabi::verify {
 
-/// " 0x1p+0 …\n"
+/// Text of numbers as " 0x1p+0 …\n".
 std::string numbers(const std::vector<double>& list);
 
-/// A certificate of version 4, to be taken apart.
+/// A certificate of version 4 in parts.
 struct BoundsDraft {
   std::vector<std::string> header;  ///< up to the motions
   std::vector<std::string> bounds;
@@ -23,8 +23,8 @@ struct BoundsDraft {
 ///   u_na = r_na - r_tb,   u_nb = r_nb + r_tb,   u_tb = r_nb - r_na + 3 r_tb,
 ///
 /// all other tangents being springs of stiffness 1. In contact a has r_na = r_tb, so u_nb >= r_nb;
-/// one of them is zero, and so all is. b in contact has r_tb = -r_nb, and lifts a by r_nb: a
-/// pattern if mu > 1, which is proved, by way of three bounds.
+/// one of them is zero, and so all is. b in contact has r_tb = -r_nb, and opens a by r_nb: a
+/// pattern if mu > 1, which is proved by means of three bounds.
 BoundsDraft two_candidates(double mu, int dimension = 2);
 
 }  // namespace kusabi::verify

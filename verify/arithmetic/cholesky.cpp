@@ -139,17 +139,17 @@ void Cholesky::solve(std::span<double> right) const {
 
 // Candidates for the bound are half the estimate, a quarter of it, and so on.
 std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList& matrix) {
-  std::vector<double> guess;
-  guess.reserve(profile.entries());
-  for (std::size_t at = 0; at < profile.entries(); ++at) guess.push_back(matrix[at].nearest());
-  if (!finite(guess) || guess.empty()) return {};
-  const auto first = Cholesky::of(profile, guess);
+  std::vector<double> rounded;
+  rounded.reserve(profile.entries());
+  for (std::size_t at = 0; at < profile.entries(); ++at) rounded.push_back(matrix[at].nearest());
+  if (!finite(rounded) || rounded.empty()) return {};
+  const auto first = Cholesky::of(profile, rounded);
   if (!first) return {};
   double shift = estimated_eigenvalue(*first, profile.size()) / 2;
   const auto terms = longest_row(profile);
   constexpr int beyond_double_precision = 60;
   for (int step = 0; step < beyond_double_precision && shift > 0; ++step, shift /= 2) {
-    const auto factor = Cholesky::of(profile, guess, shift);
+    const auto factor = Cholesky::of(profile, rounded, shift);
     if (!factor || !finite(factor->lower())) continue;
     const auto lower = on_a_grid(factor->lower(), terms);
     const auto error = sqrt_above(square_of_error(profile, matrix, shift, lower));

@@ -74,7 +74,7 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
     take(at, product[row], product);
     size.erase(size.begin() + static_cast<std::ptrdiff_t>(at));
   }
-  for (const auto& row : rows) demand(row);  // what is below all doubles
+  for (const auto& row : rows) demand(row);  // products below all doubles
 }
 
 void Elimination::take(std::size_t at, Rationals pivots, std::vector<Rationals>& products) {

@@ -24,7 +24,7 @@ class Gram {
        const std::vector<double>& weight, const std::vector<std::size_t>& displacements,
        std::size_t count, double shift = 0);
 
-  /// Whether there is a factor: no pivot is zero or negative, and memory suffices.
+  /// True if there is a factor: no pivot is zero or negative, and memory suffices.
   [[nodiscard]] bool definite() const { return factor_.has_value(); }
 
   /// Index of a displacement in `diagonal` and `solve`.

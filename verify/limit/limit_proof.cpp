@@ -304,7 +304,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
     if (!(against[i] <= slack[i])) {
-      return "member " + std::to_string(i) + " yields for what equilibrium lacks";
+      return "member " + std::to_string(i) + " yields under the equilibrium defect";
     }
   }
   return value.rational();

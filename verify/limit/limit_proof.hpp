@@ -11,8 +11,8 @@
 #include <gmpxx.h>
 
 #include "verify/arithmetic/exact.hpp"
+#include "verify/limit/equilibrium_correction.hpp"
 #include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/limit_reach.hpp"
 
 namespace kusabi::verify {
 
@@ -49,7 +49,7 @@ class LimitProof {
   /// is none.
   [[nodiscard]] std::variant<mpq_class, std::string> lower(const LimitNode& node) const;
 
-  /// Whether the recorded load is admissible and the recorded motion, or its opposite, proves that
+  /// True if the recorded load is admissible and the recorded motion, or its opposite, proves that
   /// no factor exists: after a correction at one displacement that makes the work of f_R zero, the
   /// work of the load exceeds the largest dissipation of the members.
   [[nodiscard]] bool shows_no_factor() const;

@@ -11,7 +11,7 @@
 #include "verify/arithmetic/cholesky.hpp"
 #include "verify/arithmetic/numbering.hpp"
 #include "verify/structure/assembly.hpp"
-#include "verify/structure/corner.hpp"
+#include "verify/structure/several_normals.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -20,7 +20,8 @@ constexpr long stiffness_grid = -300;
 constexpr long displacement_grid = -160;
 constexpr long kept_bits = 160;  // of K
 constexpr const char* too_ill =
-    "its stiffness was not shown to be definite: it is a mechanism, or too ill-conditioned for a "
+    "its stiffness is not proved to be positive definite: it is a mechanism, or too "
+    "ill-conditioned for a "
     "factor in double precision";
 
 struct Entry {
@@ -72,8 +73,8 @@ class Condensation {
   const support::LongWork& work_;
   Freedom freedom_;
   std::vector<std::vector<std::size_t>> seen_;  // d displacements of each candidate
-  CornerNumbers corners_;  // displacements of candidates at nodes with several contact normals,
-                           // already in their frames
+  CandidateNumbers corners_;  // displacements of candidates at nodes with several contact normals,
+                              // already in their frames
   std::vector<std::size_t> place_;  // position of each free displacement in C or N
   std::vector<bool> is_contact_;
   std::vector<std::size_t> displacement_;  // displacement at each position in N
@@ -146,7 +147,7 @@ void Condensation::number_candidates(SparseEnclosure& stiffness) {
   for (const auto& point : structure_.contact) {
     if (!corner.contains(point.node)) release_rollers(point, stiffness);
   }
-  corners_ = turn_corners(structure_, freedom_, stiffness);
+  corners_ = use_normal_coordinates(structure_, freedom_, stiffness);
   for (const auto& [candidate, numbers] : corners_) add_springs(numbers);
   const auto d = static_cast<std::ptrdiff_t>(structure_.dimension);
   for (std::size_t i = 0; i < structure_.contact.size(); ++i) {
@@ -210,21 +211,21 @@ std::optional<std::string> Condensation::factorise() {
     for (const auto& entry : parts_.rest_rest[row]) first[row] = std::min(first[row], entry.column);
   }
   profile_ = Profile(std::move(first));
-  if (profile_.entries() > largest_profile) return "it is too large to be proved here";
+  if (profile_.entries() > largest_profile) return "it is too large for a proof";
   DyadicList entries(profile_.entries());
   entries.exponent = stiffness_grid;
-  std::vector<double> guess(profile_.entries(), 0.0);
+  std::vector<double> rounded(profile_.entries(), 0.0);
   for (std::size_t row = 0; row < parts_.rest; ++row) {
     for (const auto& entry : parts_.rest_rest[row]) {
       if (entry.column > row) continue;
       entries.mantissas[profile_.at(row, entry.column)] = entry.value;
-      guess[profile_.at(row, entry.column)] = Dyadic(entry.value, stiffness_grid).nearest();
+      rounded[profile_.at(row, entry.column)] = Dyadic(entry.value, stiffness_grid).nearest();
     }
   }
   support::leave_if(work_.stop);
   const auto least = least_eigenvalue(profile_, entries);
   support::leave_if(work_.stop);
-  factor_ = Cholesky::of(profile_, guess);
+  factor_ = Cholesky::of(profile_, rounded);
   if (!least || !factor_) return too_ill;
   least_ = *least;
   return {};

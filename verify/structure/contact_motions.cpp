@@ -166,9 +166,9 @@ std::vector<Rationals> motions_of(const Structure& structure, const Body& body,
 }
 
 // Rigid-body modes of all unconstrained bodies, side by side.
-class LooseBodies {
+class UnconstrainedBodies {
  public:
-  explicit LooseBodies(const Structure& structure);
+  explicit UnconstrainedBodies(const Structure& structure);
 
   [[nodiscard]] const std::vector<Rationals>& motions() const { return motions_; }
 
@@ -196,7 +196,7 @@ class LooseBodies {
   std::vector<Rationals> motions_;
 };
 
-LooseBodies::LooseBodies(const Structure& structure)
+UnconstrainedBodies::UnconstrainedBodies(const Structure& structure)
     : structure_(structure),
       size_(structure.dimension == 2 ? 3 : 6),
       placed_(placed_nodes(structure)) {
@@ -218,7 +218,7 @@ LooseBodies::LooseBodies(const Structure& structure)
   for (auto& motion : motions_) motion.resize(size_ * bodies_.size());
 }
 
-Rationals LooseBodies::at(std::size_t node, std::size_t axis) const {
+Rationals UnconstrainedBodies::at(std::size_t node, std::size_t axis) const {
   Rationals row(size_ * bodies_.size());
   const auto found = body_of_.find(node);
   if (found == body_of_.end()) return row;
@@ -230,7 +230,7 @@ Rationals LooseBodies::at(std::size_t node, std::size_t axis) const {
   return row;
 }
 
-Rationals LooseBodies::at(const ContactPoint& point, std::size_t axis) const {
+Rationals UnconstrainedBodies::at(const ContactPoint& point, std::size_t axis) const {
   auto row = at(point.node, axis);
   for (const auto& [node, weight] : point.against) {
     const auto other = at(node, axis);
@@ -241,7 +241,7 @@ Rationals LooseBodies::at(const ContactPoint& point, std::size_t axis) const {
   return row;
 }
 
-std::vector<GroundSpring> LooseBodies::holding(Elimination unseen) const {
+std::vector<GroundSpring> UnconstrainedBodies::holding(Elimination unseen) const {
   std::vector<GroundSpring> springs;
   while (!unseen.left().empty()) {
     GroundSpring best{};
@@ -388,9 +388,9 @@ NearList seen_of(const ContactMotions& motions, const Rationals& coefficients) {
   return on_a_grid(quotients, motions.spread);
 }
 
-LooseMotions loose_motions(const Structure& structure) {
+UnconstrainedModes unconstrained_modes(const Structure& structure) {
   const auto d = structure.dimension;
-  LooseMotions result;
+  UnconstrainedModes result;
   auto& seen = result.seen;
   std::vector<Directions> frames;
   for (const auto& point : structure.contact) {
@@ -402,7 +402,7 @@ LooseMotions loose_motions(const Structure& structure) {
     }
   }
   seen.rows.resize(seen.lengths.size());
-  const LooseBodies bodies(structure);
+  const UnconstrainedBodies bodies(structure);
   if (bodies.motions().empty()) return result;
   std::vector<Rationals> seen_rows;
   for (const auto& point : structure.contact) {

@@ -37,13 +37,13 @@ NearList seen_of(const ContactMotions& motions, const Rationals& coefficients);
 
 /// Rigid-body modes that supports and springs admit; bars and elements determine the connected
 /// components.
-struct LooseMotions {
+struct UnconstrainedModes {
   ContactMotions seen;
   /// Grounding springs of stiffness 1 for modes that displace no candidate. Contact reactions in
   /// equilibrium cause no force in them.
   std::vector<GroundSpring> unseen;
 };
-LooseMotions loose_motions(const Structure& structure);
+UnconstrainedModes unconstrained_modes(const Structure& structure);
 
 /// Rigid-body modes given by doubles, which are taken as exact. @param values dm x p, by rows
 ContactMotions recorded_motions(const std::vector<double>& values, std::size_t count);

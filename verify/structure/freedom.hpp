@@ -4,7 +4,7 @@
 // sum_k w_k u_bk; candidates opposite to another body, u_a = q_a + sum_k w_k u_bk, where q_a is
 // their displacement relative to it; and inclined supports, u_i = -sum_j (d_j / d_i) u_j. Weights
 // are doubles or enclosed quotients. A node with several candidates keeps its own displacements,
-// u_a = q_a (verify/structure/corner.hpp).
+// u_a = q_a (verify/structure/several_normals.hpp).
 #pragma once
 
 #include <array>

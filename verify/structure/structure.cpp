@@ -25,9 +25,9 @@ std::string name_of(const Structure& structure, std::size_t candidate) {
   }
   if (surfaces.size() > 1) {
     std::sort(surfaces.begin(), surfaces.end());
-    const bool told = !surfaces.front().empty() &&
-                      std::adjacent_find(surfaces.begin(), surfaces.end()) == surfaces.end();
-    name += "@" + (told ? point.surface : std::to_string(before + 1));
+    const bool named = !surfaces.front().empty() &&
+                       std::adjacent_find(surfaces.begin(), surfaces.end()) == surfaces.end();
+    name += "@" + (named ? point.surface : std::to_string(before + 1));
   }
   if (point.against.empty()) return name;
   auto nearest = point.against.front();

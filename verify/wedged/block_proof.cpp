@@ -87,7 +87,7 @@ BlockProof::Hold BlockProof::hold(const IndexSet& contact) const {
   return result;
 }
 
-const HeldStiffness& BlockProof::held(const std::vector<std::size_t>& springs) const {
+const RegularisedStiffness& BlockProof::held(const std::vector<std::size_t>& springs) const {
   for (const auto& each : held_) {
     if (each.springs() == springs) return each;
   }
@@ -97,7 +97,7 @@ const HeldStiffness& BlockProof::held(const std::vector<std::size_t>& springs) c
 }
 
 // The springs act on normal displacements of U: no rigid-body mode leaves all of these zero.
-const HeldStiffness* BlockProof::held_at_normals(const IndexSet& contact) const {
+const RegularisedStiffness* BlockProof::held_at_normals(const IndexSet& contact) const {
   const auto d = block_.dimension;
   for (const auto& each : held_) {
     const bool all = std::all_of(each.springs().begin(), each.springs().end(),

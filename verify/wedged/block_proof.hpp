@@ -13,7 +13,7 @@
 #include "support/index_set.hpp"
 #include "verify/arithmetic/exact.hpp"
 #include "verify/structure/contact_motions.hpp"
-#include "verify/structure/held_stiffness.hpp"
+#include "verify/structure/regularised_stiffness.hpp"
 #include "verify/wedged/proved_bounds.hpp"
 
 namespace kusabi::verify {
@@ -76,7 +76,7 @@ class BlockProof {
                                                    const std::optional<double>& most,
                                                    std::span<const double> numbers);
 
-  /// Whether equilibrium makes the reaction of a contact of U zero in all configurations below the
+  /// True if equilibrium makes the reaction of a contact of U zero in all configurations below the
   /// node (U, R).
   [[nodiscard]] bool leaves_a_contact_unloaded(const support::IndexSet& contact,
                                                const support::IndexSet& separated) const;
@@ -100,8 +100,8 @@ class BlockProof {
   // are below a share of the first.
   void demand_largest(const std::vector<std::size_t>& rows, double negligible, Elimination& rest,
                       std::vector<std::size_t>& chosen) const;
-  [[nodiscard]] const HeldStiffness& held(const std::vector<std::size_t>& springs) const;
-  [[nodiscard]] const HeldStiffness* held_at_normals(const support::IndexSet& contact) const;
+  [[nodiscard]] const RegularisedStiffness& held(const std::vector<std::size_t>& springs) const;
+  [[nodiscard]] const RegularisedStiffness* held_at_normals(const support::IndexSet& contact) const;
 
   // A leaf and its conditions.
   struct Leaf {
@@ -111,7 +111,7 @@ class BlockProof {
     Dyadic right_error;                 // bound of the error of r, as a vector
     std::vector<Rationals> sliding;
     Dyadic lift;               // norm of their normal displacements on U, as a matrix
-    Dyadic mend;               // and of tangential reactions with unit work on each of them
+    Dyadic correction;         // and of tangential reactions with unit work on each of them
     std::vector<double> mean;  // the recorded mean motion, in coefficients of the block's modes
   };
   [[nodiscard]] std::optional<std::string> read_leaf(std::span<const double> numbers,
@@ -124,11 +124,12 @@ class BlockProof {
                                    const support::IndexSet& contact) const;
   // Bound of the error of the tangential reactions caused by the normal displacements of sliding
   // modes on U; nothing if it is too large. `pressures` is the norm of r_n.
-  [[nodiscard]] std::optional<Dyadic> error_of_lift(const HeldStiffness& held, const Leaf& leaf,
-                                                    const NearList& shift,
+  [[nodiscard]] std::optional<Dyadic> error_of_lift(const RegularisedStiffness& held,
+                                                    const Leaf& leaf, const NearList& shift,
                                                     const Dyadic& pressures) const;
-  [[nodiscard]] std::optional<std::string> check_alive(const HeldStiffness& held, const Leaf& leaf,
-                                                       const DyadicList& u, const DyadicList& r,
+  [[nodiscard]] std::optional<std::string> check_alive(const RegularisedStiffness& held,
+                                                       const Leaf& leaf, const DyadicList& u,
+                                                       const DyadicList& r,
                                                        const Dyadic& unknown) const;
 
   // The opposite of a bound: r_ni, or u_ni, is at least beta sum_k r_nk.
@@ -194,7 +195,7 @@ class BlockProof {
                                                          const DyadicList& w, const Dyadic& error,
                                                          const Dyadic& epsilon) const;
 
-  // Whether the reactions of all candidates displaced by a mode do negative work on it or on its
+  // True if the reactions of all candidates displaced by a mode do negative work on it or on its
   // opposite, and at least one of them is in U.
   [[nodiscard]] bool all_work_against(const Rationals& motion,
                                       const std::vector<std::size_t>& carrying,
@@ -220,10 +221,11 @@ class BlockProof {
   std::optional<Dyadic> least_;   // s
   ProvedBounds bounds_;
   bool far_bounds_ = false;  // some bounds hold only for configurations that do not move far
-  mutable std::list<HeldStiffness> held_;  // the first for infeasible nodes; others for leaves
+  mutable std::list<RegularisedStiffness>
+      held_;  // the first for infeasible nodes; others for leaves
 };
 
-/// Whether a candidate is in a set of them.
+/// True if a candidate is in a set of them.
 inline bool holds(const support::IndexSet& set, std::size_t candidate) {
   return set.contains(static_cast<int>(candidate));
 }

@@ -74,7 +74,7 @@ struct Certificate {
   std::vector<double> stiffness;      ///< K, dm x dm, by rows, symmetric
   std::size_t motions = 0;            ///< p, number of rigid-body modes of unconstrained bodies
   std::vector<double> motion_values;  ///< G, dm x p, by rows; each column belongs to one block
-  /// Whether the file states only that a pattern exists. Its nodes then need not cover all sign
+  /// True if the file states only that a pattern exists. Its nodes then need not cover all sign
   /// patterns.
   bool one_pattern = false;
   std::vector<Bound> bounds;    ///< in the order of their proofs

@@ -53,7 +53,7 @@ Judgement BlockProof::judge_loose(const Combination& combination) const {
   const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
     if (!y) return not_in_equilibrium;
     const auto all = first_numbers(block_.dimension * candidates());
-    return held_.front().guess(all, y->near.values,
+    return held_.front().solve(all, y->near.values,
                                [&](const auto& w, const auto& nu, const auto& off) {
                                  return check_loose(combination, *y, mean, w, nu, off);
                                });
@@ -85,7 +85,7 @@ std::optional<std::string> BlockProof::refusal_of_held(const Combination& combin
     }
     if (!std::isfinite(own)) return "its numbers are too large to compute with";
   }
-  return held_.front().guess(all, DyadicList(y),
+  return held_.front().solve(all, DyadicList(y),
                              [&](const auto& w, const auto& nu, const auto& off) {
                                return check_held(combination, w, nu, off);
                              });
@@ -245,7 +245,7 @@ std::optional<std::string> BlockProof::check_margins(const IndexSet& separated, 
     if (!delta || margin < *delta) delta = margin;
   }
   if (*delta * *least_ > epsilon * steepest_) return {};
-  return "its multipliers rule out too little, or ask for what u_n >= 0 does not give";
+  return "its multipliers exclude too little, or exceed the coefficients of u_n >= 0";
 }
 
 }  // namespace kusabi::verify

@@ -22,8 +22,8 @@ std::optional<std::string> BlockProof::refusal_of_alive(const IndexSet& contact,
   }
   if (auto why = read_leaf(numbers, leaf)) return why;
   if (!stiffness->least_eigenvalue())
-    return "K was not shown to be definite with its contacts held";
-  return stiffness->guess(leaf.unknowns, leaf.right,
+    return "K is not proved to be definite with its contacts fixed";
+  return stiffness->solve(leaf.unknowns, leaf.right,
                           [&](const auto& u, const auto& r, const auto& off) {
                             return check_alive(*stiffness, leaf, u, r, off);
                           });
@@ -100,8 +100,8 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     if (!shares) return not_balanced;
     Rationals carrying(size);
     for (const auto row : tangents) carrying[row] = dot(rows[row], *shares);
-    const auto mend = times_lengths(block_.motions, carrying);
-    leaf.mend = leaf.mend + norm_above(mend.values) + mend.error * entries;
+    const auto correction = times_lengths(block_.motions, carrying);
+    leaf.correction = leaf.correction + norm_above(correction.values) + correction.error * entries;
   }
   return {};
 }
@@ -115,18 +115,19 @@ Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& co
   return sum;
 }
 
-std::optional<Dyadic> BlockProof::error_of_lift(const HeldStiffness& held, const Leaf& leaf,
+std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& held, const Leaf& leaf,
                                                 const NearList& shift,
                                                 const Dyadic& pressures) const {
   const auto& s = *held.least_eigenvalue();
-  const auto mending = (leaf.lift * leaf.mend).scaled(1);
-  if (!(s > mending * held.size())) return {};
+  const auto change = (leaf.lift * leaf.correction).scaled(1);
+  if (!(s > change * held.size())) return {};
   const auto gap = held.size() * normal_size(shift, leaf.contact).scaled(1);
-  return gap + mending * (pressures + quotient_above(held.size() * gap, s));
+  return gap + change * (pressures + quotient_above(held.size() * gap, s));
 }
 
-std::optional<std::string> BlockProof::check_alive(const HeldStiffness& held, const Leaf& leaf,
-                                                   const DyadicList& u, const DyadicList& r,
+std::optional<std::string> BlockProof::check_alive(const RegularisedStiffness& held,
+                                                   const Leaf& leaf, const DyadicList& u,
+                                                   const DyadicList& r,
                                                    const Dyadic& unknown) const {
   const auto d = block_.dimension;
   const auto& s = *held.least_eigenvalue();
@@ -143,7 +144,7 @@ std::optional<std::string> BlockProof::check_alive(const HeldStiffness& held, co
     auto shift = seen_of(block_.motions, missing(leaf.mean, u, leaf.sliding));
     const auto pressures = normal_size({r, quotient_above(error, s)}, leaf.contact);
     const auto lifted = error_of_lift(held, leaf, shift, pressures);
-    if (!lifted) return "what slides along its contacts lifts them too much";
+    if (!lifted) return "its sliding modes displace the contacts along their normals by too much";
     right_error = right_error + *lifted;
     rest = rest + *lifted;
     error = error + held.size() * *lifted;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "verify/structure/freed_stiffness.hpp"
+#include "verify/structure/projected_stiffness.hpp"
 
 namespace kusabi::verify {
 
@@ -59,7 +59,7 @@ EnclosedMatrix recorded_stiffness(const Certificate& certificate) {
   EnclosedMatrix recorded{{certificate.displacements(), DyadicList(certificate.stiffness)},
                           Dyadic()};
   if (certificate.motions == 0) return recorded;
-  return freed(recorded, recorded_motions(certificate.motion_values, certificate.motions));
+  return projected(recorded, recorded_motions(certificate.motion_values, certificate.motions));
 }
 
 Proof::Proof(const Certificate& certificate)

@@ -1,4 +1,4 @@
-// A fixed point, found in a step or two.
+// Fixed-point iteration, one or two steps.
 #include "nodes/limit/model/balanced_model.hpp"
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace {
 using problems::LimitModel;
 using problems::LimitProblem;
 
-/// No truss is known that takes more than three.
+/// Maximum number of steps; no known truss takes more than three.
 constexpr int most_times = 8;
 
-// From one unit of force on. @return whether a collapse was found
+// Iterates from one unit of force. @return whether a collapse was found
 bool balance(const LimitProblem& problem, LimitModel& model, double alpha) {
   for (int time = 0; time < most_times; ++time) {
     LoadFactor load_factor(model);
@@ -59,7 +59,7 @@ std::optional<LimitModel> with_more_yield(const LimitProblem& problem, const Lim
 
 LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, double dissipation,
                       double alpha) {
-  // Nor far below the weakest member: a collapse may dissipate nothing at all.
+  // Lower limit relative to the weakest member, since a collapse may have no dissipation.
   constexpr double below_all = 0x1p-10;
   const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
   double load = std::max(problem.dead.cwiseAbs().maxCoeff(), below_all * yield.minCoeff());

@@ -1,4 +1,4 @@
-// What can be asked of a truss: its load factor, and how low uncertain loads can bring it.
+// Options of a limit analysis: nominal load factor and worst case of uncertain loads.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace kusabi::limit {
 
-/// How the worst case is found. With an M that is given, `fixed` and `disjunctive` are the paper's
-/// method as printed, which takes nothing from static cuts.
+/// Method for the worst case. With a given M, `fixed` and `disjunctive` are the paper's method as
+/// printed, without static cuts.
 enum class LimitMethod {
-  fixed,        ///< the 0-1 program (29) by Algorithm 4.2, as it is
+  fixed,        ///< the 0-1 program (29) by Algorithm 4.2
   disjunctive,  ///< with the cuts of Algorithm 5.1: the paper's method
-  tightened,    ///< with M made as small as can be by optimisation
-  static_cuts,  ///< static cuts and the tree of signs: neither (29) nor M
+  tightened,    ///< with M minimised by optimisation-based bound tightening
+  static_cuts,  ///< static cuts and the tree of signs, without (29) and M
   all,          ///< (29) with static cuts as rows, tightened M, and disjunctive cuts
 };
 
-/// From so many uncertain loads on splitting is faster than a linear program for each cut
-/// (bench/README.md).
+/// Minimum number of uncertain loads for operator splitting, which is then faster than a linear
+/// program for each cut (bench/README.md).
 inline constexpr int usual_split_from = 150;
 
 struct LimitQuestion {
@@ -29,27 +29,28 @@ struct LimitQuestion {
   std::optional<double> alpha{};
   LimitMethod method = LimitMethod::static_cuts;
   std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived
-  /// The evidence of both ends is wanted: of the method as printed they are proved, too, once its
-  /// tree is done. All other methods prove them anyway.
+  /// True if evidence for both bounds is required: the method as printed then also proves them,
+  /// after its tree. All other methods always prove them.
   bool evidence = false;
-  /// From so many uncertain loads on static cuts come from operator splitting.
+  /// Minimum number of uncertain loads for static cuts by operator splitting.
   int split_from = usual_split_from;
-  /// Random dead loads to compare with; `fixed` and `disjunctive` start from the best of them.
+  /// Number of random dead loads for comparison; `fixed` and `disjunctive` start from the best of
+  /// them.
   std::uint64_t samples = 0;
-  std::uint64_t seed = 1;  ///< of those
-  bool curve = false;      ///< how the factor falls as the uncertainty grows
-  /// How it falls as this load grows, n^d, force; nothing: not asked.
+  std::uint64_t seed = 1;  ///< random seed of these
+  bool curve = false;      ///< true if the curve of the factor over the uncertainty is computed
+  /// Load of a further curve, n^d, force; nothing: none.
   std::optional<Eigen::VectorXd> curve_load{};
-  double curve_to = 1;  ///< curves are over beta from 0 to this, times alpha or times the load
+  double curve_to = 1;  ///< upper limit of beta of the curves, times alpha or times the load
 
-  /// The 0-1 program with the paper's means alone.
+  /// True if the method is the 0-1 program with the paper's means only.
   [[nodiscard]] bool of_the_paper() const {
     return method == LimitMethod::fixed || method == LimitMethod::disjunctive;
   }
   [[nodiscard]] bool as_printed() const { return of_the_paper() && big_m.has_value(); }
 };
 
-/// (29) has no point: the M that was asked for is too small.
+/// The given M is too small, since (29) has no solution.
 class BigMTooSmall : public std::invalid_argument {
  public:
   BigMTooSmall()

@@ -1,4 +1,4 @@
-// Meeting points of lines, solved and split.
+// Intersections of lines, solved and divided recursively.
 #include "nodes/limit/model/load_curve.hpp"
 
 #include <algorithm>
@@ -10,18 +10,18 @@ namespace {
 
 using Sample = std::function<CurveSample(double)>;
 
-/// Breakpoints nearer to each other than this share of the range are one.
+/// Breakpoints closer than this share of the range are equal.
 constexpr double same_place = 1e-9;
 
-/// A load that is carried nowhere above this share of the range is carried at zero only: the range
-/// may have been asked for a thousand million times too wide.
+/// A load without factor above this share of the range has a factor at zero only. The share is
+/// small, since the requested range may be far too wide.
 constexpr double no_place = 1e-18;
 
 double line(const CurvePoint& point, double at) {
   return point.factor + point.slope * (at - point.at);
 }
 
-// The last place where it is carried, by bisection, but for the places to which a motion points.
+// The last place with a factor, by bisection and by the places that motions indicate.
 std::optional<std::pair<CurvePoint, CurveEnd>> last_carried(const Sample& sample, CurvePoint first,
                                                             double end, NotCarried beyond,
                                                             double end_width) {
@@ -55,7 +55,7 @@ class Parametric {
   Parametric(const Sample& sample, double end, double tolerance)
       : sample_(sample), near_(same_place * end), tolerance_(tolerance) {}
 
-  /// The modes from left to right, each with where its piece ends. @return false: not known
+  /// The modes from left to right, each with the end of its piece. @return false: unknown
   bool between(const CurvePoint& left, const CurvePoint& right);
 
   /// Ends the last piece.
@@ -96,7 +96,7 @@ bool Parametric::between(const CurvePoint& left, const CurvePoint& right) {
   return between(left, *middle) && between(*middle, right);
 }
 
-// A mode whose line goes on where the last one ends is the same mode, found twice.
+// A mode whose line continues the previous one is the same mode, found twice.
 void Parametric::add(const CurvePoint& mode, double to) {
   const double from = pieces.empty() ? 0 : pieces.back().to;
   if (to - from < near_) return;
@@ -138,7 +138,7 @@ LoadCurve concave_curve(const Sample& sample, double end, double tolerance, doub
   }
   const auto* const last = std::get_if<CurvePoint>(&at_end);
   if (last == nullptr) return {};
-  if (last->at == 0) {  // the smallest load is one too many
+  if (last->at == 0) {  // the smallest load has no factor
     curve.pieces.push_back({*first, 0, first->factor});
     return curve;
   }

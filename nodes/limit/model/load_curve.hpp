@@ -1,13 +1,13 @@
-// How the load factor falls as a load grows in proportion (limit paper, remark 3.3 and Figure 5):
-// a concave, piecewise linear function whose pieces are the collapse modes.
+// Load factor as a function of a load that grows in proportion (limit paper, remark 3.3 and Figure
+// 5): concave and piecewise linear, each piece a collapse mode.
 //
 // A mode u of (15) is a feasible point of the dual for every load, so its line lies above the curve
-// everywhere and on it where the mode is optimal. The parametric method follows from that: solve at
-// both ends, then where the lines of two neighbouring modes meet; either the curve is there, and
-// that is a breakpoint, or the basis found there is a new mode between them. With p pieces it takes
-// 2 p + 1 linear programs at most, and no breakpoint can be missed or be off by a step (M. J.
-// Eisner, D. G. Severance, Mathematical techniques for efficient record segmentation in large
-// shared databases, J. ACM 23 (1976) 619-635). Where the load is no longer carried the curve ends.
+// everywhere and on it where the mode is optimal. The parametric method solves at both ends, then
+// at the intersection of the lines of neighbouring modes; either the curve passes there, which is a
+// breakpoint, or the basis found there is a new mode between them. p pieces take at most 2 p + 1
+// linear programs, and no breakpoint is missed or displaced (M. J. Eisner, D. G. Severance,
+// Mathematical techniques for efficient record segmentation in large shared databases, J. ACM 23
+// (1976) 619-635). The curve ends where the load has no factor.
 #pragma once
 
 #include <functional>
@@ -27,47 +27,49 @@ struct CurvePoint {
   Eigen::VectorXd motion;
 };
 
-/// A place where the load is carried at no factor.
+/// A place where the load has no factor.
 struct NotCarried {
-  double last = 0;  ///< by a motion found there it is carried no farther than here, or hereabouts
-  bool proved = false;  ///< whether exact arithmetic shows it of the place itself
+  double last = 0;  ///< upper bound, exact or approximate, of the places with a factor, by a motion
+                    ///< found there
+  bool proved = false;  ///< true if it is proved in exact arithmetic that the place has no factor
 };
 
-/// What a place comes to; nothing: not known, because the simplex method failed or was to end.
+/// Result at a place; nothing: unknown, since the simplex method failed or was stopped.
 using CurveSample = std::variant<std::monostate, CurvePoint, NotCarried>;
 
-/// A linear piece: from `from` to the `from` of the next one, or to the end. All places where it
-/// begins and ends have been solved at.
+/// A linear piece: from `from` to the `from` of the next one, or to the end of the curve. All
+/// breakpoints have been solved.
 struct CurvePiece {
-  CurvePoint from;  ///< its slope and motion are those of the piece
+  CurvePoint from;  ///< with the slope and motion of the piece
   double to = 0;
   double factor_at_end = 0;
-  /// What exact arithmetic shows the curve to be within on all of the piece; nothing: not shown.
+  /// Bound of the distance from the curve on the whole piece, proved in exact arithmetic; nothing:
+  /// not proved.
   std::optional<double> error{};
 };
 
-/// Between which two places a curve ends.
+/// Bracket of the end of a curve.
 struct CurveEnd {
   double carried_at = 0;
   double not_carried_at = 0;
-  bool proved = false;  ///< whether exact arithmetic shows the latter
+  bool proved = false;  ///< true if it is proved in exact arithmetic that the latter has no factor
 };
 
 struct LoadCurve {
-  std::vector<CurvePiece> pieces;  ///< in order, from 0 on; empty: some place is not known
-  std::optional<CurveEnd> end;     ///< nothing: it does not end before it was asked to
+  std::vector<CurvePiece> pieces;  ///< in order, from 0 on; empty: some place is unknown
+  std::optional<CurveEnd> end;     ///< nothing: the curve continues to the end of the range
 
-  /// Whether all of it is shown by exact arithmetic.
+  /// True if all of it is proved in exact arithmetic.
   [[nodiscard]] bool proved() const;
 };
 
-/// How narrowly the end of a curve is known, as a share of where it is: the simplex method takes
-/// forces for equilibrium that are off by 1e-9 of a yield force.
+/// Relative width of the bracket of the end of a curve: the simplex method accepts forces with
+/// equilibrium errors of 1e-9 of a yield force.
 inline constexpr double usual_end_width = 1e-7;
 
-/// The curve from 0 to `end`, or to where it ends.
-/// @param sample the curve at a place. It is not asked for one place twice in succession
-/// @param tolerance what factors may differ by without being different
+/// The curve from 0 to `end`, or to its own end.
+/// @param sample the curve at a place, which is not called for the same place twice in succession
+/// @param tolerance for equal factors
 LoadCurve concave_curve(const std::function<CurveSample(double)>& sample, double end,
                         double tolerance, double end_width = usual_end_width);
 

@@ -1,4 +1,4 @@
-// Program (5), warm from one dead load to the next.
+// Program (5), with a warm start from one dead load to the next.
 #include "nodes/limit/model/load_factor.hpp"
 
 #include <cmath>
@@ -10,8 +10,8 @@ namespace {
 
 using problems::LimitModel;
 
-/// A descent goes on while the factor falls by this much of the scaled factor: what is less may be
-/// rounding, and the next round would be for nothing.
+/// Minimum decrease of the scaled factor for another round of a descent; smaller ones may be
+/// rounding errors.
 constexpr double least_fall = 1e-10;
 
 Eigen::VectorXd values(std::span<const double> numbers) {
@@ -26,7 +26,7 @@ LoadFactor::LoadFactor(const LimitModel& model, support::Stop stop)
       stop_(std::move(stop)),
       simplex_(problems::static_program(model, model.dead)) {}
 
-// The cost of lambda is -1 but in here.
+// The cost of lambda is -1 except here.
 std::optional<double> LoadFactor::least_factor(const Eigen::VectorXd& dead) {
   const int factor = model_.member_count();
   simplex_.set_cost(factor, 1);

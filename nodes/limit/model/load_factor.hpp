@@ -1,5 +1,5 @@
-// The load factor under a known dead load, (5) of the limit paper, by the simplex method warm from
-// the load before; and the alternating linear programs that find good critical loads.
+// Load factor for a known dead load, (5) of the limit paper, by the simplex method with a warm
+// start from the previous load; and alternating linear programs for critical loads.
 #pragma once
 
 #include <cstdint>
@@ -19,34 +19,34 @@ struct Collapse {
   Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1
 };
 
-/// What (5) can come to.
+/// Result of (5).
 enum class LoadStatus {
-  collapses,     ///< at a finite factor, which is negative if the dead load alone is too much
-  not_carried,   ///< at no factor, of either sign, is there equilibrium within the yield forces
+  collapses,     ///< at a finite factor, which is negative if the dead load alone is too large
+  not_carried,   ///< no factor of either sign admits equilibrium within the yield forces
   undetermined,  ///< the simplex method failed
 };
 
 class LoadFactor {
  public:
-  /// @param stop ends a long solve, which is undetermined then
+  /// @param stop ends a long solve, which is then undetermined
   explicit LoadFactor(const problems::LimitModel& model, support::Stop stop = {});
 
   /// Solves (5). The result depends on the load and on the basis, see `restart`.
   LoadStatus solve(const Eigen::VectorXd& dead);
 
-  /// The next solve starts from the basis of the first one, so that what it finds depends on its
-  /// load alone. @pre the first load has collapsed
+  /// Makes the next solve start from the basis of the first one, such that its result depends on
+  /// its load alone. @pre the first load has collapsed
   void restart();
 
-  /// The least factor at which the load is carried, of the order of the one that solve() finds.
-  /// Nothing if the simplex method fails. @pre the first load has collapsed
+  /// The least factor of the load, of the order of the one that solve() finds. Nothing if the
+  /// simplex method fails. @pre the first load has collapsed
   std::optional<double> least_factor(const Eigen::VectorXd& dead);
 
-  /// @pre the last solve said `collapses`
+  /// @pre the result of the last solve was `collapses`
   [[nodiscard]] Collapse collapse() const;
 
-  /// After `not_carried`: a motion u with f_R^T u = 0 on which the load does more work than the
-  /// members can take. Empty if none was found.
+  /// After `not_carried`: a motion u with f_R^T u = 0 on which the work of the load exceeds the
+  /// largest dissipation. Empty if none was found.
   [[nodiscard]] Eigen::VectorXd overpowering_motion();
 
   [[nodiscard]] const linear::Simplex& simplex() const { return simplex_; }
@@ -65,18 +65,18 @@ struct Worst {
   Collapse collapse;
 };
 
-/// What a descent came to.
+/// Result of a descent.
 struct Descent {
-  /// undetermined: the simplex method failed on the first load; not_carried: on some load there is
-  /// no equilibrium at any factor
+  /// undetermined: the simplex method failed on the first load; not_carried: some load has no
+  /// factor
   LoadStatus status = LoadStatus::undetermined;
   Worst worst;                          ///< of `collapses`
   Eigen::VectorXd overpowering_load;    ///< of `not_carried`: zeta
-  Eigen::VectorXd overpowering_motion;  ///< and a motion that shows it; empty if none was found
+  Eigen::VectorXd overpowering_motion;  ///< and a motion that proves it; empty if none was found
 };
 
-/// Fixes zeta at alpha sign(T^T u), solves (5), and so on while the factor falls.
-/// @param zeta where to start: m, scaled
+/// Alternates zeta = alpha sign(T^T u) and (5) while the factor decreases.
+/// @param zeta initial value: m, scaled
 Descent descend(const problems::LimitModel& model, LoadFactor& load_factor, double alpha,
                 Eigen::VectorXd zeta);
 

@@ -1,6 +1,5 @@
-// The pricing program: minimise sum_i z_i (y+_i + y-_i) + k+ + k- with
-// B (y+ - y-) - (k+ - k-) f_R = d_j. A change of j changes the right-hand side alone, from which
-// the dual simplex method goes on.
+// Pricing program: minimise sum_i z_i (y+_i + y-_i) + k+ + k- with B (y+ - y-) - (k+ - k-) f_R =
+// d_j. Another j changes the right-hand side only, which suits the dual simplex method.
 #include "nodes/limit/model/static_cut.hpp"
 
 #include <algorithm>
@@ -84,7 +83,7 @@ std::optional<StaticCut> StaticPricing::cut(int column) {
   const auto force = [&](int i) { return simplex_.value(i) - simplex_.value(members + 1 + i); };
   double largest = 0;
   for (int i = 0; i < members; ++i) largest = std::max(largest, std::abs(force(i)));
-  // What is less is rounding; a member without a choice must be left out to the last bit.
+  // Smaller forces are rounding errors; a member without freedom must be exactly zero.
   constexpr double rounding = 1e-13;
   for (int i = 0; i < members; ++i) {
     if (std::abs(force(i)) > rounding * largest) cut.forces.emplace_back(i, force(i));

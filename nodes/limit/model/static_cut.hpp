@@ -1,11 +1,10 @@
-// Static cuts: valid inequalities of (29) that come from equilibrium.
+// Static cuts: valid inequalities of (29) derived from equilibrium.
 //
-// For column j of T, t_j = weight_j d_j, let y be member forces and k a factor with
-// B y - k f_R = d_j. Then |d_j'u| = |y'B'u - k f_R'u| <= |y|'z + |k| for every (u, z) of (14), and
-// so
+// For column j of T, t_j = weight_j d_j, let y be member forces and k a factor with B y - k f_R =
+// d_j. Then |d_j'u| = |y'B'u - k f_R'u| <= |y|'z + |k| for every (u, z) of (14), and so
 //   gamma_j <= |y|'z + |k|,   where gamma_j stands for |d_j'u|.
 // The best cut at z is a linear program: min sum_i z_i |y_i| + |k|. Its dual is max { d_j'v : |B'v|
-// <= z, |f_R'v| <= 1 }: with all cuts, each gamma_j may still be that of a motion of its own within
+// <= z, |f_R'v| <= 1 }: with all cuts, each gamma_j may still belong to a motion of its own within
 // the elongations z.
 #pragma once
 
@@ -26,9 +25,9 @@ namespace kusabi::limit {
 struct StaticCut {
   int column = 0;                              ///< j of T
   double factor = 0;                           ///< k
-  std::vector<std::pair<int, double>> forces;  ///< the y_i that are not zero, by member
+  std::vector<std::pair<int, double>> forces;  ///< the nonzero y_i, by member
 
-  /// |y|'z + |k|: what |d_j'u| is at most.
+  /// |y|'z + |k|, the bound of |d_j'u|.
   [[nodiscard]] double bound(const Eigen::VectorXd& z) const;
 
   template <class Archive>
@@ -37,24 +36,24 @@ struct StaticCut {
   }
 };
 
-/// The pricing programs, warm from one to the next.
+/// Pricing programs with warm starts.
 class StaticPricing {
  public:
-  /// @param stop ends a long solve, which gives no cut then
+  /// @param stop ends a long solve, which then has no cut
   explicit StaticPricing(const problems::LimitModel& model, support::Stop stop = {});
 
-  /// What the next cuts are to be best at.
+  /// Sets the point for the next cuts.
   /// @param z n^m, >= 0
   /// @param first a column of T; its program is solved, and restart() goes back to its basis
   void aim(const Eigen::VectorXd& z, int first);
 
-  /// From here on what cut() finds depends on z and on the calls since, not on those before.
+  /// Makes the results of cut() depend on z and on later calls only.
   void restart();
 
   /// The best cut for a column of T; nothing if the simplex method fails.
   std::optional<StaticCut> cut(int column);
 
-  /// Whether it was asked to end.
+  /// True if the run is to stop.
   [[nodiscard]] bool stopped() const { return support::asked(stop_); }
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }

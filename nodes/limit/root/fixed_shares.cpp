@@ -1,4 +1,4 @@
-// A change of form.
+// Conversion of certificates of splitting.
 #include "nodes/limit/root/fixed_shares.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace kusabi::limit {
 namespace {
 
-/// What is less than this share of the largest force of a cut is rounding; a member without a
-/// choice must be left out to the last bit.
+/// Forces below this share of the largest one of a cut are rounding errors; a member without
+/// freedom must be exactly zero.
 constexpr double rounding = 1e-13;
 
 }  // namespace
@@ -63,7 +63,7 @@ std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& mod
   }
   splitting::SafeBound bound(model);
   const Eigen::VectorXd yield = model.yield();
-  Eigen::VectorXd of_member(members);  // no more than half of what there is
+  Eigen::VectorXd of_member(members);  // at most half of the yield force
   for (int i = 0; i < members; ++i) {
     const double left = yield(i) - taken[static_cast<std::size_t>(i)];
     of_member(i) = std::clamp(left / 2, 0.0, room);

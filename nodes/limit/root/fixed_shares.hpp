@@ -1,5 +1,5 @@
-// Certificates of splitting as static cuts: one for each column of T, whose share is known then;
-// what remains of their proof is limit analysis (5) with smaller yield forces.
+// Certificates of splitting as static cuts: one for each column of T with a known share; the rest
+// of their proof is limit analysis (5) with reduced yield forces.
 #pragma once
 
 #include <optional>
@@ -18,12 +18,12 @@ std::vector<StaticCut> cuts_of_point(const splitting::ColumnBlocks& point,
                                      const splitting::Sharing& sharing,
                                      const problems::LimitModel& model, double alpha);
 
-/// Whether there is one cut for each column, in their order.
+/// True if there is one cut for each column, in their order.
 bool is_one_for_each(std::span<const StaticCut> cuts, const problems::LimitModel& model);
 
-/// The proof with no sign decided, for yield forces smaller by `room`; where equilibrium leaves a
-/// member no choice it has no room. Nothing if there is none.
-/// @param for_all room for those as well
+/// The proof without decided signs, for yield forces reduced by `room`; members whose force is
+/// determined by equilibrium are not reduced. Nothing if there is none.
+/// @param for_all reduction for those as well
 std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& model, double alpha,
                                                  std::span<const StaticCut> cuts, double room,
                                                  bool for_all);

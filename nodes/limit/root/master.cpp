@@ -1,4 +1,4 @@
-// The relaxation as a linear program that grows by rows.
+// The relaxation as a linear program to which rows are added.
 #include "nodes/limit/root/master.hpp"
 
 #include <cmath>
@@ -8,12 +8,12 @@
 namespace kusabi::limit {
 namespace {
 
-/// Bound of every c+, c- and gamma, where motions with f_R'u = 1 are of the order of one: it keeps
-/// the program bounded as long as there are too few cuts. A proof does not use it.
+/// Upper limit of c+, c- and gamma, where motions with f_R'u = 1 are of the order of one: it keeps
+/// the program bounded while there are too few cuts. Proofs do not use it.
 constexpr double far = 1e4;
 
-// The variable that is d_j'u, for each column of T: the displacement itself for the first that has
-// just that; a variable from `next` on for all others.
+// The variable d_j'u of each column of T: the displacement itself for the first column that equals
+// it; a variable from `next` on for all others.
 std::vector<int> motions_along(const problems::LimitModel& model, int next) {
   std::vector<bool> taken(static_cast<std::size_t>(model.free_count()), false);
   std::vector<int> along;
@@ -103,10 +103,10 @@ void Master::leave_room(const Eigen::VectorXd& room) {
   }
 }
 
-// Those at whose cost some motion goes on to the end of its box: equilibrium leaves their forces no
-// choice, and so no room.
+// Members whose yield force limits a motion that reaches the limit of its box: equilibrium
+// determines their forces, so they have no margin.
 std::vector<int> Master::members_without_choice() const {
-  constexpr double along = 1e-2 * far;  // what moves with it
+  constexpr double along = 1e-2 * far;  // elongation of a member that moves with it
   std::vector<int> members;
   bool to_the_end = false;
   for (int i = 0; i < model_.member_count(); ++i) {
@@ -120,8 +120,8 @@ std::vector<int> Master::members_without_choice() const {
   return members;
 }
 
-// Whether the optimal dual, within the tolerances of the simplex method, keeps at least half of the
-// room on each member, and gives the cuts of each column their share.
+// True if the optimal dual, within the tolerances of the simplex method, keeps at least half of the
+// margin of each member, and gives the cuts of each column their share.
 bool Master::has_room(double share) const {
   constexpr double kept = 0.5;
   for (int i = 0; i < model_.member_count(); ++i) {
@@ -131,7 +131,7 @@ bool Master::has_room(double share) const {
       if (slack < -kept * room_(i)) return false;
     }
   }
-  // A share that is too small is stretched, at the cost of the members.
+  // A too small share is scaled, at the expense of the members.
   constexpr double lost = 0.1;
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     if (signs_[static_cast<std::size_t>(j)] != 0) continue;
@@ -153,7 +153,7 @@ bool Master::make_room(double first, bool for_all) {
     if (has_room(share)) return true;
     share *= 10;
   }
-  return true;  // the exact proof will tell
+  return true;  // decided by the exact proof
 }
 
 void Master::limit_dissipation(double most) {
@@ -200,10 +200,10 @@ void Master::decide(const Signs& signs) {
   signs_ = signs;
 }
 
-// A motion that costs nothing may lie at the end of its box by chance; only one that would go on at
-// a gain makes the bound that of the box.
+// A motion without cost may lie at the limit of its box by chance; the bound depends on the box
+// only if a further motion would decrease the objective.
 bool Master::presses_box() const {
-  constexpr double gain = 1e-9;  // of the simplex method's tolerance, where yield forces are one
+  constexpr double gain = 1e-9;  // tolerance of the simplex method where yield forces are one
   for (int column = model_.free_count(); column < first_motion_along(model_); ++column) {
     if (simplex_.value(column) >= far && simplex_.reduced_cost(column) < -gain) return true;
   }
@@ -238,7 +238,7 @@ StaticProof Master::proof() const {
   proof.signs = signs_;
   proof.factor = simplex_.dual(0);
   proof.forces.resize(model_.member_count());
-  // The dual of a row B'u - c+ + c- = 0 is minus the force: B'u pays for it in -f_D'u.
+  // The dual of a row B'u - c+ + c- = 0 is minus the force: the cost of B'u in -f_D'u.
   for (int i = 0; i < model_.member_count(); ++i) proof.forces(i) = -simplex_.dual(1 + i);
   for (std::size_t c = 0; c < cuts_; ++c) {
     proof.mu.push_back(std::max(0.0, -simplex_.dual(first_cut_row() + static_cast<int>(c))));

@@ -1,12 +1,11 @@
-// The relaxation that static cuts tighten, in the form of the limit paper's (23):
+// Relaxation tightened by static cuts, in the form of the limit paper's (23):
 //
 //   min  -sum_j alpha weight_j gamma_j - f_D'u + q^t'c+ + q^c'c-
 //   s.t. f_R'u = 1,  B'u - c+ + c- = 0,  c+, c- >= 0,
 //        0 <= gamma_j <= |y|'(c+ + c-) + |k|   for every cut (j, y, k),
 //
 // where gamma_j stands for |d_j'u|, column j of T being weight_j d_j. Where the sign s of d_j'u is
-// decided, gamma_j is s d_j'u itself. d_j'u is a displacement, or has a variable and a row of its
-// own.
+// decided, gamma_j is s d_j'u. d_j'u is a displacement, or has a variable and a row of its own.
 //
 // Its dual is a static statement, which proves the bound without the simplex method: forces q and a
 // factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
@@ -28,7 +27,7 @@
 
 namespace kusabi::limit {
 
-/// For each column of T: -1, 0 or 1, the sign of d_j'u that is decided, 0 none.
+/// For each column of T the decided sign of d_j'u: -1 or 1; 0: undecided.
 using Signs = std::vector<std::int8_t>;
 
 /// A point of the relaxation.
@@ -40,11 +39,11 @@ struct Relaxed {
 
 /// The dual of the relaxation: the proof of its bound.
 struct StaticProof {
-  Signs signs;                ///< of the node it is about
+  Signs signs;                ///< of its node
   double factor = 0;          ///< lambda
   Eigen::VectorXd forces;     ///< q
-  std::vector<double> mu;     ///< a share for each cut
-  Eigen::VectorXd one_sided;  ///< nu_j >= 0, m: multipliers of s d_j'u >= 0, where it is decided
+  std::vector<double> mu;     ///< a share of each cut
+  Eigen::VectorXd one_sided;  ///< nu_j >= 0, m: multipliers of s d_j'u >= 0 for decided signs
 };
 
 class Master {
@@ -53,29 +52,28 @@ class Master {
   Master(const problems::LimitModel& model, double alpha, support::Stop stop = {});
   void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
-  /// From now on for yield forces that are smaller by this, n^m; decide() takes it back.
+  /// Reduces the yield forces by this, n^m; decide() removes the reduction.
   void leave_room(const Eigen::VectorXd& room);
 
-  /// After an optimal solve(): solves again, for yield forces that are smaller by `first`, or by
-  /// ten times that and so on, until the proof holds for the true ones with room for rounding.
-  /// The bound is lower by about as much. Members that equilibrium leaves no choice (an idle cable)
-  /// keep theirs.
-  /// @param for_all those as well: which members have no choice is guessed from the size of
-  ///        motions, and the guess may be wrong
+  /// After an optimal solve(): solves again with yield forces reduced by `first`, by ten times that
+  /// and so on, until the proof holds for the actual ones with a margin for rounding. The bound
+  /// decreases by about as much. Members whose force is determined by equilibrium (an idle cable)
+  /// are not reduced.
+  /// @param for_all those as well: they are identified by the size of motions, which may be wrong
   /// @return false if the simplex method fails
   bool make_room(double first, bool for_all = false);
 
-  /// Adds q^y'(c+ + c-) <= most: it keeps the first points near the motions that matter while there
-  /// are too few cuts. Infinity: no limit. A bound is one only if the limit does not press.
+  /// Adds q^y'(c+ + c-) <= most, which keeps the first points near relevant motions while there are
+  /// too few cuts. Infinity: no limit. The optimum is a bound only if the limit is not active.
   void limit_dissipation(double most);
-  /// Whether some c+, c- or gamma lies at the far end of its box: the cuts give no bound.
+  /// True if some c+, c- or gamma is at the limit of its box: the cuts give no bound.
   [[nodiscard]] bool presses_box() const;
   [[nodiscard]] bool dissipation_presses() const { return simplex_.dual(dissipation_row()) != 0; }
 
   void add(const StaticCut& cut);
   [[nodiscard]] std::size_t cuts() const { return cuts_; }
 
-  /// Decides signs, and takes back those decided before.
+  /// Sets the decided signs and removes earlier ones.
   void decide(const Signs& signs);
 
   linear::LinearStatus solve();
@@ -84,13 +82,13 @@ class Master {
   [[nodiscard]] Relaxed relaxed() const;
   [[nodiscard]] StaticProof proof() const;
 
-  /// To go on from: what is found then depends on it and not on what was solved since.
+  /// The basis for a warm start; with it the result does not depend on other programs solved since.
   [[nodiscard]] linear::Basis basis() const { return simplex_.basis(); }
   void set_basis(const linear::Basis& basis) { simplex_.set_basis(basis); }
 
-  /// Drops the cuts from `first` on.
+  /// Removes the cuts from `first` on.
   void drop_cuts_from(std::size_t first);
-  /// Drops these; those behind them move up. @param cuts ascending
+  /// Removes these cuts; later ones move up. @param cuts ascending
   void drop_cuts(std::span<const std::size_t> cuts);
 
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
@@ -110,7 +108,7 @@ class Master {
   support::Stop stop_;
   Eigen::VectorXd room_;  // n^m
   Signs signs_;
-  std::vector<int> along_;  // the variable that d_j'u is, by column of T
+  std::vector<int> along_;  // the variable d_j'u, by column of T
   linear::Simplex simplex_;
   int first_cut_row_;
   std::size_t cuts_ = 0;

@@ -1,4 +1,4 @@
-// D for some rho, the least of which counts.
+// The least D of several values of rho.
 #include "nodes/limit/root/motion_bounds.hpp"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace kusabi::limit {
 namespace {
 
-/// The bounds are widened by so much: the simplex method's L is right to 1e-9 or so, and an M that
-/// is a little too large costs nothing.
+/// Relative increase of the bounds: the simplex method's L is accurate to about 1e-9, and a
+/// slightly larger M has no cost.
 constexpr double widened = 1e-6;
 
 }  // namespace

@@ -1,5 +1,4 @@
-// How large motions can be that matter, that is whose value is at most that of a collapse known:
-// what a safe M of (29) is made of.
+// Bounds of motions whose value is at most that of a known collapse, for a safe M of (29).
 //
 // If the relaxation with yield forces (1 - rho) q^y has a bound L, then every motion u has a value
 // of at least L + rho q^y'|B'u|; so one of value at most U dissipates q^y'|B'u| <= D = (U - L) /
@@ -23,8 +22,8 @@ struct MotionBounds {
 
 /// @param alpha scaled
 /// @param cuts at least one for each column of T
-/// @param upper U: the value of a collapse known
-/// @return nothing if no rho that was tried gives a bound
+/// @param upper U: the value of a known collapse
+/// @return nothing if no tested rho gives a bound
 std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, double alpha,
                                           std::span<const StaticCut> cuts, double upper);
 

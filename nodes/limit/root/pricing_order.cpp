@@ -1,4 +1,4 @@
-// Breadth first from where the walk is, as far as the next column.
+// Breadth-first search from the current column to the next.
 #include "nodes/limit/root/pricing_order.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 
-/// Opposite but for rounding. A neighbour missed costs time and nothing else.
+/// Tolerance of opposite forces. A missed neighbour only costs time.
 constexpr double opposite = 1e-9;
 
 std::size_t at(int index) {
@@ -38,7 +38,7 @@ PricingOrder::PricingOrder(const problems::LimitModel& model)
 
 std::vector<int> PricingOrder::walk(std::span<const int> columns) const {
   std::set<int> left(columns.begin(), columns.end());
-  std::vector<std::vector<int>> waiting(neighbours_.size());  // columns left, by displacement
+  std::vector<std::vector<int>> waiting(neighbours_.size());  // remaining columns, by displacement
   for (const int j : columns) waiting[at(degree_[at(j)])].push_back(j);
   std::vector<std::size_t> seen(neighbours_.size());  // in which step of the walk, from 1
   std::vector<int> order;

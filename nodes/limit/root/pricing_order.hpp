@@ -1,5 +1,5 @@
-// In which order the pricing programs of a round are solved: each starts from the basis of the one
-// before, and loads near each other have similar forces.
+// Order of the pricing programs of a round: each starts from the basis of the previous one, and
+// loads at nearby nodes have similar forces.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace kusabi::limit {
 
-/// Neighbours are displacements that a member pulls with opposite forces: those of its two ends
-/// along one axis. Of a column of T the first component counts.
+/// Neighbours are displacements on which a member exerts opposite forces: those of its two ends
+/// along one axis. A column of T is represented by its first component.
 class PricingOrder {
  public:
   explicit PricingOrder(const problems::LimitModel& model);
 
-  /// A walk through the columns: from the first of them to the nearest that is left, and so on;
-  /// where several are as near, or none can be reached, to the least.
+  /// A walk through the columns: from the first one to the nearest remaining one, and so on; the
+  /// least of several equally near ones, or if none can be reached.
   /// @param columns of T, ascending
   [[nodiscard]] std::vector<int> walk(std::span<const int> columns) const;
 

@@ -1,4 +1,4 @@
-// Rounds in lockstep, cuts priced in blocks.
+// Rounds on all ranks in the same order; cuts are priced in distributed blocks.
 #include "nodes/limit/root/root_search.hpp"
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 namespace kusabi::limit {
 namespace {
 
-/// How often a worst case that collapses in another order of forces than the nominal load is
-/// searched for again, in that one.
+/// Maximum number of searches with adjusted units, if the worst case collapses at another order of
+/// forces than the nominal load.
 constexpr int most_balances = 3;
 
-/// What takes less is over before it is read.
+/// Shorter computations show no progress.
 constexpr auto patience = std::chrono::seconds(2);
 
 }  // namespace
@@ -35,12 +35,12 @@ support::Stop RootSearch::lockstep_stop() {
   return [this] { return sharing_ ? analysis_.budget().spent() : ended(); };
 }
 
-// What a long root is doing, every other second.
+// Shows the progress of a long root, every two seconds.
 void RootSearch::say(const std::string& what) {
   analysis_.say_now_and_then([&] { return "at the root: " + what; });
 }
 
-// Each round of a long root. No lower end is known while the dissipation is limited.
+// Shows each round of a long root. The lower bound is unknown while the dissipation is limited.
 void RootSearch::say_ends(std::uint64_t round, double lower, double upper) {
   if (std::chrono::steady_clock::now() - began_ < patience) return;
   const double unit = model().factor_unit;
@@ -70,7 +70,7 @@ void RootSearch::settle_for(double alpha) {
 LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::VectorXd& dead) {
   auto least = load_factor().least_factor(dead);
   if (least) {
-    // Zero, which is carried where there is no load, to the last bit.
+    // A load of zero has the exact factor zero.
     if (std::abs(*least) <= closed_gap) *least = 0;
     *least *= model().factor_unit;
   }
@@ -79,13 +79,13 @@ LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::Vector
           problems::motion_in_units(model(), collapse.motion)};
 }
 
-// The cuts do not depend on who makes them: see pricing_block.
+// The cuts do not depend on the rank that makes them: see pricing_block.
 std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<const int> columns) {
   auto& pricing = solvers_->pricing;
   say(fmt::format("{} of {} uncertain loads are looked at for cuts", columns.size(),
                   model().uncertain_count()));
   const bool small = analysis_.transport().size() == 1 || columns.size() <= pricing_block;
-  // What is kept is shared even then: a run that goes on need not price it again.
+  // Stored results are distributed in any case, such that a resumed run need not price again.
   if (columns.empty() || (small && !analysis_.is_kept())) {
     return price_alone(pricing, z, columns);
   }
@@ -111,7 +111,7 @@ RootResult RootSearch::solve(double alpha) {
                               say_ends(round, lower, upper);
                             }};
   if (alpha > 0 && model().uncertain_count() > 0 && splits()) {
-    // Every rank makes all steps: they do not depend on how many there are.
+    // Every rank makes all steps: they do not depend on the number of ranks.
     auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
     if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;
     load_factor().restart();

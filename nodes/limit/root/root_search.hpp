@@ -1,5 +1,5 @@
-// What all ranks do at the root of a worst-case limit load: the same programs in the same units,
-// but for the pricing of cuts, which is shared.
+// Root of a worst-case limit load on all ranks: the same programs in the same units, with
+// distributed pricing of cuts.
 #pragma once
 
 #include <chrono>
@@ -20,32 +20,32 @@ namespace kusabi::limit {
 
 class RootSearch {
  public:
-  /// Both must outlive it. Every rank makes the same calls.
+  /// @pre both outlive this object. Every rank makes the same calls.
   /// @param split_from as in LimitQuestion
   RootSearch(engine::Analysis& analysis, const problems::LimitProblem& problem,
              int split_from = usual_split_from)
       : analysis_(analysis), problem_(problem), split_from_(split_from) {}
 
-  /// Solves the nominal load in a model, which is the one from now on.
+  /// Solves the nominal load in a model, which is used from then on.
   LoadStatus set_up(problems::LimitModel model);
-  /// Whether the last set_up() said `collapses`: what follows needs that.
+  /// True if the result of the last set_up() was `collapses`, which the other functions require.
   [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
 
-  /// Takes units that are not far below the uncertain loads, if the simplex method can do with
-  /// them. @param alpha in the unit of force
+  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them. @param
+  /// alpha in the unit of force
   void settle_for(double alpha);
 
-  /// The rounds, in the model as it is. @param alpha scaled
+  /// The rounds in the present model. @param alpha scaled
   RootResult solve(double alpha);
 
-  /// The same in units that fit the worst case found, too: loads that are large against the nominal
-  /// ones may break what those never touch. @param alpha in the unit of force
+  /// The same in units adjusted to the worst case found, since loads that are large relative to the
+  /// nominal ones may cause another collapse. @param alpha in the unit of force
   RootResult solve_balanced(double alpha);
 
-  /// True if solve() finds all cuts at a time.
+  /// True if solve() finds all cuts at once.
   [[nodiscard]] bool splits() const { return model().uncertain_count() >= split_from_; }
 
-  /// Whether the ranks have agreed to end; all get the same answer.
+  /// True if the ranks have agreed to stop; all get the same answer.
   bool ended();
 
   [[nodiscard]] engine::Analysis& analysis() { return analysis_; }
@@ -56,11 +56,11 @@ class RootSearch {
   /// @pre is_set_up()
   [[nodiscard]] const Collapse& nominal() const { return solvers_->nominal; }
 
-  /// @param dead the load that it is of, scaled
+  /// @param dead the load of the collapse, scaled
   [[nodiscard]] LimitCollapse in_units(const Collapse& collapse, const Eigen::VectorXd& dead);
 
  private:
-  /// A model and what solves its programs; all are made anew when the model is scaled anew.
+  /// A model and the solvers of its programs, constructed anew when the scaling changes.
   struct Solvers {
     problems::LimitModel model;
     LoadFactor load_factor;
@@ -79,8 +79,8 @@ class RootSearch {
   engine::Analysis& analysis_;
   const problems::LimitProblem& problem_;
   int split_from_;
-  bool ended_ = false;    // all ranks have agreed to end
-  bool sharing_ = false;  // each rank does something else just now
+  bool ended_ = false;    // all ranks have agreed to stop
+  bool sharing_ = false;  // ranks do different work at present
   std::unique_ptr<Solvers> solvers_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };

@@ -1,4 +1,4 @@
-// The bounds are found in the scaled model, and are put into units here.
+// Bounds from the scaled model, converted to the units of the problem.
 #include "nodes/limit/root/safe_big_m.hpp"
 
 #include "nodes/limit/model/balanced_model.hpp"
@@ -19,7 +19,7 @@ std::optional<Eigen::VectorXd> safe_big_m(engine::Analysis& analysis,
   const auto bounds =
       motion_bounds(model, search.scaled(alpha), root.cuts, root.worst->collapse.factor);
   if (!bounds || !bounds->motion.allFinite()) return std::nullopt;
-  // d_j'u is this times the scaled one.
+  // Unit of d_j'u.
   const Eigen::VectorXd unit = model.factor_unit * model.direction_unit.cwiseInverse();
   return 2 * bounds->motion.cwiseProduct(unit);
 }

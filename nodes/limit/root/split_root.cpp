@@ -1,4 +1,4 @@
-// Two iterations in turn, each with bounds at any time.
+// Alternation of two iterations, each with bounds at any time.
 #include "nodes/limit/root/split_root.hpp"
 
 #include <algorithm>
@@ -26,48 +26,48 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using problems::LimitModel;
 
-/// Steps between two looks at the motion and the bound, and between two questions for an end.
+/// Steps between two evaluations of the motion and the bound, and between two polls for a stop.
 constexpr int steps_a_look = 50;
 constexpr int steps_a_question = 10;
 
-/// The metric: a change of the factor costs ten times as much as one of a force.
+/// Metric: weight of a change of the factor relative to one of a force.
 constexpr double factor_metric = 0.1;
 
-/// A certificate is tried where sets are as near to each other as this.
+/// Distance of the sets below which a certificate is tried.
 constexpr double near = 1e-3;
 
-/// The face of a collapse is looked at when the sets are as near as this: once for each collapse,
-/// and again when the steps have grown by a share.
+/// Distance of the sets below which the face of a collapse is examined: once for each collapse, and
+/// again when the number of steps has grown by a factor.
 constexpr double near_enough = 2e-3;
 constexpr double again_share = 0.1;
 constexpr int least_steps = 100;
 
-/// It is left when its residual has not fallen to a share in so many steps; mostly at once, if the
-/// first look finds its sets no nearer to each other than a share of what the iteration has without
-/// it: then it is most likely not the face of the worst case.
+/// Criteria for leaving a face: its residual has not fallen to this share in so many steps, or its
+/// first residual is not below this share of the other iteration's, in which case it is most likely
+/// not the face of the worst case.
 constexpr double face_start = 0.5;
 constexpr double face_fall = 0.7;
 constexpr int face_steps = 200;
 
-/// A face on which nothing more can be gained by steps.
+/// Residual below which a face is solved.
 constexpr double no_residual = 1e-12;
 
-/// A bound costs a linear program: it is looked for when the residual has fallen to this share.
+/// A bound, which costs a linear program, is computed when the residual has fallen to this share.
 constexpr double bound_fall = 0.5;
 
-/// When it ends early, a bound is looked for with this share of the time more, and at least the
-/// milliseconds, so many steps for each.
+/// Additional share of the time, and minimum time in milliseconds, for a bound at an early end, by
+/// number of steps.
 constexpr double share_at_the_end = 0.1;
 constexpr double milliseconds_at_the_end = 300;
 constexpr int steps_a_bound = 10;
 
-/// Ends that differ by less are as good as met if they do not meet soon: after a quarter of the
-/// steps more.
+/// Gap at which the iteration ends after a quarter more steps, even if the bounds do not meet.
 constexpr double good_gap = 2e-7;
 constexpr double patience = 1.25;
 constexpr int more_steps = 100;
 
-/// Steps after which static cuts do not suffice, most likely, or the collapse is not known.
+/// Maximum number of steps; then static cuts most likely do not suffice, or the collapse is
+/// unknown.
 constexpr int most_steps = 4000;
 
 class SplitRoot {
@@ -95,7 +95,7 @@ class SplitRoot {
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
-  void tell(int steps) const;
+  void show(int steps) const;
 
   const LimitModel& model_;
   double alpha_;
@@ -106,7 +106,7 @@ class SplitRoot {
   splitting::AffineProjection projection_;
   splitting::SafeBound bound_;
   std::optional<splitting::ColumnBlocks> best_;  // of the bound
-  std::vector<double> best_taken_;               // what it takes of each member
+  std::vector<double> best_taken_;               // its use of each member
   bool improved_ = false;
   Clock::time_point began_ = Clock::now();
   RootResult result_;
@@ -118,7 +118,7 @@ Eigen::VectorXd SplitRoot::metric(const LimitModel& model) {
   return metric;
 }
 
-// @return false if a load is carried at no factor
+// @return false if a load has no factor
 bool SplitRoot::improve(Eigen::VectorXd motion) {
   const double work = model_.reference.dot(motion);
   if (!(std::abs(work) > 1e-14)) return true;
@@ -129,10 +129,10 @@ bool SplitRoot::improve(Eigen::VectorXd motion) {
   return true;
 }
 
-// How much of the best certificate so far there must be in a mean of both, so that no member is
-// asked for more than it has; 1: no other is possible.
+// Share of the best certificate so far in a combination with the new one, such that no member
+// exceeds its yield force; 1: no other is possible.
 double SplitRoot::share_of_best(const std::vector<double>& taken) const {
-  constexpr double room = 2e-9;  // is left for a proof, if there is
+  constexpr double room = 2e-9;  // remaining margin for a proof, if possible
   double share = 0;
   for (int i = 0; i < program_.members(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -162,13 +162,13 @@ void SplitRoot::bound(const splitting::ColumnBlocks& y) {
   best_taken_ = std::move(taken);
 }
 
-void SplitRoot::tell(int steps) const {
+void SplitRoot::show(int steps) const {
   if (!control_.watcher) return;
   control_.watcher(static_cast<std::uint64_t>(steps), result_.lower,
                    result_.worst->collapse.factor);
 }
 
-// @return open: nothing has come of it
+// @return open: without result
 RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration, bool patient) {
   std::vector<int> signs;
   for (const double zeta : result_.worst->zeta) signs.push_back(zeta < 0 ? -1 : 1);
@@ -189,7 +189,7 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration, bool p
       bound(face.affine_point());
       bounded = face.residual();
     }
-    tell(iteration.steps() + face.steps());
+    show(iteration.steps() + face.steps());
     if (gap() <= closed_gap) return RootStatus::closed;
     const bool good = gap() <= good_gap;
     if (good && good_steps == 0) good_steps = face.steps();
@@ -210,7 +210,7 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration, bool p
   }
 }
 
-// Any certificate at all is a bound: without a target the sets have points in common soon.
+// Any certificate gives a bound: without a target the sets soon intersect.
 void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
   const auto now = Clock::now();
   const std::chrono::duration<double, std::milli> so_far = now - began_;
@@ -241,7 +241,7 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
     }
     if (iteration.residual() < near) bound(iteration.affine_point());
     const int steps = iteration.steps();
-    tell(steps);
+    show(steps);
     if (gap() <= closed_gap) return RootStatus::closed;
     if (steps < least_steps || steps < next_face || iteration.residual() > near_enough) continue;
     ++faces;

@@ -1,4 +1,4 @@
-// The rounds at the root.
+// Rounds at the root.
 #include "nodes/limit/root/worst_case.hpp"
 
 #include <algorithm>
@@ -19,30 +19,30 @@ namespace {
 using linear::LinearStatus;
 using problems::LimitModel;
 
-/// What members that do not move cost in a pricing program, relative to the mean elongation: first
-/// and, when no cut is violated any more, less and less, the last being zero.
+/// Costs of members that do not move in a pricing program, relative to the mean elongation: the
+/// first one, then smaller ones when no cut is violated, finally zero.
 constexpr double first_share = 1e-3;
 constexpr double least_share = 1e-9;
 constexpr double share_fall = 1e-3;
 
-/// A cut is violated if by more than this, where motions are of the order of one.
+/// Tolerance of violated cuts, where motions are of the order of one.
 constexpr double violated = 1e-9;
 
-/// The dissipation may be so many times that of the best collapse so far while cuts are few.
+/// Limit of the dissipation, relative to that of the best collapse, while there are few cuts.
 constexpr double dissipation_share = 2;
 
-/// The loosest columns are priced first, one of so many, in whole blocks: the relaxation costs
-/// little beside them, and with their cuts most of the others are loose no longer.
+/// Columns with the largest violation are priced first, one of so many, in whole blocks: the
+/// relaxation is inexpensive, and after their cuts most of the other columns are tight.
 constexpr int batches = 12;
 
-/// A cut that has not mattered in so many rounds, in which all columns could have been priced
-/// twice, is dropped; it is made again should it ever.
+/// Number of rounds after which an inactive cut is removed, in which all columns could have been
+/// priced twice; it is made again when necessary.
 constexpr int idle_rounds = 2 * batches;
 
-/// A cut does not matter where it leaves so much, motions being of the order of one.
+/// Slack of an inactive cut, motions being of the order of one.
 constexpr double idle = 1e-7;
 
-/// Rounds that no instance we know comes near.
+/// Maximum number of rounds, far more than in any known instance.
 constexpr int most_rounds = 1000;
 
 /// One run of the rounds.
@@ -79,7 +79,7 @@ class Rounds {
   Master master_;
   double share_ = first_share;
   bool limited_ = true;
-  std::vector<int> idle_;  // by cut, in how many rounds at a stretch it has not mattered
+  std::vector<int> idle_;  // by cut, the number of consecutive inactive rounds
   RootResult result_;
 };
 
@@ -101,8 +101,8 @@ bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const
   return any;
 }
 
-// Prices loose columns, the loosest first, until some cut is violated; if none is, with less and
-// less cost of members that do not move. @return whether any
+// Prices columns in the order of their violation until some cut is violated; if none is, with
+// smaller costs of members that do not move. @return whether any
 bool Rounds::cut_off(const Relaxed& point) {
   const Eigen::VectorXd loose = looseness(model_, point);
   std::vector<int> columns;
@@ -127,7 +127,7 @@ bool Rounds::cut_off(const Relaxed& point) {
   return false;
 }
 
-// The tightest cut of a column always stays.
+// The tightest cut of each column is kept.
 void Rounds::drop_idle_cuts(const Relaxed& point) {
   auto& cuts = result_.cuts;
   std::vector<double> bounds;
@@ -153,7 +153,7 @@ void Rounds::drop_idle_cuts(const Relaxed& point) {
   master_.drop_cuts(dropped);
 }
 
-// @return whether the limit pressed and is gone now
+// @return whether the limit was active and has been removed
 bool Rounds::lift_dissipation() {
   if (!limited_ || !master_.dissipation_presses()) return false;
   limited_ = false;
@@ -161,8 +161,8 @@ bool Rounds::lift_dissipation() {
   return true;
 }
 
-// What the cuts so far say without the limit of the dissipation, which makes no bound while it
-// presses; in little time.
+// Computes the bound of the present cuts without the limit of the dissipation, which gives no bound
+// while it is active; in little time.
 void Rounds::bound_at_the_end() {
   using Clock = std::chrono::steady_clock;
   constexpr auto grace = std::chrono::milliseconds(300);
@@ -197,7 +197,7 @@ RootStatus Rounds::rounds() {
       control_.watcher(result_.counts.rounds, result_.lower, result_.worst->collapse.factor);
     }
     const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
-    // Only where the bound has risen, so that no cut goes and comes for ever.
+    // Only after an increase of the bound, which excludes cycles.
     if (!meet && bound > before + closed_gap) drop_idle_cuts(point);
     before = bound;
     const bool cut = !meet && cut_off(point);
@@ -299,7 +299,7 @@ std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha
                                            std::span<const StaticCut> cuts, const Signs& signs,
                                            double share, bool for_all) {
   const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
-  // The master program is too large there, and proves by less where it is not.
+  // The master program is too large for such problems and has weaker proofs.
   if (!decided && model.uncertain_count() >= usual_split_from && is_one_for_each(cuts, model)) {
     return proof_of_fixed_shares(model, alpha, cuts, share, for_all);
   }

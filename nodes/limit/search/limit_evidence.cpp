@@ -1,4 +1,4 @@
-// A change of units, and the shares of cuts made sure to be large enough.
+// Conversion of units, and shares of cuts that are large enough.
 #include "nodes/limit/search/limit_evidence.hpp"
 
 #include <cmath>
@@ -9,12 +9,12 @@ namespace {
 
 using problems::LimitModel;
 
-/// Shares of the cuts of a column add up to alpha times its weight but for rounding; a proof needs
-/// no less than that. The room that the solver leaves is far more.
+/// The shares of the cuts of a column sum to alpha times its weight up to rounding; a proof
+/// requires at least that. The margin of the solver is far larger.
 constexpr double enough = 1 + 1e-13;
 
-/// A force as near as this to a yield force, in the unit of the member, is that: an idle cable has
-/// none left, and the proof wants to see equilibrium without it.
+/// A force this close to a yield force, in the unit of the member, is equal to it: an idle cable
+/// has no margin, and the proof needs exact equilibrium.
 constexpr double at_yield = 1e-12;
 
 // B~ y~ - k~ f~_R = d~_j, row e being in units of Y_e.
@@ -72,11 +72,11 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
   }
   for (std::size_t c = 0; c < node.mu.size(); ++c) {
     const auto j = columns[c];
-    if (node.signs[j] != 0) continue;  // gamma_j is gone there
+    if (node.signs[j] != 0) continue;  // gamma_j does not occur
     const double needed = alpha_ * problem_.uncertain[j].reach() * enough;
     double share = node.mu[c] * unit_of(j);
     if (sum[j] < needed / 2) {
-      // Of next to nothing the simplex method makes nothing: any cut will do.
+      // The simplex method drops tiny shares: any cut is given the rest.
       share += needed - sum[j];
       sum[j] = needed;
     } else {
@@ -116,7 +116,7 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
     }
     certificate.names.push_back(column.group.empty() ? column.name : column.group);
   }
-  // Exact: where half-widths are not 1, alpha is, but for a place on a curve.
+  // Exact: either half-widths or alpha are 1, except on a curve.
   for (const auto& column : problem.uncertain)
     certificate.alpha.push_back(alpha * column.half_width);
   for (Eigen::Index j = 0; j < worst.zeta.size(); ++j) {

@@ -1,5 +1,4 @@
-// From what the solver found, in its scaled units, to the certificate that verify/ can prove, in
-// those of the problem.
+// Conversion of the solver's scaled results to a certificate in the units of the problem.
 #pragma once
 
 #include <span>
@@ -11,7 +10,7 @@
 
 namespace kusabi::limit {
 
-/// @param root_cuts the cuts that all nodes share
+/// @param root_cuts the cuts common to all nodes
 /// @param alpha in the unit of force
 verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
                                            const problems::LimitModel& model, double alpha,
@@ -20,7 +19,7 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
                                            const std::vector<ClosedNode>& nodes);
 
 /// A node of a certificate that has these cuts, in this order, all of them the node's.
-/// @param node its shares `mu` are of `cuts`
+/// @param node with shares `mu` of `cuts`
 verify::LimitNode limit_node(const problems::LimitProblem& problem,
                              const problems::LimitModel& model, double alpha,
                              std::span<const StaticCut> cuts, const ClosedNode& node);

@@ -1,4 +1,4 @@
-// Room for rounding, as little as will do.
+// Proofs with the smallest sufficient margin for rounding errors.
 #include "nodes/limit/search/proved_ends.hpp"
 
 #include <algorithm>
@@ -9,29 +9,29 @@
 
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit {
 namespace {
 
 /// Scaled forces; the first has been tried, but not for all members.
-constexpr double rooms[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
+constexpr double margins[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
 
 double infinite() {
   return std::numeric_limits<double>::infinity();
 }
 
-// The truss with its true directions; as it was computed with if those cannot be told (a bar of no
-// length to speak of).
+// The truss with its exact directions; that of the computation if these are undefined (a bar of
+// length almost zero).
 verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
                                const verify::Structure& truss) {
-  auto found = verify::limit_agreement(certificate, truss);
+  auto found = verify::limit_consistency(certificate, truss);
   if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
   return verify::recorded_truss(certificate);
 }
 
-// What is shown below all loads of a node; minus infinity: nothing.
+// The proved lower bound for all loads of a node; minus infinity: none.
 double lower_end(const verify::LimitProof& proof, const verify::LimitNode& node) {
   const auto found = proof.lower(node);
   const auto* value = std::get_if<mpq_class>(&found);
@@ -44,17 +44,18 @@ verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
                            evidence.cuts, nodes);
 }
 
-// Replaces the proof of a node by one with more room, if that shows more. @return what is shown
+// Replaces the proof of a node by one with a larger margin, if its bound is better. @return the
+// proved bound
 double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& truss,
                       ClosedNode& node, double shown, double wanted) {
   auto cuts = evidence.cuts;
   cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
-  // All but the node itself is the same in every room.
+  // All data except the node are the same for all margins.
   const auto certificate =
       limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {});
   const verify::LimitProof proof(certificate, truss);
   const double alpha = evidence.alpha / evidence.model.force_unit;
-  for (const double room : rooms) {
+  for (const double room : margins) {
     for (const bool for_all : {false, true}) {
       const auto found = proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
       if (!found) continue;
@@ -74,7 +75,7 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
 
 ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
   auto& nodes = evidence.nodes;
-  // A node that was closed without a proof has no forces; its signs are enough to look for some.
+  // A node closed without proof has no forces; its signs are enough to compute some.
   std::vector<bool> has_proof;
   for (auto& node : nodes) {
     has_proof.push_back(!node.forces.empty());

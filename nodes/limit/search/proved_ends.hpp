@@ -1,5 +1,5 @@
-// The two ends of a worst case, put to the verifier: what is printed as proved has been proved
-// here, in exact arithmetic, from the evidence that a certificate holds.
+// Proof of the lower and upper bound of a worst case by the verifier, in exact arithmetic and from
+// the evidence of a certificate. All bounds printed as proved come from here.
 #pragma once
 
 #include <limits>
@@ -15,43 +15,42 @@
 
 namespace kusabi::limit {
 
-/// What was found and is to be proved.
+/// Results to be proved.
 struct LimitEvidence {
-  const verify::Structure& truss;  ///< the proofs are of this one, with its true directions
+  const verify::Structure& truss;  ///< with exact directions, for the proofs
   const problems::LimitProblem& problem;
   const problems::LimitModel& model;
   double alpha = 0;  ///< in the unit of force
   const Worst& worst;
-  const std::vector<StaticCut>& cuts;  ///< those that all nodes share
-  std::vector<ClosedNode> nodes;       ///< which cover all signs
-  /// What the nodes are thought to show, in the unit of the load factor; a proof of more is not
-  /// looked for.
+  const std::vector<StaticCut>& cuts;  ///< common to all nodes
+  std::vector<ClosedNode> nodes;       ///< cover all signs
+  /// The expected lower bound, in the unit of the load factor; no better proof is attempted.
   double lower = std::numeric_limits<double>::infinity();
 };
 
-/// What is shown, with its evidence.
+/// The proved bounds with their evidence.
 struct ProvedEnds {
-  LimitEnds ends;  ///< in the unit of the load factor; an end that is not proved says nothing
+  LimitEnds ends;  ///< in the unit of the load factor; meaningless if not proved
   verify::LimitCertificate certificate;
 };
 
-/// Ends farther apart than this, in the scaled factor, do not answer the question: room made for a
-/// proof costs about as much as it is wide.
+/// Gap of the scaled factor up to which the result counts as an answer: a margin for a proof costs
+/// about its own size.
 inline constexpr double answered_gap = 1e-6;
 
-/// Proves each node; where a proof fails for want of room, or shows less than `closed_gap` allows,
-/// makes more room and tries again.
-/// @param again whether to try again
+/// Proves each node; where a proof fails for lack of a margin, or its bound is worse than
+/// `closed_gap` allows, it is repeated with a larger margin.
+/// @param again whether to repeat
 ProvedEnds proved_ends(LimitEvidence evidence, bool again);
 
-/// A number that lambda_min(alpha) is not above, by a motion; nothing if it shows none.
+/// A proved upper bound of lambda_min(alpha), by a motion; nothing if there is none.
 /// @param alpha in the unit of force @param zeta m @param motion n^d, scaled as in `model`
 std::optional<double> proved_upper(const verify::Structure& truss,
                                    const problems::LimitProblem& problem,
                                    const problems::LimitModel& model, double alpha,
                                    const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion);
 
-/// The evidence that a load is carried at no factor; nothing if the motion does not show it.
+/// The evidence that a load has no factor; nothing if the motion does not prove it.
 /// @param alpha in the unit of force @param zeta m: zero, or of size alpha each
 /// @param motion n^d, scaled as in `model` like zeta
 std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Structure& truss,

@@ -1,4 +1,4 @@
-// Opening a node: bound, descend, branch.
+// Opening of a node: bound, descent and branching.
 #include "nodes/limit/search/sign_tree.hpp"
 
 #include <algorithm>
@@ -13,10 +13,11 @@ namespace {
 /// Rounds of cuts at a node below the root: the first ones bring most.
 constexpr int rounds_at_a_node = 4;
 
-/// A cut is made where the point is looser than this, and kept if it is violated by more.
+/// A cut is made where the violation of the point exceeds this, and kept if the cut is violated by
+/// more.
 constexpr double loose_enough = 1e-7;
 
-/// Signs are left alone where the point is tighter than this: the bound is then exact but for less
+/// Signs are not branched on where the violation is below this: the bound is then exact up to less
 /// than the gap that closes a node.
 constexpr double tight_enough = 1e-10;
 
@@ -43,7 +44,7 @@ SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootRe
       pricing_(model, stop_),
       master_(model, alpha, stop_) {
   for (const StaticCut& cut : root.cuts) master_.add(cut);
-  load_factor_.solve(model.dead);  // where every descent starts from
+  load_factor_.solve(model.dead);  // initial basis of every descent
 }
 
 SignTree::Node SignTree::root() const {
@@ -57,7 +58,7 @@ SignTree::Tally SignTree::tally() const {
   return tally;
 }
 
-// Nothing if the simplex method fails, or was asked to end.
+// Nothing if the simplex method fails or is stopped.
 std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
   master_.drop_cuts_from(root_.cuts.size());
   own_cuts_.clear();
@@ -87,7 +88,7 @@ std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
   }
 }
 
-// @return the least factor known here afterwards
+// @return the least factor found here
 double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& out) {
   const double known = std::min(out.cutoff(), root_.worst->collapse.factor);
   const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model_.uncertain_count());
@@ -102,7 +103,7 @@ double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& 
     return -linear::infinity;
   }
   if (found.status != LoadStatus::collapses) return known;
-  // What is better by less than the gap would be another answer on another number of ranks.
+  // Smaller improvements would make the answer depend on the number of ranks.
   const double worst = found.worst.collapse.factor;
   if (worst < root_.worst->collapse.factor - closed_gap && worst < out.cutoff()) {
     const auto& [zeta, collapse] = found.worst;
@@ -121,7 +122,7 @@ void SignTree::close(const Signs& signs) {
   }
 }
 
-// By the first sign that is open; with none, the node is closed without a proof.
+// Branches on the first undecided sign; with none, the node is closed without a proof.
 void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out) {
   const auto open = std::ranges::find(node.signs, 0);
   if (open == node.signs.end()) {
@@ -140,7 +141,7 @@ void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out
 
 void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   const auto found = bounded(node);
-  // A search that is asked to end keeps the node; its evidence would be of a bound half found.
+  // A stopped search keeps the node, since its bound is incomplete.
   if (support::asked(stop_)) {
     out.branch(std::move(node));
     return;

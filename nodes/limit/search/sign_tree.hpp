@@ -1,9 +1,9 @@
-// The tree below the root for worst-case loads that static cuts alone do not decide: branching on
-// the sign of t_j'u, which is the 0-1 variable tau_j of the limit paper's (29) without its big M.
+// Tree for worst-case loads that static cuts at the root do not decide: branching on the sign of
+// t_j'u, which is the 0-1 variable tau_j of the limit paper's (29) without its big M.
 //
 // A node has some signs decided. Its bound is the relaxation of nodes/limit/root/master.hpp with
 // the cuts of the root and some of its own. With all signs decided the relaxation is exact, so the
-// tree ends; each closed node hands over the static proof of its bound.
+// tree is finite. Each closed node stores the static proof of its bound.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace kusabi::limit {
 
-/// A closed node and why it was closed.
+/// A closed node with the proof of its bound.
 struct ClosedNode {
   Signs signs;
   double factor = 0;
@@ -36,8 +36,8 @@ struct ClosedNode {
 
 ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts);
 
-/// The problem type that engine::search searches, for Goal::best. It gives the engine no bounds of
-/// nodes: each is opened, so that each leaves its proof.
+/// Problem type of engine::search, for Goal::best. It passes no bounds of nodes to the engine: each
+/// is opened, such that each has a proof.
 class SignTree {
  public:
   struct Node {
@@ -49,11 +49,11 @@ class SignTree {
     }
   };
 
-  /// A load that is worse than the one the search began with.
+  /// A load with a smaller factor than the initial one.
   struct Solution {
-    double factor = 0;  ///< minus infinity: the load is carried at no factor, and
+    double factor = 0;  ///< minus infinity: the load has no factor, and
     std::vector<double> zeta;
-    std::vector<double> motion;  ///< this is a motion that shows it, or empty
+    std::vector<double> motion;  ///< this motion proves it, or is empty
     std::vector<double> forces;
 
     template <class Archive>
@@ -76,8 +76,8 @@ class SignTree {
     }
   };
 
-  /// @param root how the root ended: open. All must outlive the tree
-  /// @param keep_evidence whether closed nodes go into the tally
+  /// @param root with status `open`. All arguments must outlive the tree
+  /// @param keep_evidence whether closed nodes are added to the tally
   /// @param stop ends the opening of a node, which stays open
   SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
            bool keep_evidence, support::Stop stop = {});
@@ -106,7 +106,7 @@ class SignTree {
   LoadFactor load_factor_;
   StaticPricing pricing_;
   Master master_;
-  std::vector<StaticCut> own_cuts_;  // of the node at hand
+  std::vector<StaticCut> own_cuts_;  // of the current node
   Tally tally_;
 };
 

@@ -1,4 +1,4 @@
-// Every rank does the work at the root alike; rank 0 proves.
+// Every rank computes the root; rank 0 proves.
 #include "nodes/limit/search/worst_case_search.hpp"
 
 #include <algorithm>
@@ -58,14 +58,15 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha) {
   return result;
 }
 
-// Both ends in exact arithmetic, on rank 0; all are told what has come of it.
+// Proves both bounds in exact arithmetic on rank 0 and broadcasts the result.
 void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> nodes,
                             LimitWorstCase& worst) {
   const double unit = model().factor_unit;
   const bool of_a_tree = nodes.size() > 1;
   worst.ends = engine::from_first_rank(search_.analysis().transport(), [&] {
     const bool again = worst.search == engine::Status::solved;
-    const bool any = again || !nodes.front().forces.empty();  // else only the upper end is left
+    const bool any =
+        again || !nodes.front().forces.empty();  // otherwise only the upper bound remains
     auto [ends, certificate] =
         proved_ends({truss_, search_.problem(), model(), alpha(), *root.worst,
                      any ? root.cuts : std::vector<StaticCut>(), std::move(nodes),
@@ -75,8 +76,8 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     if (ends.lower_proved && ends.upper_proved) certificate_ = std::move(certificate);
     if (!ends.upper_proved) ends.upper = root.worst->collapse.factor * unit;
     if (!ends.lower_proved) ends.lower = root.lower * unit;
-    // What the nodes of a tree prove beyond the gap depends on what was known when they were
-    // closed, and so on the number of ranks.
+    // Proofs of nodes beyond the gap depend on the incumbent when they were closed, and so on the
+    // number of ranks.
     ends.lower = std::min(ends.lower, of_a_tree ? ends.upper - 2 * closed_gap * unit : ends.upper);
     return ends;
   });
@@ -93,7 +94,7 @@ void WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::
   worst.proved = worst.ends.upper_proved = certificate_.has_value();
 }
 
-// From the root on: the tree, if it is open, and the proof.
+// Continues from the root with the tree, if it is open, and the proof.
 void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   std::vector<ClosedNode> nodes;
   if (root.status == RootStatus::open || root.status == RootStatus::unbounded) {
@@ -101,7 +102,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     worst.search = tree.status;
     worst.nodes = tree.nodes;
     worst.tree_programs += tree.programs;
-    // Nodes that do not cover all signs prove nothing, but the root still does.
+    // Nodes that do not cover all signs prove nothing, but the root does.
     if (tree.status == engine::Status::solved) nodes = std::move(tree.closed);
   }
   if (root.status == RootStatus::stopped) worst.search = search_.analysis().budget().why();
@@ -115,7 +116,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     return;
   }
   if (!root.worst) {
-    // The nominal load is one of the admissible ones.
+    // The nominal load is admissible.
     root.worst = Worst{Eigen::VectorXd::Zero(model().uncertain_count()), search_.nominal()};
   }
   if (nodes.empty()) {
@@ -141,7 +142,7 @@ LimitWorstCase WorstCaseSearch::by_static_cuts() {
   }
 }
 
-// The load of a motion, and where the descent from it ends, if that is worse than what is known.
+// Keeps the load of a motion, and the end of the descent from it, if its factor is smaller.
 void WorstCaseSearch::take_if_worse(const Eigen::VectorXd& motion, Worst& known) {
   const auto descent = descend(model(), search_.load_factor(), search_.scaled(alpha()),
                                worst_for(model(), search_.scaled(alpha()), motion, known.zeta));
@@ -151,8 +152,8 @@ void WorstCaseSearch::take_if_worse(const Eigen::VectorXd& motion, Worst& known)
   }
 }
 
-// By (29), and then the ends by the same evidence as without it: what a 0-1 tree finds in floating
-// point, with an M that is thought to be large enough, proves nothing.
+// Solves (29), then proves the bounds by the same evidence as without it: a 0-1 tree in floating
+// point with an M of assumed size proves nothing.
 LimitWorstCase WorstCaseSearch::by_zero_one_program() {
   LimitWorstCase worst;
   RootResult result = search_.solve_balanced(alpha());
@@ -170,7 +171,7 @@ LimitWorstCase WorstCaseSearch::by_zero_one_program() {
     if (zero_one->motion.size() > 0) take_if_worse(zero_one->motion, *result.worst);
     if (zero_one->status != engine::Status::solved) {
       worst.search = zero_one->status;
-      result.status = RootStatus::closed;  // no tree of signs: there is no time left
+      result.status = RootStatus::closed;  // no tree of signs: the run is stopped
     }
   }
   conclude(result, worst);
@@ -178,7 +179,7 @@ LimitWorstCase WorstCaseSearch::by_zero_one_program() {
   return worst;
 }
 
-// The load that belongs to the best point of (29), and how it collapses: one program (5).
+// The load of the best point of (29), and its collapse by one program (5).
 void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst) {
   const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model().uncertain_count());
   // The sign of t_j'u is that of the motion in the model's units, where t_j has several components.
@@ -202,7 +203,7 @@ void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWor
   prove_no_factor(zeta, overpowering, worst);
 }
 
-// The paper's answer first, by itself; static evidence afterwards, by itself, if it is wanted.
+// The result of the paper's method by itself first; then, if requested, static evidence.
 LimitWorstCase WorstCaseSearch::as_printed() {
   auto& analysis = search_.analysis();
   const auto printed = printed_worst(analysis, question_, search_.problem(), start_);

@@ -1,6 +1,6 @@
-// The worst case of uncertain loads from the root to its proof, on all ranks: static cuts or the
-// 0-1 program (29), the tree of signs below an open root, and both ends in exact arithmetic. The
-// method as printed in the paper stands by itself: its ends are proved only if that is wanted.
+// Worst case of uncertain loads from the root to its proof, on all ranks: static cuts or the 0-1
+// program (29), the tree of signs below an open root, and both bounds in exact arithmetic. For the
+// method as printed in the paper the bounds are proved only on request.
 #pragma once
 
 #include <optional>
@@ -17,33 +17,33 @@
 
 namespace kusabi::limit {
 
-/// What a tree of signs has come to, below a root.
+/// Result of a tree of signs below a root.
 struct SignSearch {
   engine::Status status = engine::Status::solved;  ///< on every rank
-  std::uint64_t nodes = 1;                         ///< on rank 0, as all that follows
+  std::uint64_t nodes = 1;                         ///< on rank 0, as are the following
   std::uint64_t programs = 0;                      ///< linear programs
   std::vector<ClosedNode> closed;                  ///< with their proofs
 };
 
 /// Searches the tree of signs below an open root.
 /// @param alpha scaled
-/// @param root takes what is worse than its own worst load, on every rank
+/// @param root receives loads with smaller factors, on every rank
 SignSearch search_signs(RootSearch& search, RootResult& root, double alpha);
 
 /// One worst case. Every rank makes the same calls.
 class WorstCaseSearch {
  public:
-  /// All but `start` must outlive it. @param truss what the proofs are of @param start what (29)
-  /// starts from @pre question.alpha
+  /// @pre all but `start` outlive this object. @param truss for the proofs @param start initial
+  /// point of (29) @pre question.alpha
   WorstCaseSearch(RootSearch& search, const LimitQuestion& question, const verify::Structure& truss,
                   std::optional<ZeroOneStart> start = {})
       : search_(search), question_(question), truss_(truss), start_(std::move(start)) {}
 
-  /// By the method of the question. @throws BigMTooSmall on every rank
+  /// By the requested method. @throws BigMTooSmall on every rank
   LimitWorstCase solve();
 
-  /// The evidence of both ends of the last one, if both are proved, on rank 0; or that some load is
-  /// carried at no factor.
+  /// The evidence of both bounds of the last one, if both are proved, on rank 0; or that some load
+  /// has no factor.
   [[nodiscard]] std::optional<verify::LimitCertificate>& certificate() { return certificate_; }
 
  private:

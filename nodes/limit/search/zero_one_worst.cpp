@@ -1,4 +1,4 @@
-// From the model to (29), to its root and its tree, and back to a motion.
+// Program (29) from the model, its root and tree, and the motion of its best point.
 #include "nodes/limit/search/zero_one_worst.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 using problems::LimitModel;
 using zero_one::ZeroOneRootOptions;
 
-// What rank 0 knows of the search, for all.
+// Results on rank 0, for broadcast.
 struct Found {
   std::vector<double> motion;
   double lower = 0;
@@ -28,7 +28,7 @@ struct Found {
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;
   engine::Status status = engine::Status::solved;
-  bool infeasible = false;  // the program is shown to have no point
+  bool infeasible = false;  // the program is proved to have no point
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -46,7 +46,7 @@ void add_static_row(linear::LinearProgram& program, const LimitModel& model, con
   program.add_row({.upper = std::abs(cut.factor)}, terms);
 }
 
-// (29) with the M asked for or a safe one; nothing if none is found.
+// (29) with the given M or a safe one; nothing if none is found.
 std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& question,
                                                     const LimitModel& model, double alpha,
                                                     const RootResult& root) {
@@ -68,7 +68,7 @@ std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& questio
   return problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
 }
 
-// (27) as printed: u and gamma are not bounded but by the rows, which imply z >= 0.
+// (27) as printed: u and gamma are bounded by the rows only, which imply z >= 0.
 linear::MixedProgram printed_program(const LimitModel& model, double alpha, double big_m) {
   const auto none = [](int count) { return Eigen::VectorXd::Constant(count, linear::infinity); };
   // There M is for gamma_j = |t_j'u|, which is weight_j |d_j'u|.
@@ -92,7 +92,7 @@ zero_one::ZeroOneCuts cuts_of(LimitMethod method) {
              : zero_one::ZeroOneCuts::none;
 }
 
-// The point of a collapse that is known, with v^U as it is.
+// The point of a known collapse, with v^U unchanged.
 void start_from(const LimitModel& model, const std::optional<ZeroOneStart>& start,
                 ZeroOneRootOptions& options) {
   if (!start) return;
@@ -111,8 +111,8 @@ void note_root(const zero_one::ZeroOneRoot& root, double unit, LimitZeroOne& fou
   found.root_programs = counts.programs - counts.cut_programs;
 }
 
-// What the root and the tree of (29) come to. With a derived M it has points: none that is found
-// says nothing then.
+// Result of the root and the tree of (29). With a derived M there are points, so a stopped search
+// without one proves nothing.
 ZeroOneWorst search(engine::Analysis& analysis, const LimitModel& model,
                     const linear::MixedProgram& mixed, const ZeroOneRootOptions& options,
                     const LimitQuestion& question, const engine::ShownObjective& shown) {

@@ -1,5 +1,5 @@
-// The worst case by the 0-1 program (29) of the limit paper: Algorithms 4.2 and 5.1 as printed, and
-// what makes them faster, to compare with static cuts.
+// Worst case by the 0-1 program (29) of the limit paper: Algorithms 4.2 and 5.1 as printed, and
+// accelerated variants, for comparison with static cuts.
 #pragma once
 
 #include <optional>
@@ -21,29 +21,30 @@ struct ZeroOneStart {
   Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1 in the units of the problem
 };
 
-/// What came of it, the same on every rank but for counts.
+/// Result, the same on every rank except counts.
 struct ZeroOneWorst {
   LimitZeroOne found;
-  /// Of the best point, n^d: the signs of t_j'u are the critical load. In the units of the problem
-  /// by printed_worst(), in those of the model by zero_one_worst(). Empty: no point was found.
+  /// Motion of the best point, n^d: the signs of t_j'u are the critical load. In the units of the
+  /// problem by printed_worst(), in those of the model by zero_one_worst(). Empty: no point was
+  /// found.
   Eigen::VectorXd motion;
-  engine::Status status = engine::Status::solved;  ///< why the search ended
+  engine::Status status = engine::Status::solved;  ///< reason of the end of the search
 };
 
-/// Algorithm 4.2, after Algorithm 5.1 if the question's method is that, as printed: (27) in the
-/// units of the problem with the question's M, u and gamma free, and nothing that is known from
-/// elsewhere but `start`. What differs, docs/theory/limit.md says.
+/// Algorithm 4.2, after Algorithm 5.1 if requested, as printed: (27) in the units of the problem
+/// with the given M, u and gamma free, and no other information but `start`. docs/theory/limit.md
+/// lists the differences.
 /// @pre question.as_printed()
 ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitQuestion& question,
                            const problems::LimitProblem& problem,
                            const std::optional<ZeroOneStart>& start);
 
-/// (29) with an M derived from static cuts, unless one was asked for, and bounds of its columns
-/// likewise; with static cuts as rows and a tightened M if the method has them.
+/// (29) with M derived from static cuts, unless given, and bounds of its columns likewise; with
+/// static cuts as rows and a tightened M if the method has them.
 /// @param alpha scaled
-/// @param root what static cuts have found: they say which M is safe, and know a collapse
+/// @param root result of static cuts: a safe M and a collapse
 /// @return nothing if no safe M is found
-/// @throws BigMTooSmall on every rank if the question's M leaves no point
+/// @throws BigMTooSmall on every rank if the given M leaves no point
 std::optional<ZeroOneWorst> zero_one_worst(engine::Analysis& analysis,
                                            const LimitQuestion& question,
                                            const problems::LimitModel& model, double alpha,

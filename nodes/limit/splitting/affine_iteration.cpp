@@ -9,12 +9,12 @@
 namespace kusabi::limit::splitting {
 namespace {
 
-/// An epoch ends when the residual is this share of that at its beginning, or below the second
-/// share and rising.
+/// An epoch ends when the residual is this share of its initial value, or below the second share
+/// and increasing.
 constexpr double much_less = 0.2;
 constexpr double less = 0.8;
 
-/// Or when it has this share of all steps, and some more.
+/// An epoch also ends when it has this share of all steps, and some more.
 constexpr double longest_share = 0.36;
 constexpr double longest = 50;
 
@@ -30,7 +30,8 @@ AffineIteration::AffineIteration(const AffineProgram& program, AffineProjection&
       y_(z_),
       motion_(Eigen::VectorXd::Zero(program.displacements())) {}
 
-// 2 x - z, x being z drawn to zero by the threshold of its row; lambda_0 is drawn up instead.
+// 2 x - z, where x is z moved towards zero by the threshold of its row; lambda_0 is moved up
+// instead.
 Segment AffineIteration::reflected(bool first, int row, const Segment& z) const {
   const Lanes threshold = all(rows_.threshold(row));
   Segment w;

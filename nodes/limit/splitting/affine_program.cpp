@@ -1,4 +1,4 @@
-// Numbers of the model in the form of the program.
+// Data of the program from the model.
 #include "nodes/limit/splitting/affine_program.hpp"
 
 namespace kusabi::limit::splitting {

@@ -1,12 +1,12 @@
-// The one linear program behind static cuts: member forces and the load factor that follow the
-// uncertain loads affinely. With P_j = alpha w_j y_j and kappa_j = alpha w_j k_j of a static cut
-// (y_j, k_j) for each column j of T, forces q_0 and a factor lambda_0, it is
+// Linear program of all static cuts: member forces and the load factor as affine functions of the
+// uncertain loads. With P_j = alpha w_j y_j and kappa_j = alpha w_j k_j of a static cut (y_j, k_j)
+// for each column j of T, forces q_0 and a factor lambda_0, it is
 //
 //   max lambda_0 - sum_j |kappa_j|
 //   s.t. A [q_0 P; lambda_0 kappa] = [f_D  alpha T],   A = [B, -f_R],
 //        |q_0,i - (q^t_i - q^c_i) / 2| + sum_j |P_ij| <= (q^t_i + q^c_i) / 2   for each member i.
 //
-// Here q_0 is shifted by (q^t - q^c) / 2, so that each row is an l1 ball.
+// Here q_0 is shifted by (q^t - q^c) / 2, such that each row is an l1 ball.
 #pragma once
 
 #include <utility>
@@ -19,7 +19,7 @@
 
 namespace kusabi::limit::splitting {
 
-/// A load: displacements and the numbers there.
+/// A load: displacements and numbers.
 using Load = std::vector<std::pair<int, double>>;
 
 struct AffineProgram {

@@ -1,4 +1,4 @@
-// Both triangular solves gather, so that sixteen sums stay in registers.
+// Both triangular solves gather, such that sixteen sums stay in registers.
 #include "nodes/limit/splitting/affine_projection.hpp"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ void AffineProjection::begin(const std::vector<Load>& loads, int first_column) {
 
 namespace {
 
-// Four numbers, which some processors have at a time; the sums are the same on all.
+// Four numbers, for processors with such registers; the sums are the same on all.
 using Wide = double __attribute__((vector_size(32), aligned(16), may_alias));
 constexpr int wides = block_columns / 4;
 

@@ -1,8 +1,7 @@
-// The nearest point with A X = T, sixteen columns at a time: one sparse Cholesky factor of A D A'
-// serves all of them.
+// Projection onto A X = T, sixteen columns at a time, with one sparse Cholesky factor of A D A'.
 //
 // In the norm sum_i x_i^2 / d_i the projection of w is y = w - D A' u, (A D A') u = A w - t. The
-// multiplier u of the dead load is a motion that points to where the truss is about to collapse.
+// multiplier u of the dead load is a motion that approaches the collapse of the truss.
 #pragma once
 
 #include <vector>
@@ -20,16 +19,16 @@ class AffineProjection {
   /// @param metric d, > 0, one for each column of A
   AffineProjection(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd metric);
 
-  /// Whether there is a factor; no other call may be made if not.
+  /// True if there is a factor; required by all other calls.
   [[nodiscard]] bool definite() const { return definite_; }
   [[nodiscard]] const Eigen::VectorXd& metric() const { return metric_; }
   /// Multiplications for one block.
   [[nodiscard]] double work() const;
 
-  /// Forgets the block before; the next one has these right-hand sides.
+  /// Begins the next block with these right-hand sides.
   /// @param loads t, by column; columns beyond `loads` have none
   void begin(const std::vector<Load>& loads, int first_column);
-  /// Row i of the point w is this.
+  /// Sets row i of the point w.
   void take(int row, const Segment& w) {
     for (auto at = first_[static_cast<std::size_t>(row)];
          at < first_[static_cast<std::size_t>(row) + 1]; ++at) {
@@ -37,7 +36,7 @@ class AffineProjection {
       for (int h = 0; h < block_lanes; ++h) target.part[h] += value_[at] * w.part[h];
     }
   }
-  /// After all rows.
+  /// Called after all rows are set.
   void solve();
   /// Replaces row i of w by that of its projection.
   void project(int row, Segment& w) const {
@@ -69,7 +68,7 @@ class AffineProjection {
   Triangle by_row_;             // of L, for L x = b
   Triangle by_column_;          // for L'x = b
   std::vector<double> inverse_diagonal_;
-  std::vector<int> order_;  // where a displacement is
+  std::vector<int> order_;  // index of a displacement
   std::vector<Segment> solution_;
 };
 

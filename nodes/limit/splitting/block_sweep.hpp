@@ -1,5 +1,5 @@
-// One pass over the columns of this rank: each block is reflected row by row, projected on A X = T,
-// and handed over row by row.
+// One pass over the columns of this rank: each block is reflected by rows, projected onto A X = T,
+// and passed on by rows.
 #pragma once
 
 #include <vector>

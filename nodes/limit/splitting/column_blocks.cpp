@@ -1,4 +1,4 @@
-// Places in memory.
+// Indices in memory.
 #include "nodes/limit/splitting/column_blocks.hpp"
 
 #include <algorithm>

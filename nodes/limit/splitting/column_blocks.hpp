@@ -1,6 +1,6 @@
-// A matrix of many columns in blocks of sixteen, four blocks to a group. Each rank has groups of
-// its own; what is summed over columns is summed within each group first and then over the groups
-// in their order, so that it is the same to the last bit on any number of ranks.
+// Matrix of many columns in blocks of sixteen, four blocks to a group. Each rank has groups of its
+// own; sums over columns are formed within each group first and then over the groups in their
+// order, such that they are bitwise equal on any number of ranks.
 #pragma once
 
 #include <cstddef>
@@ -29,12 +29,12 @@ inline double sum_of(const Segment& segment) {
                 ((part[4] + part[5]) + (part[6] + part[7])));
 }
 
-/// Who has which groups, and how ranks tell each other what they have worked out.
+/// The groups of each rank, and the exchange of results between ranks.
 struct Sharing {
   int rank = 0;
   int ranks = 1;
-  /// Numbers of all groups, one group after another, those of this rank's groups filled in: fills
-  /// in the others. Every rank makes the same call. Empty: there are no others.
+  /// Completes numbers of all groups, one group after another, of which those of this rank's groups
+  /// are set. Every rank makes the same call. Empty: a single rank.
   std::function<void(std::span<double>)> exchange = {};
 
   void fill(std::span<double> numbers) const {
@@ -44,7 +44,7 @@ struct Sharing {
   [[nodiscard]] int end_group(int groups) const { return groups * (rank + 1) / ranks; }
 };
 
-/// The columns of this rank, all zero at first.
+/// The columns of this rank, initially zero.
 class ColumnBlocks {
  public:
   ColumnBlocks(int rows, int columns, const Sharing& sharing);
@@ -84,7 +84,7 @@ class ColumnBlocks {
   std::vector<Segment> numbers_;
 };
 
-/// (1 - share) point + share other, in place of the point.
+/// (1 - share) point + share other, replacing the point.
 void blend(ColumnBlocks& point, const ColumnBlocks& other, double share);
 
 /// All columns of all ranks, by rows: row i, column j is at i + j * rows. Every rank makes the same

@@ -1,4 +1,4 @@
-// Signs of elongations, and of works.
+// Signs of elongations and of work.
 #include "nodes/limit/splitting/face.hpp"
 
 #include <cmath>
@@ -7,8 +7,8 @@
 namespace kusabi::limit::splitting {
 namespace {
 
-/// Members that stretch less than this share of the most, and loads that do less than this share of
-/// the most work for their size, are taken not to.
+/// Members with elongations below this share of the largest, and loads whose work relative to their
+/// size is below this share of the largest, count as zero.
 constexpr double no_stretch = 1e-8;
 constexpr double no_work = 1e-9;
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double relaxation = 1.2;
 
-/// The members that do not stretch may hold less than all displacements.
+/// Shift of the diagonal, since members without elongation may not support all displacements.
 constexpr double shift = 1e-11;
 
 using Sparse = Eigen::SparseMatrix<double>;

@@ -1,5 +1,5 @@
-// A certificate on a face is looked for: Douglas-Rachford splitting between A [W; K] = alpha s t,
-// the state in equilibrium with the critical load, and the rows of the face.
+// Search for a certificate on a face: Douglas-Rachford splitting between A [W; K] = alpha s t, the
+// state in equilibrium with the critical load, and the rows of the face.
 #pragma once
 
 #include <limits>
@@ -19,7 +19,7 @@ namespace kusabi::limit::splitting {
 
 class FaceIteration {
  public:
-  /// From where `start` is. All but `start` must outlive it. Every rank makes the same call.
+  /// Starts from `start`. @pre all but `start` outlive this object. Every rank makes the same call.
   FaceIteration(const AffineProgram& program, AffineProjection& projection, const Sharing& sharing,
                 Face face, AffineIteration& start);
 
@@ -29,7 +29,7 @@ class FaceIteration {
   [[nodiscard]] double residual() const { return residual_; }
   [[nodiscard]] const Face& face() const { return face_; }
 
-  /// P and kappa, A X = T to the last bit or so; column 0 is zero.
+  /// P and kappa, A X = T up to about the last bit; column 0 is zero.
   [[nodiscard]] const ColumnBlocks& affine_point();
 
  private:
@@ -44,7 +44,7 @@ class FaceIteration {
   FaceProjection rows_;
   ColumnBlocks z_;
   ColumnBlocks y_;
-  // The state under the critical load: forces of members that do not stretch, and the factor.
+  // The state under the critical load: forces of members without elongation, and the factor.
   Eigen::SparseMatrix<double> still_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
   Eigen::VectorXd still_load_;

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int most_rounds = 60;
 
-/// Beyond so many rounds one threshold at a time is changed, which always converges.
+/// Number of rounds after which one threshold at a time is changed, which always converges.
 constexpr int rounds_of_both = 20;
 
-/// Two thresholds are the same if they differ by less, relative to one or to themselves.
+/// Tolerance of equal thresholds, relative to the larger of one and their size.
 constexpr double same = 1e-15;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// The nearest point whose rows are on the face: two thresholds a row, one for each sign, which the
-// state under the critical load joins.
+// Projection of rows onto the face: two thresholds for each row, one for each sign, coupled by the
+// state under the critical load.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace kusabi::limit::splitting {
 
 class FaceProjection {
  public:
-  /// All must outlive it.
+  /// @pre all outlive this object
   FaceProjection(const AffineProgram& program, const Face& face, const Sharing& sharing);
 
   /// Finds the thresholds. @param state a of z, n^m + 1
@@ -34,7 +34,7 @@ class FaceProjection {
 
   /// a of the projection.
   [[nodiscard]] const Eigen::VectorXd& state() const { return state_; }
-  /// One for each column of a block whose load does work, else zero.
+  /// One for each column of a block whose load does work, otherwise zero.
   [[nodiscard]] const Segment& works(int first_column) const {
     return works_[static_cast<std::size_t>(first_column / block_columns)];
   }
@@ -54,9 +54,9 @@ class FaceProjection {
   const Face& face_;
   const Sharing& sharing_;
   std::vector<Segment> works_;
-  std::vector<double> upper_;  // thresholds: what is above is drawn down
-  std::vector<double> lower_;  // what is below minus this is drawn up
-  std::vector<bool> signed_;   // rows in which all have one sign
+  std::vector<double> upper_;  // thresholds: larger numbers are decreased
+  std::vector<double> lower_;  // numbers below minus this are increased
+  std::vector<bool> signed_;   // rows with numbers of one sign
   Eigen::VectorXd given_;      // a of z
   Eigen::VectorXd state_;
   std::vector<int> active_;

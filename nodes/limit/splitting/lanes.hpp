@@ -1,5 +1,5 @@
-// Two numbers at a time, as every processor has them, added up in one order: sums do not depend on
-// what the compiler makes of a loop, and need no -ffast-math to be fast.
+// Pairs of numbers in SIMD registers, added in a fixed order: sums do not depend on compiler
+// optimisations and need no -ffast-math.
 #pragma once
 
 namespace kusabi::limit::splitting {
@@ -20,7 +20,7 @@ inline Lanes positive(const Lanes& x) {
   return x > 0 ? x : Lanes{};
 }
 
-/// One where x > 0, else zero.
+/// One where x > 0, otherwise zero.
 inline Lanes is_positive(const Lanes& x) {
   return x > 0 ? Lanes{} + 1.0 : Lanes{};
 }

@@ -1,4 +1,4 @@
-// Rounds of Newton's method on all rows that need one more.
+// Rounds of Newton's method on all rows that have not converged.
 #include "nodes/limit/splitting/row_projection.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_rounds = 60;
 
-/// Two thresholds are the same if they differ by less, relative to one or to themselves.
+/// Tolerance of equal thresholds, relative to the larger of one and their size.
 constexpr double same = 1e-15;
 
 }  // namespace
@@ -20,7 +20,7 @@ RowProjection::RowProjection(const Eigen::VectorXd& capacity, const Sharing& sha
       sharing_(sharing),
       thresholds_(static_cast<std::size_t>(capacity.size()) + 1, 0.0) {}
 
-// What is above the thresholds of the active rows.
+// Sums of the numbers above the thresholds of the active rows.
 void RowProjection::evaluate(const ColumnBlocks& z) {
   const auto rows = active_.size();
   shared_.assign(static_cast<std::size_t>(z.groups()) * rows * 2, 0.0);

@@ -1,5 +1,5 @@
-// The nearest point whose rows are within their l1 balls: each row has a threshold by which all its
-// numbers are drawn to zero, found by Newton's method from the threshold of the step before.
+// Projection of rows onto their l1 balls: each row has a threshold by which its numbers are moved
+// towards zero, found by Newton's method from the threshold of the previous step.
 #pragma once
 
 #include <vector>
@@ -31,16 +31,16 @@ class RowProjection {
   const Eigen::VectorXd& capacity_;
   const Sharing& sharing_;
   std::vector<double> thresholds_;
-  std::vector<int> active_;    // rows that are still looked for
-  std::vector<double> over_;   // sum of what is above the threshold, by active row
-  std::vector<double> count_;  // how many are
+  std::vector<int> active_;    // rows that have not converged
+  std::vector<double> over_;   // sum of numbers above the threshold, by active row
+  std::vector<double> count_;  // their number
   std::vector<double> shared_;
 };
 
 /// sum_j |y_ij| over all columns but the first, for each row. Every rank makes the same call.
 std::vector<double> row_sizes(const ColumnBlocks& y, const Sharing& sharing);
 
-/// Adds up numbers of all groups, in their order. @param per_group how many each group has
+/// Adds up numbers of all groups, in their order. @param per_group number of each group
 std::vector<double> added(std::vector<double>& numbers, std::size_t per_group,
                           const Sharing& sharing);
 

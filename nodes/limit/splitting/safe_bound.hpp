@@ -1,5 +1,5 @@
-// A bound of the worst case by any p static cuts at all: with their shares, limit analysis (5)
-// tells the best state of the dead load, in what they leave of the yield forces.
+// Bound of the worst case by any set of static cuts: with their shares, limit analysis (5)
+// determines the best state of the dead load within the remaining yield forces.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace kusabi::limit::splitting {
 
-/// What the cuts prove, scaled.
+/// Proved bound of the cuts, scaled.
 struct SafeState {
   double bound = 0;        ///< factor - sum_j |kappa_j|
   double factor = 0;       ///< lambda_0
@@ -23,18 +23,18 @@ struct SafeState {
 
 class SafeBound {
  public:
-  /// The model must outlive it.
+  /// @pre the model outlives this object
   explicit SafeBound(const problems::LimitModel& model, support::Stop stop = {});
 
   void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
   /// @param taken sum_j |P_ij| for each member, then sum_j |kappa_j|
-  /// @param room what is left of each yield force besides, n^m
-  /// @return nothing if too little is left, or the simplex method fails
+  /// @param room reduction of each yield force, n^m
+  /// @return nothing if too little remains, or the simplex method fails
   std::optional<SafeState> state(const std::vector<double>& taken, const Eigen::VectorXd& room);
 
-  /// After it: the members that a motion stretches which shows that too little is left; empty: that
-  /// is not why.
+  /// After a failure: the members elongated by a motion which proves that too little remains;
+  /// empty: another reason.
   [[nodiscard]] std::vector<int> members_in_the_way();
 
  private:

@@ -1,4 +1,4 @@
-// Ends that move inwards, and the line about them.
+// Bounds that only move inwards, and the progress line that shows them.
 #include "nodes/wedged/critical/critical_bracket.hpp"
 
 #include <cmath>
@@ -9,10 +9,10 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Runs of so many seconds end before anybody reads what they show.
+/// Duration in seconds below which a run shows no intermediate brackets.
 constexpr double short_run = 0.5;
 
-/// An end of a bracket of one cell is a multiple of the width: a product, which is rounded.
+/// Relative tolerance for brackets of one cell: bounds are rounded multiples of the width.
 constexpr double rounding_of_ends = 1e-9;
 
 }  // namespace

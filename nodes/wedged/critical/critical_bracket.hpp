@@ -1,5 +1,5 @@
-// What is known of the bracket while it is looked for: it only ever gets narrower, whatever finds
-// what, and is shown as soon as it does.
+// Current bracket of the critical friction coefficient. Searches only make it narrower, and each
+// change is shown in the progress output.
 #pragma once
 
 #include <optional>
@@ -14,31 +14,32 @@ class CriticalBracket {
  public:
   CriticalBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
 
-  /// Nothing wedges here, nor below.
+  /// No configuration is wedged at this coefficient or below.
   [[nodiscard]] double lower() const { return lower_; }
-  /// A leaf is feasible here; nothing if none is known.
+  /// A leaf is feasible at this coefficient; nothing if none is known.
   [[nodiscard]] const std::optional<double>& upper() const { return upper_; }
   [[nodiscard]] double upper_or_infinity() const;
-  /// It; of its block's own candidates.
+  /// The leaf of upper(), with the candidates of its block.
   [[nodiscard]] const std::optional<PatternNode>& leaf() const { return leaf_; }
   [[nodiscard]] bool lower_proved() const { return lower_ == 0 || lower_proved_; }
   [[nodiscard]] bool upper_proved() const { return upper_proved_; }
   [[nodiscard]] bool is_one_cell(double width) const;
 
-  /// Nothing wedges up to here. Of no effect if more is known.
+  /// Raises the lower bound; without effect if a better one is known.
   void raise(double lower);
-  /// The leaf is feasible from here on. Likewise.
+  /// Decreases the upper bound, at which the leaf is feasible; without effect if a better one is
+  /// known.
   void sink(double upper, const PatternNode& leaf);
 
-  /// An end as it is now was put to the verifier's test and holds, or is where it does.
+  /// Records that the lower bound was verified, possibly at a smaller coefficient.
   void prove_lower(double lower);
   void prove_upper(double upper, const PatternNode& leaf);
-  /// Where the end was thought to be it does not hold.
+  /// Replaces a lower bound that cannot be verified.
   void move_lower(double lower);
   void move_upper(std::optional<double> upper);
   void move_upper(double upper, const PatternNode& leaf);
 
-  /// Shows what has changed since it was shown, at once if the run is not a short one.
+  /// Shows changes since the last call; runs that are not short show them at once.
   void show();
 
  private:

@@ -11,17 +11,17 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Where a descent starts, and how much farther up it starts anew where everything is dead.
+/// Coefficient of the first start, and factor of the next one if everything is infeasible there.
 constexpr double first_start = 1;
 constexpr double next_start = 4;
 
-/// Of a start.
+/// Relative width of the bracket after the searches of a start.
 constexpr double few_digits = 1e-2;
 
-/// Where a descent looks next, of where something lives, until it knows where nothing does.
+/// Ratio of the next coefficient to the last feasible one while no infeasible one is known.
 constexpr double share_of_last = 0.6;
 
-/// Dives end where what is left to be told is from so much of it on.
+/// Dives end when the undecided interval begins above this share of its upper bound.
 constexpr double near_enough = 0.9;
 
 class Descent {
@@ -46,11 +46,11 @@ class Descent {
       coarse_ = grid_.width;
       while (coarse_ < few_digits * start) coarse_ *= 2;
       dead_ = std::max(dead_, coarse_ * std::floor(known_dead_ / coarse_));
-      // A search says nothing of what is beyond the last point of its grid.
+      // A search does not decide coefficients beyond the last point of its grid.
       const double reach = coarse_ == grid_.width ? start : coarse_ * std::floor(start / coarse_);
       dive(reach);
       if (!narrow()) return;
-      if (alive_ || dead_ < reach) {  // something lives, or may live
+      if (alive_ || dead_ < reach) {  // a leaf is feasible, or numerically undecided
         if (coarse_ != grid_.width) search(CriticalPhase::fine, grid_.width, alive_.value_or(most));
         return;
       }
@@ -62,8 +62,8 @@ class Descent {
   }
 
  private:
-  // From where something lives down to a share of that, then to the middle of what is left between
-  // that and where nothing lives, or a dive could not tell.
+  // Dives at a share of the least feasible coefficient, then at the middle between it and the
+  // largest coefficient that is infeasible or undecided by a dive.
   void dive(double reach) {
     from_ = reach;
     bounds_ = {};
@@ -75,7 +75,7 @@ class Descent {
           dive_at(analysis_, problem_, std::llround(from_ / coarse_), coarse, bounds_);
       findings_.costs.push_back(
           {CriticalPhase::dive, from_, found.opened, found.opened + bounds_.programs});
-      bounds_.programs = 0;  // they are told of
+      bounds_.programs = 0;  // counted once
       if (std::isfinite(found.alive)) {
         alive_ = found.alive;
         bracket_.sink(found.alive, found.leaf);
@@ -89,7 +89,7 @@ class Descent {
     }
   }
 
-  // Where to look next, below what is alive. @return whether by a dive
+  // Chooses the next coefficient below the feasible one. @return whether by a dive
   bool goes_on(double untold) {
     const double last = coarse_ * static_cast<double>(std::llround(*alive_ / coarse_) - 1);
     if (last <= dead_) return false;
@@ -102,7 +102,7 @@ class Descent {
     return !near;
   }
 
-  // What the dives have left. @return whether there was time to
+  // Searches the interval that the dives leave. @return false if the search was stopped
   bool narrow() {
     const double end = alive_ ? *alive_ - 1.5 * coarse_ : from_;  // below its last point
     if (analysis_.ended()) return stopped(CriticalPhase::dive);
@@ -141,11 +141,11 @@ class Descent {
   CriticalGrid grid_;
   CriticalBracket& bracket_;
   CriticalFindings& findings_;
-  double known_dead_;            // as dead_, but not on that grid
-  double coarse_ = 0;            // the width of the grid of a start
-  double from_ = 0;              // where the next search begins
-  double dead_ = 0;              // nothing lives here, nor below
-  std::optional<double> alive_;  // something does
+  double known_dead_;            // as dead_, but on another grid
+  double coarse_ = 0;            // width of the grid of a start
+  double from_ = 0;              // start of the next search
+  double dead_ = 0;              // no leaf is feasible at this coefficient or below
+  std::optional<double> alive_;  // a leaf is feasible at this coefficient
   BlockBounds bounds_;           // at `from_`
 };
 

@@ -1,6 +1,6 @@
-// Down from where something wedges to the smallest coefficient: near to it by dives, to few digits
-// by a search of all patterns, and to the rest by another. Near the smallest coefficient bounds
-// leave little of their trees.
+// Descent from a feasible coefficient to the smallest one: first dives, then a search of all
+// patterns to two digits, then a search to full accuracy. Near the smallest coefficient candidate
+// bounds exclude most of the trees.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace kusabi::wedged {
 
-/// Narrows the bracket until it is all that can be told, or the budget is spent. Where nothing is
-/// known to wedge it begins at growing coefficients. On all ranks.
-/// @param findings its costs and ranks are told, and where it was stopped
+/// Narrows the bracket as far as possible within the budget. If no feasible coefficient is known it
+/// starts at increasing ones. Called on all ranks.
+/// @param findings receive costs, rank reports and the phase in which the run was stopped
 void descend(engine::Analysis& analysis, const problems::WedgedProblem& problem,
              const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
              CriticalFindings& findings);

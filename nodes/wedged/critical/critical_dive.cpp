@@ -1,4 +1,4 @@
-// A stack of nodes, and the first leaf.
+// Depth-first search with a stack of nodes until the first feasible leaf.
 #include "nodes/wedged/critical/critical_dive.hpp"
 
 #include <algorithm>
@@ -17,10 +17,11 @@
 namespace kusabi::wedged {
 namespace {
 
-/// A dive goes back and down again for so many nodes a candidate: then there may be nothing.
+/// Maximum number of nodes of a dive for each candidate, including backtracking; there may be no
+/// feasible leaf.
 constexpr std::uint64_t dive_nodes_a_candidate = 100;
 
-/// Bounds of more candidates take longer than the dives that they would help.
+/// Larger blocks are not bounded, since the programs take longer than the dives.
 constexpr int most_to_bound = 100;
 
 SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
@@ -31,7 +32,7 @@ SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
   return tree;
 }
 
-// From where on the leaf lives; infinity if that cannot be told.
+// Finds the coefficient from which on the leaf is feasible; infinity if numerically undecided.
 void locate(const problems::WedgedProblem& problem, const Configuration& found,
             std::int64_t multiple, const CriticalGrid& grid, const support::Stop& stop,
             CriticalDive& dive) {
@@ -46,7 +47,8 @@ void locate(const problems::WedgedProblem& problem, const Configuration& found,
   dive.leaf = leaf;
 }
 
-// Until a leaf lives, or all are dead. Where an end is asked for it says what it has.
+// Ends at a feasible leaf, when all nodes are infeasible, or with a partial result when the run is
+// to stop.
 void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, std::int64_t multiple,
           const CriticalGrid& grid, const BlockBounds& bounds, CriticalDive& result) {
   const auto stop = analysis.budget().stop();

@@ -1,6 +1,6 @@
-// The first way down: whether something lives at a coefficient of friction, by going into the tree
-// of sign patterns depth first until a leaf lives, and from which coefficient on that one does. A
-// descent that begins far above the smallest coefficient comes near it by a few of these.
+// Depth-first search for one feasible leaf at a coefficient of friction, and the critical
+// coefficient of that leaf. Few dives lead a descent from a large coefficient close to the smallest
+// one.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@
 
 namespace kusabi::wedged {
 
-/// Of the candidates of each block at some coefficient, and so at all smaller ones: cones grow with
-/// friction. Empty for blocks that have none.
+/// Bounds of the candidates of each block at some coefficient. They hold at all smaller
+/// coefficients, since friction cones grow with the coefficient. Empty for blocks without bounds.
 struct BlockBounds {
   std::vector<std::vector<CandidateBounds>> blocks;
   std::uint64_t programs = 0;
 };
 
-/// Bounds the candidates of the blocks, unless told otherwise of the large ones of held bodies.
+/// Bounds the candidates of the blocks; by default large blocks of constrained bodies are skipped.
 /// Every rank makes the same call. @param factor of the candidates' own coefficients
 BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       double factor, Tightening tightening);
 
-/// Lets a tree at that coefficient, or at a smaller one, know: how its blocks are split, too.
+/// Passes the bounds and branching rules to a tree at that coefficient or a smaller one.
 template <class Tree>
 void inform(Tree& tree, const problems::WedgedProblem& problem, const BlockBounds& bounds) {
   const auto blocks = problems::blocks_of(problem);
@@ -41,13 +41,13 @@ void inform(Tree& tree, const problems::WedgedProblem& problem, const BlockBound
   }
 }
 
-/// What a dive came upon.
+/// Result of a dive.
 struct CriticalDive {
-  /// A leaf lives from here on, a multiple of the width; infinity: none was come upon.
+  /// Multiple of the width from which on the leaf is feasible; infinity: no leaf was found.
   double alive = std::numeric_limits<double>::infinity();
-  PatternNode leaf;          ///< it
-  bool all_dead = false;     ///< the whole tree was searched, and nothing in it is left
-  std::uint64_t opened = 0;  ///< nodes, programs as well
+  PatternNode leaf;          ///< the feasible leaf
+  bool all_dead = false;     ///< the whole tree was searched and is infeasible
+  std::uint64_t opened = 0;  ///< nodes, which are also programs
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -55,8 +55,8 @@ struct CriticalDive {
   }
 };
 
-/// Dives at a multiple of the width, on the first rank, for so many nodes as it may need; every
-/// rank makes the same call and gets the same.
+/// Dives at a multiple of the width, on the first rank, within a limit of nodes. Every rank makes
+/// the same call and gets the same result.
 CriticalDive dive_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                      std::int64_t multiple, const CriticalGrid& grid, const BlockBounds& bounds);
 

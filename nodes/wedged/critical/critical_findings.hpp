@@ -1,4 +1,4 @@
-// The critical friction coefficient of a structure: what is asked, and what is found.
+// Input and result of the search for the critical friction coefficient of a structure.
 #pragma once
 
 #include <cstdint>
@@ -14,47 +14,48 @@
 namespace kusabi::wedged {
 
 enum class CriticalWay {
-  automatic,  ///< global for as many nodes as a descent would waste on a small tree, then descent
-  descent,    ///< one depth-first search for the smallest, from the largest coefficient down
-  global,     ///< one best-first search for it, from the smallest coefficient up
-  newton,     ///< of every pattern that lives at the largest coefficient, by Newton's method
-  bisection,  ///< the same by bisection, as the paper does it
+  automatic,  ///< global within a limit of nodes, then descent for larger trees
+  descent,    ///< depth-first search for the smallest coefficient, from the largest one down
+  global,     ///< best-first search for the smallest coefficient, from small ones up
+  newton,     ///< all patterns that are feasible at the largest coefficient, by Newton's method
+  bisection,  ///< the same by bisection, as in the paper
 };
 
-/// Of one coefficient, or of one for each pattern?
+/// True if the search is for the smallest coefficient only, instead of one for each pattern.
 constexpr bool looks_for_smallest(CriticalWay way) {
   return way == CriticalWay::automatic || way == CriticalWay::descent || way == CriticalWay::global;
 }
 
-/// How far a search for the smallest looks unless told: obstacles are not rougher.
+/// Default upper limit of the search; physical obstacles have smaller coefficients.
 inline constexpr double usual_most = 1000;
 
-/// Points of the grid of brackets are multiples of the width: up to so many are exact in a double.
+/// Maximum multiple of the width that is represented exactly by a double.
 inline constexpr double most_multiples = 1e15;
 
-/// From so many candidates in a block on programs are solved in doubles only, and brackets are
-/// wider, unless their width was asked for: more digits take minutes a program.
+/// Blocks with at least this many candidates are solved in doubles only, with wider brackets by
+/// default, since higher precision levels take minutes for each program.
 inline constexpr int fewest_for_doubles = 101;
 inline constexpr double usual_width = 1e-8;
 inline constexpr double usual_width_in_doubles = 1e-6;
 
 struct CriticalQuestion {
   CriticalWay way = CriticalWay::automatic;
-  /// No larger coefficient is of interest; mu^0 of the paper, which the ways pattern by pattern
-  /// need. Nothing: usual_most, or as far as can be computed with.
+  /// Upper limit of the search, mu^0 of the paper, which the ways that treat each pattern require.
+  /// Nothing: usual_most, or the largest possible coefficient.
   std::optional<double> most{};
   /// Of the brackets. Nothing: usual_width, or usual_width_in_doubles.
   std::optional<double> width{};
-  /// Whether candidates are bounded on the way down, and where ends are proved.
+  /// Bounding of candidates during the descent and for the verification of the bracket.
   Tightening tightening = Tightening::automatic;
-  /// How many nodes `automatic` opens from below before it goes down; nothing: as many as pay.
+  /// Maximum number of nodes of the global search of `automatic` before descent; nothing: by the
+  /// number of candidates.
   std::optional<std::uint64_t> trial_nodes{};
-  /// Whether all patterns are listed that are feasible at the upper end, and for how many nodes.
+  /// Listing of all patterns feasible at the upper bound, and the limit of nodes for that.
   bool list = false;
   std::uint64_t list_nodes = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// What is computed with.
+/// Parameters of the computation.
 struct CriticalGrid {
   double width = usual_width;
   double most = usual_most;
@@ -64,68 +65,69 @@ struct CriticalGrid {
 /// @throws std::invalid_argument if a coefficient or the width is out of range
 CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuestion& question);
 
-/// A pattern that begins to live within a bracket of the friction coefficient.
+/// A pattern that becomes feasible within a bracket of the friction coefficient.
 struct CriticalEntry {
   std::uint32_t block = 0;
   SignPattern pattern;
-  double lower = 0;                  ///< dead here
-  std::optional<double> upper;       ///< alive here; nothing: not known to be anywhere
-  std::vector<double> reaction;      ///< of the block at `upper`; empty if it was not asked for
+  double lower = 0;                  ///< infeasible here
+  std::optional<double> upper;       ///< feasible here; nothing: at no known coefficient
+  std::vector<double> reaction;      ///< of the block at `upper`; empty if not requested
   std::vector<double> displacement;  ///< likewise
 };
 
-/// What a bracket leaves open.
+/// Reasons why a bracket is incomplete.
 enum class CriticalDoubt {
-  no_upper_end,       ///< above the lower end it could not be told whether anything can wedge
-  wide_bracket,       ///< within it, what can wedge could not be told from what just cannot
-  lower_not_proved,   ///< that nothing wedges at the lower end is not proved in exact arithmetic
-  list_not_complete,  ///< the patterns were asked for, and not all are found
+  no_upper_end,       ///< above the lower bound it is undecided whether a configuration is wedged
+  wide_bracket,       ///< feasibility is numerically undecided within the bracket
+  lower_not_proved,   ///< infeasibility at the lower bound is not proved in exact arithmetic
+  list_not_complete,  ///< the patterns were requested and not all are found
 };
 
-/// One of the searches that an answer takes.
+/// A phase of the computation.
 enum class CriticalPhase {
-  start,         ///< the root relaxation and single leaves, without a tree
-  primal,        ///< for patterns that stick at little friction, without a tree
-  trial,         ///< for the smallest, from zero up, for so many nodes
-  dive,          ///< for one leaf, then for one that lives farther down
-  coarse,        ///< for the smallest, down from some coefficient, to a few digits
-  fine,          ///< for the smallest, to all digits
-  patterns,      ///< the patterns that live at the largest coefficient
-  coefficients,  ///< the critical coefficients of these
-  lower_end,     ///< that nothing wedges at the lower end
-  upper_end,     ///< what wedges at the upper end
-  list,          ///< all patterns that are feasible at the upper end
+  start,         ///< root relaxation and single leaves, without a tree
+  primal,        ///< search for patterns that stick at little friction, without a tree
+  trial,         ///< global search for the smallest coefficient within a limit of nodes
+  dive,          ///< search for a feasible leaf, then for one with a smaller coefficient
+  coarse,        ///< search for the smallest coefficient from above, to few digits
+  fine,          ///< search for the smallest coefficient, to full accuracy
+  patterns,      ///< patterns that are feasible at the largest coefficient
+  coefficients,  ///< critical coefficients of these patterns
+  lower_end,     ///< proof of infeasibility at the lower bound
+  upper_end,     ///< proof of feasibility at the upper bound
+  list,          ///< all patterns that are feasible at the upper bound
 };
 
-/// What it took, over all ranks. Counts may depend on how many these are.
+/// Costs of a phase, over all ranks. Counts may depend on the number of ranks.
 struct CriticalCost {
   CriticalPhase phase = CriticalPhase::fine;
-  double friction = 0;         ///< from where on, or at which coefficient
+  double friction = 0;         ///< initial or only coefficient
   std::uint64_t opened = 0;    ///< nodes
-  std::uint64_t programs = 0;  ///< cone programs; of the trees of sign patterns one a node
+  std::uint64_t programs = 0;  ///< cone programs; for trees of sign patterns one for each node
 };
 
-/// What was found, on rank 0.
+/// The result, on rank 0.
 struct CriticalFindings {
   engine::Status status = engine::Status::solved;  ///< of the searches
-  /// In which phase the limit or signal came; nothing if it was answered before.
+  /// The phase in which a limit or signal stopped the run; nothing if the answer was found before.
   std::optional<CriticalPhase> stopped_in;
-  /// Smallest first. Of a search for the smallest: those known that are feasible at the upper end,
-  /// first the one that proves it, and all if they were asked for.
+  /// In increasing order. For the smallest coefficient: the known patterns that are feasible at the
+  /// upper bound, first the one that proves it, and all if requested.
   std::vector<CriticalEntry> patterns;
-  double lower = 0;             ///< nothing lives here, nor below
-  std::optional<double> upper;  ///< something does; nothing: not up to the largest
-  bool lower_proved = false;    ///< every sign pattern was proved dead at `lower`
-  bool upper_proved = false;    ///< a solid cone was proved to live at `upper`
+  double lower = 0;  ///< no leaf is feasible at this coefficient or below
+  std::optional<double>
+      upper;  ///< a leaf is feasible at this coefficient; nothing: none up to the largest
+  bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
+  bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
   std::vector<CriticalDoubt> open;
-  std::vector<CriticalCost> costs;  ///< of all searches, in their order
-  /// What the last search for the bracket has cost, rank by rank: of the global one, or of that of
-  /// each pattern.
+  std::vector<CriticalCost> costs;  ///< of all phases, in their order
+  /// Costs of the last search for the bracket by ranks: of the global search, or of that for each
+  /// pattern.
   std::vector<engine::RankReport<CriticalTree>> global_ranks;
   std::vector<engine::RankReport<PatternBisection>> bisection_ranks;
 
-  /// Sorts the patterns and reads the bracket from them and from what is known beside.
-  /// @param dead nothing lives below, but for the patterns
+  /// Sorts the patterns and derives the bracket from them.
+  /// @param dead bound below which all other patterns are infeasible
   void conclude(double dead);
 
   [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }

@@ -1,4 +1,4 @@
-// A few programs a block, on the first rank.
+// A few programs for each block, on the first rank.
 #include "nodes/wedged/critical/critical_start.hpp"
 
 #include <algorithm>
@@ -16,10 +16,11 @@
 namespace kusabi::wedged {
 namespace {
 
-// What a block's root and leaves say.
+// Bounds from the root and single leaves of a block.
 struct BlockStart {
-  double dead = std::numeric_limits<double>::infinity();   // nothing wedges up to here
-  double alive = std::numeric_limits<double>::infinity();  // the leaf is feasible here
+  double dead = std::numeric_limits<double>::infinity();  // infeasible up to this coefficient
+  double alive =
+      std::numeric_limits<double>::infinity();  // the leaf is feasible at this coefficient
   SignPattern leaf;
   std::uint64_t programs = 0;
 
@@ -38,7 +39,7 @@ void take_leaf(CriticalFriction& critical, const SignPattern& leaf, std::int64_t
   start.leaf = leaf;
 }
 
-// Ends early, with what it has, where an end is asked for.
+// Ends early with a partial result when the run is to stop.
 void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
                  const support::Stop& stop, BlockStart& start) {
   const int m = static_cast<int>(block.contact_names.size());
@@ -70,8 +71,8 @@ SignPattern leaf_with(const support::IndexSet& contact, int candidates) {
           .at_rest = {}};
 }
 
-// With r_i = (1, r_t), u_ni = F_nn,ii + F_nt,ii'r_t is zero for the smallest r_t that is opposite
-// to F_nt,ii.
+// With r_i = (1, r_t), u_ni = F_nn,ii + F_nt,ii'r_t is zero for the smallest r_t opposite to
+// F_nt,ii.
 std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block) {
   std::vector<SingleContact> singles;
   if (block.motions.cols() > 0) return singles;
@@ -111,7 +112,7 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
     dead = std::min(dead, start.dead);
     programs += start.programs;
     if (std::isfinite(start.alive)) bracket.sink(start.alive, {number, start.leaf});
-    if (analysis.ended()) return programs;  // of some blocks nothing is known
+    if (analysis.ended()) return programs;  // the other blocks have no bounds
   }
   Smallest found;
   found.lower = dead;

@@ -1,6 +1,6 @@
-// The bracket before there is a tree: the root relaxation bounds the smallest coefficient from
-// below, single leaves that need no search from above. Where something wedges with all candidates
-// in contact, both are the same.
+// Initial bracket without a tree: the root relaxation is a lower bound of the smallest coefficient,
+// single leaves are upper bounds. Both coincide if the pattern with all candidates in contact has
+// the smallest coefficient.
 #pragma once
 
 #include "engine/analysis/analysis.hpp"
@@ -10,18 +10,19 @@
 
 namespace kusabi::wedged {
 
-/// Smaller problems have trees that are searched as soon.
+/// Trees of smaller problems take no longer than the initial bracket.
 inline constexpr int fewest_to_start = 24;
 
-/// Narrows the bracket by them: of each block the root, the leaf with all in contact, and those
-/// with one candidate in contact, whose coefficients have a closed form. On all ranks.
+/// Narrows the bracket for each block by the root, the leaf with all candidates in contact, and the
+/// leaves with a single candidate in contact, whose coefficients have a closed form. Called on all
+/// ranks.
 /// @return programs solved
 std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalGrid& grid, CriticalBracket& bracket);
 
-/// Candidates whose leaf with them alone in contact is feasible in closed form, and from which
-/// factor of the candidates' own coefficients on: mu_i = F_nn,ii / |F_nt,ii| where no other
-/// candidate closes. By their coefficient; none of loose bodies.
+/// A candidate whose leaf, with it alone in contact, is feasible from a factor of the candidates'
+/// own coefficients on that has a closed form: mu_i = F_nn,ii / |F_nt,ii|, if no other candidate
+/// closes. Sorted by coefficient; empty for unconstrained bodies.
 /// @param block a problem of one block
 struct SingleContact {
   double factor = 0;
@@ -29,7 +30,7 @@ struct SingleContact {
 };
 std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block);
 
-/// The leaf of a block of so many candidates with these in contact.
+/// The leaf of a block of this many candidates with the given ones in contact.
 SignPattern leaf_with(const support::IndexSet& contact, int candidates);
 
 }  // namespace kusabi::wedged

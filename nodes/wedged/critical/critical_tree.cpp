@@ -1,4 +1,4 @@
-// How a node is bounded by a friction coefficient, and what becomes of a leaf.
+// Bounds of nodes by friction coefficients, and treatment of leaves.
 #include "nodes/wedged/critical/critical_tree.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace kusabi::wedged {
 namespace {
 
-// Bounds are compared with points of the grid, relatively: a product of two numbers is rounded.
+// Relative tolerance for comparisons of bounds with points of the grid, which are rounded products.
 constexpr double rounding = 1e-15;
 
 }  // namespace
@@ -72,7 +72,7 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
     return;
   }
   if (free.empty()) return close_leaf({node.place, *bound}, out);
-  // By the point at the last coefficient that was looked at.
+  // Branching uses the solution at the last coefficient.
   split({node.place, *bound}, block.rule.candidate(free, block.critical.solver()), out);
 }
 
@@ -85,7 +85,7 @@ void CriticalTree::split(const Node& node, int candidate, engine::Expansion<Crit
 }
 
 std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {
-  // What is dead at the lower end of the best cell has nothing to add to the bracket.
+  // Nodes infeasible at the lower bound of the best cell cannot improve the bracket.
   const double most = block.critical.at(most_);
   const double lowest = cutoff < most ? cutoff - grid_.width() : most;
   const auto is_worth = [&](double bound) {

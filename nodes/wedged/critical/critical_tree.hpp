@@ -1,13 +1,12 @@
-// The global minimum of the critical friction coefficient, by one best-first search.
+// Global minimum of the critical friction coefficient by one best-first search.
 //
-// The tree is that of the sign patterns, of all blocks. A node is bounded by the smallest
-// coefficient at which its relaxation lives, which no pattern below it can undercut; a leaf has its
-// own critical coefficient, bracketed on the grid. The best leaf prunes: also what can at best
-// begin in the same cell of the grid, since the bracket is all that is asked for. (Which other
-// patterns begin to live in it is found at its upper end, by the tree of sign patterns, if that is
-// asked for.) No coefficient to
-// start from is needed, and what is opened is about what a proof that nothing lives below the
-// answer needs anyway.
+// The tree is that of the sign patterns of all blocks. The bound of a node is the smallest
+// coefficient at which its relaxation is feasible, which is a lower bound for all patterns below
+// it; a leaf has its own critical coefficient, bracketed on the grid. The best leaf also prunes
+// nodes that can at best become feasible in the same cell of the grid, since only the bracket is
+// required. (The tree of sign patterns at its upper bound finds other patterns in the cell on
+// request.) The search needs no initial coefficient and opens about as many nodes as a proof of
+// infeasibility below the answer.
 #pragma once
 
 #include <cstdint>
@@ -23,22 +22,23 @@
 
 namespace kusabi::wedged {
 
-/// Where a node is looked at.
+/// Coefficients at which a node is solved.
 enum class CriticalDirection {
-  /// From no friction on, as far as it is proved dead: several programs a node, for a best-first
-  /// search, whose nodes' least is a bound of what is looked for.
+  /// From zero friction up to the largest coefficient at which it is proved infeasible: several
+  /// programs for each node, for best-first search, where the minimum over open nodes is a lower
+  /// bound.
   up,
-  /// At the lower end of the best bracket so far: one program a node, for a depth-first search,
-  /// which soon comes upon leaves.
+  /// At the lower bound of the best bracket so far: one program for each node, for depth-first
+  /// search, which finds leaves early.
   down,
 };
 
-/// The problem type that engine::search searches, with Goal::best.
+/// Problem type of engine::search, with Goal::best.
 class CriticalTree {
  public:
   struct Node {
     PatternNode place;
-    double bound = 0;  ///< dead below
+    double bound = 0;  ///< infeasible below
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
@@ -48,7 +48,7 @@ class CriticalTree {
 
   struct Solution {
     CriticalCell cell;
-    PatternNode leaf;  ///< which is feasible at the upper end of the cell
+    PatternNode leaf;  ///< feasible at the upper bound of the cell
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
@@ -58,10 +58,10 @@ class CriticalTree {
 
   struct Tally : engine::Counts<Tally> {
     std::uint64_t branched = 0;
-    std::uint64_t dead = 0;      ///< proved dead up to where nothing is of interest any more
-    std::uint64_t leaves = 0;    ///< patterns whose critical coefficient was found
-    std::uint64_t doubtful = 0;  ///< leaves whose cell is wider than the width, or open above
-    /// The least coefficient from which on a doubtful leaf is not known to be dead.
+    std::uint64_t dead = 0;      ///< proved infeasible up to the upper limit
+    std::uint64_t leaves = 0;    ///< patterns with a bracketed critical coefficient
+    std::uint64_t doubtful = 0;  ///< leaves with a cell wider than the width or without upper bound
+    /// The least coefficient from which on an undecided leaf is not known to be infeasible.
     engine::Least doubt;
     std::uint64_t programs = 0;  ///< cone programs solved
 
@@ -72,16 +72,16 @@ class CriticalTree {
     }
   };
 
-  /// @param width of the bracket  @param most no coefficient above most x width is of interest
-  /// @param known nothing wedges below
+  /// @param width of the bracket  @param most upper limit of the search, x width
+  /// @param known no configuration is wedged below
   CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
                CriticalDirection direction = CriticalDirection::up, double known = 0,
                Precision precision = Precision::escalating);
 
-  /// From now on the nodes of this block are split by another rule.
+  /// Sets the branching rule of a block.
   void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
-  /// From now on the nodes of this block know bounds that hold at all coefficients of interest.
+  /// Sets bounds of a block's candidates, valid at all coefficients of the search.
   /// @pre CriticalDirection::down
   void tighten(std::size_t block, std::vector<CandidateBounds> bounds) {
     blocks_[block].critical.tighten(std::move(bounds));
@@ -105,7 +105,7 @@ class CriticalTree {
   };
 
   void open(const Node& node, engine::Expansion<CriticalTree>& out);
-  /// Below what coefficient the node is dead, if it is worth branching.
+  /// The coefficient below which the node is infeasible; nothing if it is not worth branching.
   std::optional<double> worth(Block& block, const Node& node, double cutoff) const;
   void split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out);
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);

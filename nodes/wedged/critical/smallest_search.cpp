@@ -1,4 +1,4 @@
-// The outcome of the tree, read as a bracket.
+// Conversion of the outcome of the tree to a bracket.
 #include "nodes/wedged/critical/smallest_search.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ std::int64_t multiples(double most, double width) {
   return static_cast<std::int64_t>(std::llround(most / width));
 }
 
-// What is infeasible up to where a known leaf is feasible is so up to the point before. Of a search
-// that was stopped the bound lies between two points.
+// If the tree is infeasible up to the upper bound of the known leaf, the lower bound is the grid
+// point before it. The bound of a stopped search lies between two points.
 void Smallest::narrow(CriticalBracket& bracket, double width) const {
   if (std::isfinite(upper)) bracket.sink(upper, leaf);
   const FrictionGrid grid(width);
@@ -39,7 +39,7 @@ Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const Criti
     smallest.upper = points.at(cell.alive);
     smallest.leaf = leaf;
   }
-  // A leaf that is doubtful from further down on is opened on any schedule.
+  // Every schedule opens a leaf that is undecided from a smaller coefficient on.
   smallest.lower = std::min(smallest.lower, outcome.tally().doubt.value);
   return smallest;
 }

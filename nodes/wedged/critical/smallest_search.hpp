@@ -1,5 +1,4 @@
-// One search for the smallest coefficient at which anything wedges, and what it says of the
-// bracket.
+// A single search for the smallest critical coefficient, and its contribution to the bracket.
 #pragma once
 
 #include <vector>
@@ -13,16 +12,16 @@
 
 namespace kusabi::wedged {
 
-/// Which of the searches for the smallest it is.
+/// Parameters of the search.
 struct SmallestQuestion {
   CriticalDirection direction;
   CriticalPhase phase;
-  CriticalGrid grid;        ///< nothing above its end is of interest
-  double known;             ///< nothing wedges below
-  BlockBounds bounds = {};  ///< at the end of the grid; of a search downwards
+  CriticalGrid grid;        ///< with the upper limit of the search
+  double known;             ///< no configuration is wedged below
+  BlockBounds bounds = {};  ///< at the upper limit of the grid, for a search downwards
 };
 
-/// On all ranks.
+/// The result, on all ranks.
 struct Smallest {
   engine::Status status = engine::Status::solved;
   double lower = 0;
@@ -34,17 +33,17 @@ struct Smallest {
     archive& status& lower& upper& leaf;
   }
 
-  /// @param width of the grid that the bracket's ends are to lie on
+  /// @param width of the grid of the bracket
   void narrow(CriticalBracket& bracket, double width) const;
 };
 
 std::int64_t multiples(double most, double width);
 
-/// @param known nothing wedges below  @param most no coefficient above was of interest
+/// @param known no configuration is wedged below  @param most upper limit of the search
 Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const CriticalGrid& grid,
                      double known);
 
-/// @param ranks on rank 0, what each of them has done
+/// @param ranks receives on rank 0 the costs of each rank
 Smallest find_smallest(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                        const SmallestQuestion& question, std::vector<CriticalCost>& costs,
                        std::vector<engine::RankReport<CriticalTree>>& ranks);

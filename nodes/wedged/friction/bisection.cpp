@@ -1,4 +1,4 @@
-// How ranges, patterns and cells are split.
+// Division of ranges, patterns and cells.
 #include "nodes/wedged/friction/bisection.hpp"
 
 #include <algorithm>
@@ -50,8 +50,9 @@ void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& 
   if (sections_ > 1 && node.claimed && node.cell == CriticalCell{0, start_})
     return begin(node, out);
   if (!node.claimed) {
-    // The change is here if the lower end is dead and the upper one is not; a marginal upper end
-    // belongs to this cell, which then reaches on to where life is proved.
+    // The change is within the cell if the lower bound is infeasible and the upper one is not. A
+    // numerically undecided upper bound belongs to this cell, which is then extended to a proved
+    // feasible point.
     if (node.cell.dead > 0 && !critical.dead(pattern, node.cell.dead)) return;
     if (node.cell.alive < start_) {
       if (critical.dead(pattern, node.cell.alive)) return;

@@ -1,14 +1,14 @@
-// Algorithm 6.1 of the wedged paper, step 2: the critical friction coefficients of given patterns,
-// all at once over the ranks.
+// Critical friction coefficients of given patterns on all ranks: Algorithm 6.1 of the wedged paper,
+// step 2.
 //
-// A flat cone is looked for like a solid one, by any of its names. A leaf that was left open has a
-// lower end only.
+// A flat cone is treated like a solid one, under any of its names. An undecided leaf has a lower
+// bound only.
 //
 // A node is a range of the patterns, which is halved down to one, or one pattern with the cell that
-// holds its critical coefficient, which is halved down to the width; by Newton's method the latter
-// is one node. When ranks outnumber patterns, the first cell of each is cut into several at once,
-// of which all but one find out that the change is not theirs. As all cells end on one grid, the
-// answer is the same on any number of ranks, by either method.
+// contains its critical coefficient, which is halved down to the width; by Newton's method the
+// latter is one node. When ranks outnumber patterns, the first cell of each is divided into
+// several, of which one contains the change. As all cells end on one grid, the answer is the same
+// on any number of ranks, by either method.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace kusabi::wedged {
 
-/// A pattern and the cell that its critical coefficient was found in.
+/// A pattern and the cell of its critical coefficient.
 struct CriticalPattern {
   std::uint32_t number = 0;  ///< in the list of patterns
   CriticalCell cell;
@@ -32,13 +32,13 @@ struct CriticalPattern {
   }
 };
 
-/// The problem type that engine::search searches.
+/// Problem type of engine::search.
 class PatternBisection {
  public:
   struct Node {
     std::uint32_t first = 0, count = 0;  ///< a range of patterns
     CriticalCell cell;                   ///< of its one pattern
-    bool claimed = true;  ///< whether the pattern is known to begin to live within the cell
+    bool claimed = true;  ///< true if the pattern is known to become feasible within the cell
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
@@ -56,10 +56,10 @@ class PatternBisection {
   /// A leaf of a block's tree at the coefficient `start` x width.
   struct Pattern {
     PatternNode leaf;
-    bool lives = true;  ///< there; if not, that is not known, nor that it is dead
+    bool lives = true;  ///< feasible there; otherwise undecided
   };
 
-  /// @param sections how many cells each pattern's first one is cut into, for the bisection
+  /// @param sections number of cells into which the first cell of a pattern is divided
   PatternBisection(const problems::WedgedProblem& problem, double width,
                    std::vector<Pattern> patterns, std::int64_t start, CriticalMethod method,
                    std::int64_t sections);

@@ -1,4 +1,5 @@
-// Flat cones, whose life no positive sign ever shows: ties with candidates at rest that last.
+// Flat cones: patterns feasible only with t* = 0, recognised as degenerate leaves with inactive
+// candidates over a range of coefficients.
 #include <algorithm>
 
 #include "nodes/wedged/friction/critical_friction.hpp"
@@ -7,8 +8,9 @@
 namespace kusabi::wedged {
 namespace {
 
-// How far above or below a tie is looked, relatively: much further than a pattern is a tie around
-// its own critical coefficient, and too near for the next one to begin to live.
+// Relative distance of the coefficients at which a degenerate leaf is solved again: much larger
+// than the range in which a pattern is degenerate near its own critical coefficient, and too small
+// for another pattern to become feasible.
 constexpr double beside = 1e-4;
 
 }  // namespace
@@ -34,13 +36,13 @@ bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   return inside && lives_at_rest(pattern, *inside) && lasts(pattern, factor, tolerances);
 }
 
-// A flat cone that is about to become solid is a tie below.
+// A flat cone that is about to become solid is degenerate below.
 bool CriticalFriction::lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie) {
   return is_tie(leaf, factor * (1 + beside), tie) ||
          is_tie(leaf, std::max(range_.least, factor * (1 - beside)), tie);
 }
 
-// Whether some candidates of the leaf are at rest, and the others live without them.
+// True if some candidates of the leaf are inactive, and the others are feasible without them.
 bool CriticalFriction::lives_at_rest(const SignPattern& leaf,
                                      const conic::RelativeInterior& inside) {
   const auto& [loaded, moved] = inside;
@@ -57,7 +59,7 @@ bool CriticalFriction::is_tie(const SignPattern& leaf, double factor,
 
 LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
-  constexpr conic::Tolerances of_ties;  // those of the tree of sign patterns
+  constexpr conic::Tolerances of_ties;  // the tolerances of the tree of sign patterns
   const double factor = at(point);
   if (factor < range_.least) return {point == 0 ? Kind::dead : Kind::open, {}, {}};
   ++programs_;

@@ -14,20 +14,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What rounding leaves of a displacement of the multipliers that is zero, relative to the products
-// that it is the sum of; several times as much as it can be. The quotient of two such displacements
-// is any number.
+// Bound of the rounding error of a displacement of the multipliers that is zero, relative to the
+// products in its sum. A quotient of two such displacements is arbitrary.
 constexpr double rounding = 1e-13;
 
-// Where the bound of a node begins if nothing is known: for less the cones are needles.
+// First coefficient for the bound of a node without prior bound; for smaller ones the friction
+// cones are extremely narrow.
 constexpr double first_probe = 1e-3;
 
-// Newton's method has 4 to 5 steps; if it takes more, it alternates with bisection, and after
-// `most_steps` bisection goes on alone.
+// Newton's method takes 4 to 5 steps. After this many it alternates with bisection, and after
+// `most_steps` only bisection is used.
 constexpr int trusted_steps = 8;
 constexpr int most_steps = 30;
 
-// For a bound two or three digits do: the children have bounds of their own.
+// Bounds need two or three digits only, since children have bounds of their own.
 constexpr int bound_steps = 4;
 constexpr double bound_digits = 1e-3;
 
@@ -96,9 +96,9 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
       .level = 0.5 * (answer.lower + answer.upper)};
 
   // The multipliers are normal forces y, and w their displacements. For every configuration of the
-  // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: dead as long as
-  // all of these factors are negative. The slope of t* is sum (sigma t* - w_ni) r_ni / (sigma
-  // factor).
+  // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: the node is
+  // infeasible if all of these factors are negative. The slope of t* is sum (sigma t* - w_ni) r_ni
+  // / (sigma factor).
   double sigma = 0;
   double weighted = 0;
   bool carries = answer.has_point;
@@ -123,14 +123,14 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
     const double slope = (sigma * probe.level + weighted) / (sigma * factor);
     if (slope > 0) probe.newton = factor - probe.level / slope;
   }
-  // What was asked is said by the sign itself.
+  // The sign itself decides the requested coefficient.
   if (probe.sign == conic::Sign::dead) probe.dead_below = std::max(probe.dead_below, factor);
   if (probe.sign == conic::Sign::alive) probe.alive_from = std::min(probe.alive_from, factor);
   return probe;
 }
 
-// The ends of the grid that the proofs of a probe reach. A quotient may round past a point of the
-// grid that is reached exactly.
+// Moves the bounds of the cell to the grid points that the probe proves. A quotient may be rounded
+// past a grid point that equals it exactly.
 void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
                               std::int64_t most) const {
   const double below = std::min(probe.dead_below, at(std::min(cell.alive, most)));
@@ -163,7 +163,7 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
 
 bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
   if (at(point) < range_.least)
-    return point == 0;  // without friction nothing wedges, K being definite
+    return point == 0;  // without friction no configuration is wedged, since K is definite
   return probe(pattern, at(point), {}).sign == conic::Sign::dead;
 }
 
@@ -185,7 +185,7 @@ CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell ce
   return cell;
 }
 
-// The nearest decided points on both sides of a marginal one, found at growing distances.
+// The nearest decided points on both sides of an undecided one, at increasing distances.
 void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
                                 std::int64_t marginal) {
   for (std::int64_t step = 1; cell.dead < marginal - step; step *= 2) {
@@ -216,7 +216,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       curve.take(factor, said.level, said.newton);
     return said;
   };
-  // Whether a point of the grid within the cell is found dead, or alive be it as a flat cone.
+  // True if a grid point within the cell is decided: infeasible, or feasible including flat cones.
   const auto decided = [&](std::int64_t point) {
     if (point <= cell.dead || point >= cell.alive) return true;
     if (at(point) < range_.least) return false;
@@ -227,7 +227,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     return true;
   };
 
-  // Between these it may be that t* becomes zero.
+  // Range in which t* may become zero.
   const auto floor = [&] { return std::max(at(cell.dead), range_.least); };
   const auto top = [&] {
     return cell.alive == CriticalCell::nowhere ? curve.least_tie()
@@ -241,16 +241,17 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     const bool to_the_end = cell.dead >= most || (factor >= at(most) && !said.tie);
     if (cell.alive - cell.dead <= 1 || (open && to_the_end)) return cell;
 
-    // Of a tie it is asked only here whether it is a flat cone: the others above it are, too.
+    // Degenerate points are tested for flat cones only here: if one is a flat cone, so are those
+    // above.
     const double end = std::min(top(), at(most));
     const auto tip = std::min(cell.alive, static_cast<std::int64_t>(std::ceil(end / width())));
     if (tip - cell.dead <= 2) {
       if (!decided(tip) || !decided(cell.dead + 1)) break;
       if (cell.alive - cell.dead <= 1) return cell;
     }
-    auto guess = curve.next(floor(), top());
-    if (guess.settled) {
-      const auto below = static_cast<std::int64_t>(std::floor(guess.factor / width()));
+    auto estimate = curve.next(floor(), top());
+    if (estimate.settled) {
+      const auto below = static_cast<std::int64_t>(std::floor(estimate.factor / width()));
       const auto before = programs_;
       if (!decided(below + 1) || !decided(below)) {
         if (cell.alive != CriticalCell::nowhere && below > cell.dead && below < cell.alive)
@@ -258,12 +259,12 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
         break;
       }
       if (cell.alive - cell.dead <= 1) return cell;
-      // The guess was wrong; what was solved beside it leads on.
-      if (programs_ != before) guess = curve.next(floor(), top());
+      // The estimate was wrong; the additional programs lead to a new one.
+      if (programs_ != before) estimate = curve.next(floor(), top());
     }
     if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
-      guess.factor = std::midpoint(floor(), top());
-    factor = std::min(guess.factor, at(most));
+      estimate.factor = std::midpoint(floor(), top());
+    factor = std::min(estimate.factor, at(most));
   }
   return locate(pattern, cell, CriticalMethod::bisection, most);
 }
@@ -282,7 +283,7 @@ double CriticalFriction::bound(const SignPattern& node, double from, double cuto
     const auto said = probe(node, factor, {.when_dead = false, .when_alive = true});
     known = std::max(known, said.dead_below);
     if (said.sign != conic::Sign::dead || known > cutoff) break;
-    // Short of where the tangent vanishes, so as to stay on the side of the dead.
+    // Slightly below the zero of the tangent, such that the point remains infeasible.
     const double next = known + (1 - bound_digits) * (said.newton - known);
     if (!(next > known * (1 + bound_digits)) || !(next <= range_.most)) break;
     factor = next;

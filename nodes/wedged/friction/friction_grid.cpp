@@ -1,4 +1,4 @@
-// A product of whole numbers and one division, which rounds to the nearest.
+// Points of the grid by integer multiplication and one correctly rounded division.
 #include "nodes/wedged/friction/friction_grid.hpp"
 
 #include <array>
@@ -9,14 +9,14 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Greater whole numbers, and greater powers of ten, are not all exact in a double.
+/// Larger integers and larger powers of ten are not all exact in a double.
 constexpr std::int64_t most_exact = std::int64_t{1} << 53U;
 constexpr int most_places = 22;
 
 }  // namespace
 
 FrictionGrid::FrictionGrid(double width) : width_(width) {
-  // "1e-08", "2.5e-07": the fewest digits that give the same double.
+  // The shortest decimal of the same double, such as "1e-08" or "2.5e-07".
   std::array<char, 32> text{};
   const auto written =
       std::to_chars(text.data(), text.data() + text.size(), width, std::chars_format::scientific);

@@ -1,7 +1,7 @@
-// The friction coefficients that brackets lie on: the multiples of a width.
+// Grid of friction coefficients for brackets: the multiples of a width.
 //
-// A width is a decimal that somebody wrote, and so are its multiples: 60962948 x 1e-8 is the double
-// that 0.60962948 is read as, not the product of two doubles, which may be another.
+// The width is a decimal, and so are its multiples: 60962948 x 1e-8 is the double nearest to
+// 0.60962948, not the product of two doubles, which may differ.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ class FrictionGrid {
 
   [[nodiscard]] double width() const { return width_; }
 
-  /// Multiple x width; of the decimal that the width is written as, if that has few digits, to the
-  /// nearest. Does not fall as the multiple grows.
+  /// Multiple x width, where the width is its decimal if that has few digits, rounded to nearest.
+  /// Nondecreasing in the multiple.
   [[nodiscard]] double at(std::int64_t multiple) const;
 
  private:
   double width_;
-  std::int64_t numerator_ = 0;  // of the width as a decimal fraction; 0: it is none to count with
-  double denominator_ = 1;      // a power of ten, exactly
+  std::int64_t numerator_ = 0;  // of the width as a decimal fraction; 0: too many digits
+  double denominator_ = 1;      // a power of ten, exact
 };
 
 }  // namespace kusabi::wedged

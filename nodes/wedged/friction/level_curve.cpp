@@ -1,4 +1,4 @@
-// Tangents from above, and from below what two points say together.
+// Tangents from above, and from below cubic interpolation of two points.
 #include "nodes/wedged/friction/level_curve.hpp"
 
 #include <algorithm>
@@ -8,19 +8,20 @@
 namespace kusabi::wedged {
 namespace {
 
-// A tangent from below meets zero too late, by less than this of what is open. Short of it by as
-// much is a second point below, which says how much it bends.
+// A tangent from below overestimates the zero by less than this share of the interval. A second
+// point below, at this share before it, gives the curvature.
 constexpr double bend = 0.2;
 
 double squared(double number) {
   return number * number;
 }
 
-// Downwards from a tie, or where a tangent leads nowhere, as long as nothing is known below.
+// Factor for the next point below a degenerate point, or where a tangent is of no use, as long as
+// no infeasible point is known.
 constexpr double downwards = 0.98;
 
-// The error of a tangent is a few times the square of the step, that of two points a few times the
-// square of the product of both distances; this leaves them room.
+// Accuracy of a step: the error of a tangent is a few times the square of the step, that of
+// two points a few times the square of the product of both distances.
 bool is_within(double step, double width) {
   return squared(10 * step) < width;
 }
@@ -45,7 +46,8 @@ void LevelCurve::take_tie(double factor) {
   above_.reset();
 }
 
-// The coefficient as a function of t*: the cubic through both points with their slopes, at zero.
+// The zero of the cubic through both points with their slopes, for the coefficient as a function of
+// t*.
 double LevelCurve::zero_between(const Point& one, const Point& other) {
   const double span = other.level - one.level;
   const double at = -one.level / span;
@@ -55,7 +57,7 @@ double LevelCurve::zero_between(const Point& one, const Point& other) {
          (3 * square - 2 * cube) * other.factor + (cube - square) * span / other.slope();
 }
 
-LevelCurve::Guess LevelCurve::from_below(const Point& point, double floor) const {
+LevelCurve::Estimate LevelCurve::from_below(const Point& point, double floor) const {
   const double step = point.newton - point.factor;
   if (is_within(step, width_)) return {point.newton, true};
   if (further_below_ && further_below_->level != point.level) {
@@ -69,13 +71,13 @@ LevelCurve::Guess LevelCurve::from_below(const Point& point, double floor) const
   return {point.newton - bend * std::max(0.0, point.newton - known), false};
 }
 
-LevelCurve::Guess LevelCurve::next(double floor, double top) const {
+LevelCurve::Estimate LevelCurve::next(double floor, double top) const {
   const auto inside = [&](double factor) { return factor >= floor && factor < top; };
   const bool leads = above_ && inside(above_->newton);
   if (leads && is_within(above_->newton - above_->factor, width_)) return {above_->newton, true};
   if (below_) {
-    const auto guess = from_below(*below_, floor);
-    if (inside(guess.factor)) return guess;
+    const auto estimate = from_below(*below_, floor);
+    if (inside(estimate.factor)) return estimate;
     const double known = std::max(floor, std::min(below_->factor, downwards * top));
     return {std::isfinite(top) ? std::midpoint(known, top) : 2 * known, false};
   }

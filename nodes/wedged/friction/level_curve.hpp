@@ -1,9 +1,9 @@
-// Where t* of a node, as a function of the coefficient, passes zero: guessed from the points that
-// were solved, by their values and slopes.
+// Estimate of the zero of t* of a node as a function of the coefficient, from values and slopes at
+// solved points.
 //
-// Below its zero t* is smooth, and of one piece for long stretches. Above it is flat and has kinks,
-// as between two vertices in the plane, and it may be zero throughout a range (a flat cone). So
-// guesses come from below as soon as there is a point. docs/theory/wedged.md, "Critical friction".
+// Below its zero t* is piecewise smooth with long pieces. Above it is flat and has kinks, as
+// between two vertices in the plane, and it may be zero throughout a range (a flat cone). Estimates
+// therefore use points below as soon as there is one (docs/theory/wedged.md, "Critical friction").
 #pragma once
 
 #include <limits>
@@ -13,25 +13,25 @@ namespace kusabi::wedged {
 
 class LevelCurve {
  public:
-  struct Guess {
+  struct Estimate {
     double factor;
-    bool settled;  ///< whether it is off by much less than the width
+    bool settled;  ///< true if the error is far below the width
   };
 
-  /// @param width that the zero is asked for to, > 0
+  /// @param width required accuracy of the zero, > 0
   explicit LevelCurve(double width) : width_(width) {}
 
-  /// Takes what was solved at a coefficient. @param newton where its tangent vanishes
+  /// Adds a solved point. @param newton zero of its tangent
   void take(double factor, double level, double newton);
-  /// Takes a point where t* is zero up to the tolerance.
+  /// Adds a point where t* is zero within the tolerance.
   void take_tie(double factor);
 
-  /// The least coefficient at which there was a tie; infinity: none.
+  /// The least coefficient of a degenerate point; infinity: none.
   [[nodiscard]] double least_tie() const { return least_tie_; }
 
-  /// Where to look next. @param floor, top where t* is known to be negative, and where it is known
-  /// not to be: infinity if nowhere @return from floor on, and below top
-  [[nodiscard]] Guess next(double floor, double top) const;
+  /// The next estimate. @param floor, top where t* is known to be negative, and not negative:
+  /// infinity if nowhere @return from floor on, and below top
+  [[nodiscard]] Estimate next(double floor, double top) const;
 
  private:
   struct Point {
@@ -42,11 +42,11 @@ class LevelCurve {
     [[nodiscard]] double slope() const { return level / (factor - newton); }
   };
 
-  [[nodiscard]] Guess from_below(const Point& point, double floor) const;
+  [[nodiscard]] Estimate from_below(const Point& point, double floor) const;
   static double zero_between(const Point& one, const Point& other);
 
   double width_;
-  // Of those with t* < 0 the two with the largest coefficients; what came last of those above.
+  // Of the points with t* < 0 the two with the largest coefficients; of those above the last.
   std::optional<Point> below_, further_below_, above_;
   double least_tie_ = std::numeric_limits<double>::infinity();
 };

@@ -1,5 +1,6 @@
 // The same contact problem with fewer candidates: those that respond alike are one, with the mean
-// of their motions and their reactions shared evenly. Patterns of it are guesses for the whole.
+// of their motions and their reactions shared evenly. Its patterns are estimates for the whole
+// problem.
 #pragma once
 
 #include <vector>

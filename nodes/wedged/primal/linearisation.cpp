@@ -1,4 +1,4 @@
-// Programs whose weights are the last guess.
+// Successive cone programs, the weights of each from the contact set of the last.
 #include "nodes/wedged/primal/linearisation.hpp"
 
 #include <algorithm>

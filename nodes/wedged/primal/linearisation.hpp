@@ -1,6 +1,6 @@
 // Successive linearisation of complementarity at one friction coefficient. A point of the
 // relaxation is a wedged configuration exactly if the concave function sum_i min(u_ni / c_i, r_ni)
-// is zero there; from a guess of the candidates in contact a few programs of the size of a root
+// is zero there; from an estimate of the candidates in contact a few programs of the size of a root
 // lead to a local minimum, and the whole pattern changes at once
 // (docs/theory/wedged.md, "A pattern without a tree").
 #pragma once
@@ -19,7 +19,7 @@
 
 namespace kusabi::wedged {
 
-/// What the iteration ends at: proof of nothing, but likely a pattern where `excess` is near zero.
+/// Result of the iteration: proof of nothing, but likely a pattern where `excess` is near zero.
 struct LinearisedPattern {
   support::IndexSet contact;
   double excess = 0;  ///< sum_i min(u_ni / c_i, r_ni), of 1
@@ -33,7 +33,7 @@ class Linearisation {
   /// From now on from() throws support::Stopped soon after an end is asked for.
   void end_when(const support::Stop& stop);
 
-  /// @param contact the first guess  @param factor of the candidates' own friction coefficients
+  /// @param contact the first estimate  @param factor of the candidates' own friction coefficients
   /// @param share of the row sums of F_nn in c, the rest is the candidates' own compliance: 0 to 1
   std::optional<LinearisedPattern> from(const support::IndexSet& contact, double factor,
                                         double share);

@@ -1,4 +1,4 @@
-// Guesses of the candidates in contact: level sets of combinations of the softest modes of F_nn,
+// Estimates of the candidates in contact: level sets of combinations of the softest modes of F_nn,
 // smooth on any face, without coordinates and without its symmetries.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace kusabi::wedged {
 
-/// What a trial begins with.
+/// The start of a trial.
 struct ModeStart {
   support::IndexSet contact;
   double share = 0;  ///< see Linearisation

@@ -10,7 +10,7 @@ namespace kusabi::wedged {
 namespace {
 
 constexpr double digits = 1e-3;
-constexpr int most_programs = 30;
+constexpr int most_probes = 30;
 
 /// Without a limit the pattern is tried at growing coefficients up to so many times the first.
 constexpr double growth = 1.4;
@@ -23,11 +23,11 @@ std::optional<double> pattern_coefficient(CriticalFriction& critical,
                                           const CoefficientRange& range) {
   if (contact.empty()) return {};
   const auto pattern = leaf_with(contact, critical.solver().candidates());
-  const double most = std::isfinite(range.limit) ? range.limit : most_growth * range.guess;
+  const double most = std::isfinite(range.limit) ? range.limit : most_growth * range.first;
   double infeasible = range.infeasible;
   double feasible = std::numeric_limits<double>::infinity();
-  double factor = std::isfinite(range.limit) ? range.limit : range.guess;
-  for (int program = 0; program < most_programs; ++program) {
+  double factor = std::isfinite(range.limit) ? range.limit : range.first;
+  for (int program = 0; program < most_probes; ++program) {
     const auto said = critical.probe(pattern, factor);
     if (said.sign == conic::Sign::alive)
       feasible = std::min({feasible, factor, said.alive_from});

@@ -10,10 +10,10 @@
 
 namespace kusabi::wedged {
 
-/// Where to look.
+/// The range that is searched.
 struct CoefficientRange {
   double infeasible = 0;  ///< nothing is feasible up to here
-  double guess = 1;       ///< where it is asked first if there is no limit
+  double first = 1;       ///< coefficient that is tried first if there is no limit
   double limit = std::numeric_limits<double>::infinity();  ///< none above is of interest
 };
 

@@ -25,7 +25,7 @@ struct LeafPoint {
   }
 };
 
-// Where the leaf begins to be feasible; infinity if that cannot be told, or not in time.
+// Coefficient from which on the leaf is feasible; infinity if undecided, or not known in time.
 LeafPoint begin_of(engine::Analysis& analysis, const problems::WedgedProblem& block,
                    const SignPattern& leaf, std::int64_t feasible, const CriticalGrid& grid) {
   return analysis.by_first_rank([&] {

@@ -19,7 +19,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// How much higher starts are tried if nothing comes of a round and no pattern is known.
+/// Factor by which trials go up after a round without success while no pattern is known.
 constexpr double next_factor = 4;
 
 /// Trials of a round from modes, and where they are made, as shares of the best coefficient.
@@ -30,7 +30,7 @@ constexpr std::array<double, 3> start_shares{0.98, 0.8, 0.6};
 constexpr std::array<double, 3> descent_shares{0.9, 0.97, 0.99};
 constexpr std::array<double, 2> descent_scales{0.5, 1};
 
-/// What takes less than this share off is no better.
+/// A pattern that takes less than this share off is no better.
 constexpr double hardly_better = 2e-5;
 
 /// A round that takes less than this share off comes to nothing.
@@ -174,12 +174,12 @@ class Level {
     const auto before = critical_.programs() + linearisation_.programs();
     TrialResult result;
     try {
-      const auto guess = linearisation_.from(trial.contact, trial.factor, trial.share);
-      if (guess) {
+      const auto estimate = linearisation_.from(trial.contact, trial.factor, trial.share);
+      if (estimate) {
         const auto factor = pattern_coefficient(
-            critical_, guess->contact,
-            {.infeasible = question_.infeasible, .guess = trial.factor, .limit = limit()});
-        if (factor && *factor <= question_.most) result.pattern = {*factor, guess->contact};
+            critical_, estimate->contact,
+            {.infeasible = question_.infeasible, .first = trial.factor, .limit = limit()});
+        if (factor && *factor <= question_.most) result.pattern = {*factor, estimate->contact};
       }
     } catch (const support::Stopped&) {
     }

@@ -1,4 +1,4 @@
-// When a list is divided, and when a part is given up.
+// Criteria for dividing a list and for discarding a part.
 #include "nodes/wedged/rays/divided_rays.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace kusabi::wedged {
 
 std::uint64_t memory_of_lists(int candidates) {
-  constexpr std::uint64_t states = 5;  // separated, idle, sticking, sliding this or that way
+  constexpr std::uint64_t states = 5;  // separated, inactive, sticking, sliding in either direction
   std::uint64_t most = 1;
   for (int i = 0; i < candidates && most < 2 * longest_list; ++i) most *= states;
   return rays::bytes_for(std::min(most, 2 * longest_list), candidates);
@@ -23,8 +23,8 @@ RayTally DividedRays::tally() const {
   return all;
 }
 
-// What is dead has no ray. A tie that is closed without a leaf has none with a reaction at every
-// candidate in contact.
+// An infeasible part has no ray. A degenerate one that is closed without a leaf has no ray with a
+// reaction at every candidate in contact.
 bool DividedRays::may_have_own(const Node& list) {
   if ((list.contact | list.separated) == 0) return true;
   const auto fate = tree_.decide({.block = 0, .pattern = {list.contact, list.separated, {}}});
@@ -46,7 +46,7 @@ void DividedRays::expand(Node&& node, engine::Expansion<DividedRays>& out) {
     return;
   }
   auto parts = rays::divided(node);
-  node = {};  // the memory is needed
+  node = {};  // releases the memory
   for (auto& part : *parts) out.branch(std::move(part));
 }
 

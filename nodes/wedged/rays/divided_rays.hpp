@@ -1,10 +1,10 @@
-// Algorithm 4.2, divided: the tree whose nodes are lists of rays.
+// Algorithm 4.2 with divided lists: a tree whose nodes are lists of rays.
 //
-// Double description goes on with a list until it is long. Then the list is divided at a candidate
-// that has been cut by, into the rays with u_n = 0 there and those with r = 0. Each part is the
-// list of a face, with which double description goes on by itself, on any rank. Nothing is done
-// twice but what comes of the rays idle at that candidate, which are in both parts; each ray is
-// reported by one. docs/theory/rays.md shows that none is missing.
+// Double description continues with a list until it is long. Then the list is divided at a
+// processed candidate into the rays with u_n = 0 there and those with r = 0. Each part is the list
+// of a face, with which double description continues on any rank. Only rays inactive at that
+// candidate are in both parts; each ray is reported by one. docs/theory/rays.md proves
+// completeness.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace kusabi::wedged {
 
-/// A list that is longer is divided. Shorter ones make more pairs, since idle rays are in both
-/// parts; longer ones leave fewer parts to share (bench/README.md).
+/// Maximum length of a list before it is divided. Shorter ones cause more pairs, since inactive
+/// rays are in both parts; longer ones leave fewer parts for the ranks (bench/README.md).
 inline constexpr std::uint64_t longest_list = 98'304;
 
-/// About how many bytes lists take on each rank, however many rays there are in the end: a step
-/// makes a list longer, on trusses up to twice as long.
-/// Of few candidates there are no more rays than ways to combine the five states of each.
+/// Approximate memory in bytes for lists on each rank, for any number of rays: a step makes a list
+/// longer, on trusses up to twice as long. For few candidates the number of combinations of five
+/// states for each candidate bounds the number of rays.
 std::uint64_t memory_of_lists(int candidates);
 
-/// The problem type that engine::search searches.
+/// Problem type of engine::search.
 class DividedRays {
  public:
   using Node = rays::RayList;
-  using Solution = PatternRays;  ///< of one part that has come to its end
+  using Solution = PatternRays;  ///< of one completed part
   using Tally = RayTally;
 
-  /// @param tree  of a plane problem, taken as one block: tells which parts have no ray
+  /// @param tree  of a plane problem as one block; decides which parts have no ray
   /// @param cone  of the same problem and friction
-  /// @param list  to go on with
+  /// @param list  initial list of rays
   DividedRays(SignPatternTree tree, rays::ReactionCone cone, rays::RayList list,
               std::uint64_t longest = longest_list);
 
@@ -43,7 +43,7 @@ class DividedRays {
   Tally tally() const;
 
  private:
-  /// Whether there may be a ray that this part reports.
+  /// True if this part may report a ray.
   bool may_have_own(const Node& list);
 
   SignPatternTree tree_;

@@ -1,5 +1,4 @@
-// All ranks make the first steps together, and share the list when it is long; or they share the
-// tree.
+// Common initial steps on all ranks, then division of a long list, or the tree of sign patterns.
 #include "nodes/wedged/rays/ray_search.hpp"
 
 #include <algorithm>
@@ -21,10 +20,10 @@
 namespace kusabi::wedged {
 namespace {
 
-/// What comes after the steps that all ranks make together.
+/// Continuation after the common steps of all ranks.
 enum class Way { done, stopped, divided };
 
-// What rank 0 makes of the outcome of either tree.
+// Result on rank 0 from the outcome of either tree.
 template <class Tree>
 RayFindings gathered(engine::Outcome<Tree>& outcome) {
   RayFindings found;
@@ -32,7 +31,7 @@ RayFindings gathered(engine::Outcome<Tree>& outcome) {
   for (auto& leaf : outcome.solutions) {
     auto& own = leaf.solution.rays;
     found.rays.insert(found.rays.end(), own.begin(), own.end());
-    own = {};  // the memory is needed
+    own = {};  // releases the memory
   }
   const auto total = outcome.tally();
   found.health = total.health;
@@ -46,7 +45,7 @@ RayFindings gathered(engine::Outcome<Tree>& outcome) {
   return found;
 }
 
-// Rays are known by their zeros at all candidates, so the blocks stay together.
+// Rays are identified by their zeros at all candidates, so blocks are not separated.
 SignPatternTree whole_tree(const problems::WedgedProblem& problem,
                            std::span<const double> friction) {
   problems::WedgedProblem whole = problem;
@@ -61,8 +60,8 @@ RayFindings searched(engine::Analysis& analysis, Tree tree) {
   return {};
 }
 
-// Steps of all ranks, until all are done, or somebody ends them, or the list is longer than `most`.
-// Whether they were stopped is for rank 0 to say.
+// Common steps of all ranks until double description is complete, the run is stopped, or the list
+// is longer than `most`. Rank 0 decides on stopping.
 rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& cone,
                          rays::RayList& list, std::uint64_t most, RayTrial* trial) {
   auto& transport = analysis.transport();
@@ -77,14 +76,14 @@ rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& c
     conduct.share = [&](std::uint64_t count, const auto& piece) {
       return engine::share_work<rays::NewRays>(transport, count, piece);
     };
-    conduct.agree = [&](bool told) {
-      return engine::from_first_rank(transport, [&] { return told; });
+    conduct.agree = [&](bool own) {
+      return engine::from_first_rank(transport, [&] { return own; });
     };
   }
   return rays::go_on(list, cone, conduct);
 }
 
-// The parts of a list that has come to be long, with what the steps before have cost.
+// Divides a long list, and adds the costs of the previous steps.
 RayFindings by_parts(engine::Analysis& analysis, SignPatternTree tree,
                      const rays::ReactionCone& cone, rays::RayList list,
                      const rays::Steps& before) {
@@ -128,7 +127,7 @@ RayFindings by_double_description(engine::Analysis& analysis,
   return found;
 }
 
-// Double description has them among its rays, the tree does not come to them.
+// Double description lists these modes among its rays; the tree does not find them.
 void find_motions(RayFindings& found, const rays::ReactionCone& cone) {
   if (cone.pivots().empty()) return;
   std::erase_if(found.rays, [&](const rays::ZeroSet& zero) {
@@ -140,7 +139,8 @@ void find_motions(RayFindings& found, const rays::ReactionCone& cone) {
   std::sort(found.motions.begin(), found.motions.end(), rays::comes_before);
 }
 
-// A cone of configurations may have gaps that a motion opens; one of motions alone is not wedged.
+// Cones of configurations include gaps opened by a rigid-body mode; a cone of modes alone is not
+// wedged.
 void find_cones(RayFindings& found, const rays::ReactionCone& cone) {
   auto all = found.rays;
   all.insert(all.end(), found.motions.begin(), found.motions.end());
@@ -166,7 +166,7 @@ RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem&
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method) {
   if (cone.equations() != problem.motions.cols())
-    throw std::invalid_argument("the cone of reactions is not that of the loose bodies");
+    throw std::invalid_argument("the cone of reactions is not that of the unconstrained bodies");
   const bool by_pattern = method == RayMethod::tree;
   auto found = by_pattern ? searched(analysis, RayTree(whole_tree(problem, friction), cone))
                           : by_double_description(analysis, problem, friction, cone, method);

@@ -1,5 +1,5 @@
-// All extremal rays and maximal cones of wedged configurations in the plane, by whichever way is
-// faster (Algorithms 4.1 to 4.3 of the wedged paper): the question that `kusabi rays` asks.
+// All extremal rays and maximal cones of wedged configurations in the plane, by the faster of two
+// methods (Algorithms 4.1 to 4.3 of the wedged paper): the analysis of `kusabi rays`.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,17 @@
 
 namespace kusabi::wedged {
 
-/// How rays are found. Both ways find the same.
+/// Method of finding rays. Both methods have the same result.
 enum class RayMethod {
-  automatic,  ///< Algorithm 4.2, its list divided when it is long, unless a trial shows the tree to
-              ///< be faster
-  double_description,  ///< Algorithm 4.2: every rank has all rays, large steps are shared
-  tree,                ///< pattern by pattern, on all ranks
+  automatic,  ///< Algorithm 4.2 with divided lists, unless sampling shows the tree to be faster
+  double_description,  ///< Algorithm 4.2: every rank has all rays, large steps are distributed
+  tree,                ///< for each pattern, on all ranks
 };
 
-/// Whether a search by these limits may stop early.
+/// True if these limits may stop a search early.
 bool limited(const engine::Limits& limits);
 
-/// What the tree was like, of sign patterns or of lists.
+/// Statistics of the tree of sign patterns or of lists.
 struct RayTreeReport {
   SignPatternTally patterns;
   std::uint64_t opened = 0;
@@ -36,22 +35,22 @@ struct RayTreeReport {
   std::vector<engine::RankReport<RayTree>> ranks;
 };
 
-/// What has been found, and how; on rank 0.
+/// Result and method, on rank 0.
 struct RayFindings {
   engine::Status status = engine::Status::solved;
-  std::vector<rays::ZeroSet> rays;  ///< in the order of every answer
-  /// Of bodies that nothing holds: the ways to move off without any reaction. With these and the
-  /// rays every configuration is a sum; by themselves they are not wedged.
+  std::vector<rays::ZeroSet> rays;  ///< in the order of all answers
+  /// Rigid-body modes of unconstrained bodies that move away without reactions. Every configuration
+  /// is a combination of these and the rays; modes alone are not wedged.
   std::vector<rays::ZeroSet> motions;
   std::vector<rays::Cone> cones;                     ///< maximal; none if the search stopped early
   rays::Health health;                               ///< of the search
-  RayMethod method = RayMethod::double_description;  ///< which was taken
-  std::optional<RayTreeReport> tree;                 ///< if there was one, of either kind
+  RayMethod method = RayMethod::double_description;  ///< the chosen method
+  std::optional<RayTreeReport> tree;                 ///< if there was a tree, of either kind
   rays::Effort effort;                               ///< otherwise, and
   double seconds = 0;                                ///< the time
 };
 
-/// The cone of reactions of a structure in the plane, loose bodies included.
+/// The cone of reactions of a structure in the plane, including unconstrained bodies.
 /// @param problem of the structure  @param friction of each candidate
 /// @throws std::invalid_argument if there are more than 64 candidates
 rays::ReactionCone reaction_cone(const problems::Structure& structure,
@@ -59,10 +58,10 @@ rays::ReactionCone reaction_cone(const problems::Structure& structure,
                                  std::span<const double> friction);
 
 /// Every rank makes the same call.
-/// @throws std::invalid_argument if the cone knows nothing of the loose bodies of the problem
+/// @throws std::invalid_argument if the cone lacks the unconstrained bodies of the problem
 /// @param problem in the plane  @param friction of each candidate
-/// @param cone of the same problem and friction, which makes rays of zero sets
-/// @param method double description heeds no limits
+/// @param cone of the same problem and friction, which computes rays of zero sets
+/// @param method double description ignores limits
 RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method);

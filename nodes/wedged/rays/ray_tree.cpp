@@ -1,4 +1,4 @@
-// What a leaf of the tree of sign patterns is worth here.
+// Rays of the leaves of the tree of sign patterns.
 #include "nodes/wedged/rays/ray_tree.hpp"
 
 #include <utility>
@@ -23,7 +23,7 @@ std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
   std::vector<rays::ZeroSet> own;
   for (const rays::ZeroSet& zero : rays) {
     const auto loaded = rays::Supports(zero, all).reaction();
-    if (loaded == 0) continue;  // a motion alone
+    if (loaded == 0) continue;  // a rigid-body mode alone
     if ((contact & ~loaded) == 0 && (separated & loaded) == 0) own.push_back(zero);
   }
   return own;

@@ -1,14 +1,13 @@
-// Pattern first: the extremal rays of the plane wedged problem, by the tree of sign patterns.
+// Extremal rays of the plane wedged problem by the tree of sign patterns.
 //
 // Every complementary ray lies in the cone D(Y) of some sign pattern Y, and D(Y) is a face of C_r;
-// so the rays of the living patterns' own small cones, of dimension |U| or so, are the rays of
-// Algorithm 4.2. The tree is that of Algorithm 5.1, each leaf of which is a job for one rank: no
-// rank ever holds more than the rays of one pattern.
+// the rays of the feasible patterns' small cones, of dimension about |U|, are therefore the rays of
+// Algorithm 4.2. The tree is that of Algorithm 5.1, each leaf of which is processed by one rank: no
+// rank stores more than the rays of one pattern.
 //
-// A ray that neither touches with a reaction nor separates at some candidates lies in the cones of
-// several leaves. It is reported by one of them, the one whose U is where the ray has a reaction;
-// what closes a tie as a flat cone stands for all leaves below it. docs/theory/rays.md shows that
-// this misses none.
+// A ray that is inactive at some candidates lies in the cones of several leaves. It is reported by
+// the leaf whose U is the set of candidates with a reaction; a leaf closed as a flat cone stands
+// for all leaves below it. docs/theory/rays.md proves completeness.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +31,10 @@ struct PatternRays {
   }
 };
 
-/// What a rank did.
+/// Statistics of a rank.
 struct RayTally {
   SignPatternTally patterns;
-  rays::Effort effort;  ///< over all cones; the peak is that of the largest
+  rays::Effort effort;  ///< over all cones; the peak is the maximum
   rays::Health health;
 
   RayTally& operator+=(const RayTally& other);
@@ -46,21 +45,21 @@ struct RayTally {
   }
 };
 
-/// Those rays with a reaction at each of `contact`, at none of `separated`, and somewhere: of the
-/// parts of a tree that share rays one alone has a ray among these.
+/// The rays with a reaction at each of `contact`, at none of `separated`, and at least one
+/// reaction: of the parts of a tree that contain a ray exactly one reports it.
 std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
                                     rays::Candidates contact, rays::Candidates separated,
                                     rays::Candidates all);
 
 /// A leaf that may report rays.
 struct RayLeaf {
-  SignPattern pattern;          ///< of the node; where it has no sign, all are stood for
-  rays::Candidates in_contact;  ///< of the cone D(Y) that the rays are of
+  SignPattern pattern;          ///< of the node; it stands for all leaves with the undecided signs
+  rays::Candidates in_contact;  ///< in contact throughout the cone D(Y)
 
   /// @param fate of a node that is a leaf
   static RayLeaf of(const PatternNode& node, const SignPatternTree::Fate& fate);
 
-  /// Those rays of D(Y) that this leaf reports, and no other.
+  /// The rays of D(Y) that this leaf reports, and no other leaf.
   [[nodiscard]] std::vector<rays::ZeroSet> own(const std::vector<rays::ZeroSet>& rays,
                                                rays::Candidates all) const {
     return own_rays(rays, pattern.contact.word(0), pattern.separated.word(0), all);
@@ -72,7 +71,7 @@ struct RayLeaf {
   }
 };
 
-/// The problem type that engine::search searches.
+/// Problem type of engine::search.
 class RayTree {
  public:
   using Node = PatternNode;

@@ -1,4 +1,4 @@
-// How much the tree may cost before double description goes on.
+// Limits of the tree's costs relative to those of double description.
 #include "nodes/wedged/rays/ray_trial.hpp"
 
 #include <algorithm>
@@ -9,22 +9,22 @@
 namespace kusabi::wedged {
 namespace {
 
-/// What a node costs, in pairs of rays: 15 microseconds against 0.1 (bench/README.md).
+/// Cost of a node in pairs of rays: 15 microseconds compared with 0.1 (bench/README.md).
 constexpr std::uint64_t pairs_for_a_node = 150;
 
-/// And one that is a tie, or takes more digits than a double has: a millisecond.
+/// Cost of a degenerate node, or of a node in higher precision: a millisecond.
 constexpr std::uint64_t pairs_for_a_tie = 8'000;
 
-/// The nodes may cost this part of the pairs if they promise to come to an end,
+/// Maximum share of the pairs for the nodes if the tree is expected to end,
 constexpr std::uint64_t part_for_nodes = 4;
-/// and this part until they do.
+/// and before that.
 constexpr std::uint64_t part_for_first_nodes = 32;
 
-/// The first leaf costs at least so many times as much as all do on average, unless they are few.
+/// The first leaf is assumed to cost at least this many times the average, unless there are few.
 constexpr std::uint64_t first_leaf = 4;
 
-// The share of a binary tree that is closed when depth-first search comes to `path`, were all
-// subtrees of one depth alike.
+// The closed share of a binary tree when depth-first search is at `path`, if all subtrees of one
+// depth were equal.
 double closed_before(const engine::Path& path) {
   double closed = 0;
   double share = 1;
@@ -36,19 +36,19 @@ double closed_before(const engine::Path& path) {
 }
 
 std::uint64_t cost(const SignPatternTally& nodes, std::uint64_t opened) {
-  const auto ties =
-      nodes.flat + nodes.faces + nodes.marginal + nodes.undecided + nodes.doubtful + nodes.climbed;
+  const auto ties = nodes.flat + nodes.faces + nodes.marginal + nodes.undecided + nodes.doubtful +
+                    nodes.escalated;
   return pairs_for_a_node * opened + pairs_for_a_tie * ties;
 }
 
-/// The problem type that engine::search searches: RayTree without the rays.
+/// Problem type of engine::search: RayTree without the rays.
 class LeafTree {
  public:
   using Node = PatternNode;
   using Solution = RayLeaf;
   using Tally = SignPatternTally;
 
-  /// @param pairs that double description has looked at
+  /// @param pairs processed by double description
   LeafTree(SignPatternTree tree, std::uint64_t pairs, const std::function<bool()>& stop)
       : tree_(std::move(tree)), pairs_(pairs), stop_(stop) {}
 
@@ -64,7 +64,7 @@ class LeafTree {
     if (fate.leaf) out.solution(RayLeaf::of(node, fate));
   }
 
-  /// Whether nodes were dropped.
+  /// True if nodes were discarded.
   bool gave_up() const { return gave_up_; }
 
  private:
@@ -85,7 +85,8 @@ class LeafTree {
 }  // namespace
 
 bool RayTrial::succeeds(std::uint64_t pairs) {
-  // As its steps grow, double description will soon have looked at as many again as in the last.
+  // As its steps grow, double description is expected to process as many pairs again as in its last
+  // step.
   const auto worth = 2 * pairs - std::exchange(seen_, pairs);
   if (!found_.tree && pairs >= next_search_) look_for_leaves(pairs);
   return found_.tree && enumerates(worth);
@@ -106,7 +107,7 @@ void RayTrial::look_for_leaves(std::uint64_t pairs) {
                     .ranks = {{.statistics = outcome.ranks.front().statistics, .tally = {}}}};
 }
 
-// As much work for the first k of l leaves as the tree is worth, and at most 4k/l of this.
+// The first k of l leaves may use as much work as the tree is worth, and at most 4k/l of it.
 bool RayTrial::enumerates(std::uint64_t worth) {
   for (; done_ < leaves_.size(); ++done_) {
     const RayLeaf& leaf = leaves_[done_];

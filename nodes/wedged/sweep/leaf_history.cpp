@@ -1,4 +1,4 @@
-// Newton's method for the first change, bisection for those after it, which few leaves have.
+// Newton's method for the first change, bisection for later ones, which few leaves have.
 #include "nodes/wedged/sweep/leaf_history.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@ namespace {
 
 using Kind = LeafStage::Kind;
 
-/// Points of the grid: a cell is two wide where its middle is itself critical.
+/// Points of the grid: a cell has two intervals where its middle is itself critical.
 constexpr std::int64_t narrow = 2;
 
-/// What the leaf is at a point.
+/// State of the leaf at a point.
 struct Station {
   std::int64_t point = 0;
   LeafStage stage;
@@ -28,7 +28,7 @@ class Bisection {
 
   [[nodiscard]] Station at(std::int64_t point) { return {point, critical_.stage(leaf_, point)}; }
 
-  /// Adds all changes between two points, which must not be open.
+  /// Adds all changes between two decided points.
   void between(const Station& low, const Station& high) {
     if (low.stage == high.stage) return;
     const auto middle = at(std::midpoint(low.point, high.point));
@@ -48,7 +48,7 @@ class Bisection {
   [[nodiscard]] std::vector<LeafChange>& changes() { return changes_; }
 
  private:
-  // The nearest station that is not open, at growing distances from one that is.
+  // The nearest decided station, at increasing distances from a point.
   Station decided(std::int64_t from, const Station& end, int direction) {
     for (std::int64_t step = 1; step < (end.point - from) * direction; step *= 2) {
       auto station = at(from + direction * step);
@@ -79,7 +79,8 @@ LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, co
   const Station dead{cell.dead, {}};
   const auto first = cell.alive == most ? at_most : bisection.at(cell.alive);
   if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.dead};
-  // A wide cell has ties in it, which may be flat cones that Newton's method does not know.
+  // A wide cell contains degenerate points, which may be flat cones that Newton's method does not
+  // detect.
   if (first.open())
     bisection.between(dead, at_most);
   else if (cell.alive - cell.dead > narrow)

@@ -1,10 +1,10 @@
-// What becomes of a leaf of the tree of sign patterns as friction falls from where it was found.
+// States of a leaf of the tree of sign patterns as friction decreases.
 //
-// t* of a leaf does not fall when friction grows, and its solutions at one coefficient are
-// solutions at all larger ones. So a leaf is dead up to its critical coefficient; from there on it
-// may be a flat cone, whose candidates at rest come to life one after another; and solid in the
-// end, if at all. Between two coefficients at which it is the same it does not change, which makes
-// a bisection complete.
+// t* of a leaf is nondecreasing in the coefficient, and its solutions at one coefficient are
+// solutions at all larger ones. A leaf is infeasible below its critical coefficient; from there on
+// it may be a flat cone, whose inactive candidates become active one after another, and finally
+// solid. It does not change between two coefficients with equal states, so bisection finds all
+// changes.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@
 
 namespace kusabi::wedged {
 
-/// A change between two points of the grid, both decided (x width).
+/// A change between two decided grid points (x width).
 struct LeafChange {
   std::int64_t before = 0, after = 0;
-  LeafStage to;  ///< what it is at `after`
+  LeafStage to;  ///< state at `after`
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -32,11 +32,11 @@ struct LeafChange {
 struct LeafHistory {
   static constexpr std::int64_t never = INT64_MAX;
 
-  /// The first change to a stage; null: there is none.
+  /// The first change to a state; null: there is none.
   [[nodiscard]] const LeafChange* change_to(const LeafStage& stage) const;
 
-  std::vector<LeafChange> changes;  ///< from dead on, as friction grows
-  /// Above this point (x width) it cannot be told what the leaf is.
+  std::vector<LeafChange> changes;  ///< from infeasible on, as friction grows
+  /// Above this point (x width) the state is numerically undecided.
   std::int64_t open_above = never;
 
   template <class Archive>
@@ -46,7 +46,7 @@ struct LeafHistory {
 };
 
 /// @param leaf of the block's own candidates, each in contact or separated
-/// @param last what it is at `most`, the largest coefficient (x width); not dead
+/// @param last its state at `most`, the largest coefficient (x width); not infeasible
 LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
                          std::int64_t most);
 

@@ -1,4 +1,4 @@
-// Leaves of the tree as patterns of the bisection, and its cells as numbers.
+// Conversion of leaves to patterns of the bisection, and of cells to numbers.
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Cells from zero to the coefficient that patterns are known at.
+/// Cells from zero to the coefficient at which patterns are known.
 constexpr std::int64_t cells_to_known = 100'000'000;
 
 PatternBisection::Pattern pattern_of(const Configuration& leaf,

@@ -1,5 +1,5 @@
-// The critical friction coefficients of patterns that are known: Algorithm 6.1 of the wedged paper,
-// step 2, on all ranks.
+// Critical friction coefficients of known patterns: Algorithm 6.1 of the wedged paper, step 2, on
+// all ranks.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace kusabi::wedged {
 
-/// Searches for the cells of all of them. Every rank makes the same call.
-/// @param leaves maximal cones and open leaves, the same on all ranks
-/// @param start x width: the coefficient that they were found at
+/// Finds the cells of all patterns. Every rank makes the same call.
+/// @param leaves maximal cones and undecided leaves, the same on all ranks
+/// @param start x width: the coefficient at which they were found
 engine::Outcome<PatternBisection> bracket_patterns(engine::Analysis& analysis,
                                                    const problems::WedgedProblem& problem,
                                                    const std::vector<Configuration>& leaves,
@@ -27,13 +27,14 @@ engine::Outcome<PatternBisection> bracket_patterns(engine::Analysis& analysis,
 /// feasible as a smaller flat pattern, in which more candidates are inactive.
 struct PatternBracket {
   double lower = 0;             ///< infeasible here
-  std::optional<double> upper;  ///< feasible here; nothing: not known to be anywhere
+  std::optional<double> upper;  ///< feasible here; nothing: at no known coefficient
 };
 
-/// Brackets of 1e-8 of the coefficient: the same as ConeLife::begins, since both are read from the
+/// Brackets of 1e-8 of the coefficient, equal to ConeLife::begins, since both follow from the
 /// history of the leaf. Every rank makes the same call.
-/// @param leaves on rank 0  @param coefficient that they were found at
-/// @returns on rank 0 one a leaf, in their order; empty if the search was stopped, and elsewhere
+/// @param leaves on rank 0  @param coefficient at which they were found
+/// @returns on rank 0 one for each leaf, in their order; empty if the search was stopped, and on
+///          other ranks
 std::vector<PatternBracket> pattern_brackets(engine::Analysis& analysis,
                                              const problems::WedgedProblem& problem,
                                              const std::vector<Configuration>& leaves,

@@ -1,4 +1,4 @@
-// From the histories of leaves to the lives of cones, and from these to counts.
+// Ranges of cones from histories of leaves, and counts from these.
 #include "nodes/wedged/sweep/sweep_findings.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// A change as the whole problem has it.
+/// A change in terms of the whole problem.
 ConeLife life_of(const LeafOfSweep& leaf, const LeafChange& change,
                  const support::IndexSet& candidates, const FrictionGrid& grid) {
   ConeLife life{.block = leaf.block,
@@ -29,7 +29,7 @@ ConeLife life_of(const LeafOfSweep& leaf, const LeafChange& change,
   return life;
 }
 
-/// Both say when the same happens: the earlier.
+/// The earlier of two brackets of the same event.
 void take_earlier(FrictionBracket& bracket, const FrictionBracket& other) {
   bracket.lower = std::min(bracket.lower, other.lower);
   bracket.upper = std::min(bracket.upper, other.upper);
@@ -44,7 +44,7 @@ bool same_cone(const ConeLife& a, const ConeLife& b) {
   return a.block == b.block && a.pattern == b.pattern;
 }
 
-/// One cone may be that of several leaves: each once, from where the first has it.
+/// Several leaves may have the same cone: it is kept once, from the smallest coefficient on.
 void unite(std::vector<ConeLife>& lives) {
   std::sort(lives.begin(), lives.end(), by_cone);
   std::vector<ConeLife> united;
@@ -57,7 +57,7 @@ void unite(std::vector<ConeLife>& lives) {
   lives = std::move(united);
 }
 
-/// Whether anything is left of the life of the first of these after the others have begun.
+/// True if the first range is not empty after the others have begun.
 bool remains(ConeLife& life, const std::vector<ConeLife>& all) {
   if (life.solid()) return true;
   for (const auto& other : all) {
@@ -74,7 +74,7 @@ bool begins_before(const ConeLife& a, const ConeLife& b) {
   return by_cone(a, b);
 }
 
-/// The brackets, those that overlap or touch as one, in order.
+/// The brackets in order; those that overlap or touch are merged.
 std::vector<FrictionBracket> merged(std::vector<FrictionBracket> brackets) {
   std::sort(brackets.begin(), brackets.end(),
             [](const auto& a, const auto& b) { return a.lower < b.lower; });

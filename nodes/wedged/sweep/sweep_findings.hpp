@@ -1,10 +1,10 @@
-// How many maximal cones there are at every friction coefficient, and which: a staircase.
+// Maximal cones as a piecewise constant function of the friction coefficient.
 //
-// A cone is the pair (S, G) of the candidates that have a reaction and of those that have a gap in
-// its relative interior; it lies within another if, and only if, both sets do. As friction grows,
-// more and more pairs have configurations. So a pair is among the maximal ones from its own
-// critical coefficient on up to that of the first greater pair, by which it is absorbed; solid
-// cones, which have no candidate at rest, never are.
+// A cone is the pair (S, G) of the candidates with a reaction and of those with a gap in its
+// relative interior; it lies within another if, and only if, both sets do. As friction grows, more
+// pairs have configurations. A pair is maximal from its own critical coefficient up to that of the
+// first larger pair, which absorbs it; solid cones, which have no inactive candidate, are never
+// absorbed.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace kusabi::wedged {
 
-/// Two friction coefficients between which something changes; both are decided.
+/// Two decided friction coefficients with a change between them.
 struct FrictionBracket {
   double lower = 0, upper = 0;
 
@@ -32,51 +32,51 @@ struct FrictionBracket {
 /// A cone, and the range of friction in which it is maximal.
 struct ConeLife {
   std::uint32_t block = 0;
-  SignPattern pattern;                      ///< of the whole problem's candidates
-  FrictionBracket begins;                   ///< dead at the lower end, alive at the upper one
-  std::optional<FrictionBracket> absorbed;  ///< maximal at the lower end, not at the upper one
+  SignPattern pattern;     ///< of the whole problem's candidates
+  FrictionBracket begins;  ///< infeasible at the lower bound, feasible at the upper one
+  std::optional<FrictionBracket> absorbed;  ///< maximal at the lower bound, not at the upper one
 
   [[nodiscard]] bool solid() const { return pattern.at_rest.empty(); }
 };
 
-/// A leaf of which it cannot be told whether it lives, or what it is, above `lower`.
+/// A leaf whose state is numerically undecided above `lower`.
 struct OpenLeaf {
   std::uint32_t block = 0;
   SignPattern pattern;
   double lower = 0;
 };
 
-/// How many maximal cones there are at one coefficient.
+/// The number of maximal cones at one coefficient.
 struct ConeCount {
   double friction = 0;
   support::ExactCount known;  ///< cones of the whole that are maximal here
-  std::size_t open = 0;       ///< brackets and open leaves in which the coefficient lies
+  std::size_t open = 0;       ///< brackets and undecided leaves that contain the coefficient
 
   [[nodiscard]] bool exact() const { return open == 0; }
 };
 
-/// A range in which the count does not change.
+/// A range with constant count.
 struct Tread {
   double from = 0, to = 0;
   support::ExactCount known;
-  std::size_t open = 0;  ///< open leaves
+  std::size_t open = 0;  ///< undecided leaves
 };
 
 struct SweepFindings {
   engine::Status status = engine::Status::solved;
-  bool enumerated = false;  ///< whether the tree at the largest coefficient was done
+  bool enumerated = false;  ///< true if the tree at the largest coefficient is complete
   double most = 0;          ///< the largest coefficient
   std::size_t blocks = 1;
-  std::vector<ConeLife> cones;  ///< in the order in which they begin
+  std::vector<ConeLife> cones;  ///< in the order of their critical coefficients
   std::vector<OpenLeaf> open;
-  /// What it has cost: the tree at the largest coefficient, then the histories of its leaves.
+  /// Costs: the tree at the largest coefficient, then the histories of its leaves.
   std::vector<engine::RankReport<SignPatternTree>> tree_ranks;
   std::vector<engine::RankReport<SweepTree>> history_ranks;
 
   /// @pre enumerated
   [[nodiscard]] ConeCount count_at(double friction) const;
 
-  /// From zero to `most`; between two treads something changes. @pre enumerated
+  /// From zero to `most`; between two treads there is a change. @pre enumerated
   [[nodiscard]] std::vector<Tread> staircase() const;
 
   [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }
@@ -89,7 +89,7 @@ struct LeafOfSweep {
   std::optional<LeafHistory> history;  ///< nothing: the search was stopped before
 };
 
-/// Takes the cones and the open leaves from the histories.
+/// Adds the cones and the undecided leaves of the histories.
 /// @param candidates of each block
 void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
                     const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid);

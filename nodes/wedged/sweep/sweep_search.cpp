@@ -17,8 +17,8 @@
 namespace kusabi::wedged {
 namespace {
 
-/// The leaves at the largest coefficient, those within others among them: they may be maximal at a
-/// smaller one.
+/// The leaves at the largest coefficient, including those contained in others, which may be maximal
+/// at a smaller one.
 struct LeavesAtMost {
   engine::Status status = engine::Status::solved;
   std::vector<Configuration> leaves;
@@ -45,7 +45,7 @@ LeavesAtMost leaves_at(engine::Analysis& analysis, const problems::WedgedProblem
   return leaves;
 }
 
-/// The first point of the grid that is not below.
+/// The first grid point at or above a coefficient.
 std::int64_t not_below(double friction, const FrictionGrid& grid) {
   auto point = static_cast<std::int64_t>(std::llround(friction / grid.width()));
   while (grid.at(point) < friction) ++point;

@@ -1,9 +1,9 @@
-// How the number of sign patterns grows with friction, exact between the points: the question that
-// `kusabi sweep --mu` asks.
+// Number of sign patterns as a function of friction, exact between the grid points: the analysis of
+// `kusabi sweep --mu`.
 //
-// One tree of sign patterns at the largest coefficient, and the history of each of its leaves. That
-// is complete: what is closed as dead or as a face there is so at every smaller coefficient, and
-// the solutions of a leaf at a smaller one are among those that it has at the largest.
+// It takes one tree of sign patterns at the largest coefficient, and the history of each of its
+// leaves. This is complete: a node closed as infeasible or as a face there is so at every smaller
+// coefficient, and the solutions of a leaf at a smaller one are solutions at the largest.
 #pragma once
 
 #include "engine/analysis/analysis.hpp"
@@ -17,7 +17,7 @@ struct SweepQuestion {
   double width = 1e-8;  ///< of the brackets
 };
 
-/// Every rank makes the same call; the findings are whole on rank 0, their status on all.
+/// Every rank makes the same call; the findings are complete on rank 0, their status on all.
 /// @throws std::invalid_argument if a coefficient or the width is out of range
 SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                              const SweepQuestion& question);

@@ -1,4 +1,4 @@
-// How ranges of leaves are split.
+// Division of ranges of leaves.
 #include "nodes/wedged/sweep/sweep_tree.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
-// The histories of given leaves, all at once over the ranks: a node is a range of the leaves, which
-// is halved down to one.
+// Histories of given leaves on all ranks: a node is a range of the leaves, which is halved down to
+// one.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace kusabi::wedged {
 
-/// The problem type that engine::search searches.
+/// Problem type of engine::search.
 class SweepTree {
  public:
   struct Node {
@@ -44,13 +44,14 @@ class SweepTree {
     }
   };
 
-  /// Each candidate of the block in contact or separated, at the coefficient `most` x width.
+  /// A leaf at the coefficient `most` x width; each candidate of the block is in contact or
+  /// separated.
   struct Leaf {
     PatternNode place;
-    LeafStage stage;  ///< not dead
+    LeafStage stage;  ///< not infeasible
   };
 
-  /// Those that are loaded are in contact, all others separated, inactive or not.
+  /// Candidates with a reaction are in contact, all others separated, inactive or not.
   /// @param found at the coefficient `most` x width @param block its candidates
   static Leaf leaf_of(const Configuration& found, const support::IndexSet& block);
 

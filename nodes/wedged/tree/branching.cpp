@@ -1,4 +1,4 @@
-// The weights of the relative rule, and what the rules make of a node that is solved.
+// Weights of the relative rule, and the choice of each rule at a solved node.
 #include "nodes/wedged/tree/branching.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which undecided candidate a node of the tree of sign patterns is split by
+// Choice of the undecided candidate by which a node of the tree of sign patterns is split
 // (docs/theory/wedged.md, "Which candidate is branched on").
 #pragma once
 
@@ -12,22 +12,22 @@
 
 namespace kusabi::wedged {
 
-/// The rule. Any gives the same patterns.
+/// The rule. All rules give the same patterns.
 enum class Branching {
-  /// What a trial of the others says of large blocks (branching_trial.hpp), `relative` for the
-  /// rest and wherever there is no trial.
+  /// The result of sampling for large blocks (branching_trial.hpp), `relative` for all others.
   automatic,
-  /// The largest u_n r_n / c, where c = F_nn + mu |F_nt| is the largest normal displacement that
-  /// the candidate's own reaction can bring for each unit of r_n. No unit is left in this product,
-  /// and stiff candidates have as much say as soft ones: up to ten times fewer nodes.
+  /// The largest u_n r_n / c, where c = F_nn + mu |F_nt| is the largest normal displacement due to
+  /// the candidate's own reaction for each unit of r_n. The product has no unit, and stiff
+  /// candidates have the same weight as soft ones: up to ten times fewer nodes.
   relative,
   /// The largest u_n r_n: Remark 5.5 of the paper.
   product,
-  /// The largest product of the distances from the centre of the relaxation to what either sign
-  /// leaves of it: both children lose most. A centre costs as much as the bound of the node. On
-  /// some faces of meshes sixty times fewer nodes, on others as many times more.
+  /// The largest product of the distances from the centre of the relaxation to the faces of both
+  /// signs, where both children lose most. A centre costs as much as the bound of the node. On some
+  /// faces of meshes sixty times fewer nodes, on others as many times more.
   deepest,
-  /// The same product times the root of that of `relative`: mostly near the better of these two.
+  /// The same product times the square root of that of `relative`: mostly close to the better of
+  /// these two.
   weighed,
 };
 
@@ -38,21 +38,21 @@ class BranchingRule {
   BranchingRule(const problems::WedgedProblem& problem, std::span<const double> friction,
                 Branching branching);
 
-  /// From now on this rule.
+  /// Sets the rule.
   void set(Branching branching) { branching_ = branching; }
 
-  /// The candidate to split a node by. Of equal ones the first, so that the tree is the same
-  /// everywhere.
-  /// @param open undecided candidates, not empty  @param solver which has just solved the node
+  /// The candidate by which a node is split; the first of equal ones, such that the tree is the
+  /// same everywhere.
+  /// @param open undecided candidates, not empty  @param solver with the solution of the node
   [[nodiscard]] int candidate(const support::IndexSet& open, ContactSolver& solver) const {
     return best(open, solver, 1).front();
   }
 
-  /// The same and those that come next, the best first: `count` of them, or all there are.
+  /// The best `count` candidates in order, or all if there are fewer.
   [[nodiscard]] std::vector<int> best(const support::IndexSet& open, ContactSolver& solver,
                                       int count) const;
 
-  /// The one that violates complementarity most, in the rule's units.
+  /// The candidate with the largest violation of complementarity, in the rule's units.
   /// @param violation gives u_n r_n of a candidate
   template <class Violation>
   [[nodiscard]] int most_violated(const support::IndexSet& open, Violation violation) const {
@@ -79,7 +79,7 @@ class BranchingRule {
   }
 
   Branching branching_;
-  std::vector<double> weight_;  // of u_n r_n by the relative rule: 1 / c
+  std::vector<double> weight_;  // factor of u_n r_n in the relative rule: 1 / c
 };
 
 }  // namespace kusabi::wedged

@@ -1,5 +1,5 @@
-// First the tree by the rule that is never much worse, which may be small; then rounds of dives,
-// until there are as many nodes in them as the best tree may have.
+// First the tree of the most robust rule, which may be small; then rounds of dives, until their
+// nodes are as many as those of the estimated best tree.
 #include "nodes/wedged/tree/branching_trial.hpp"
 
 #include <algorithm>
@@ -18,22 +18,22 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Smaller blocks have trees that are searched sooner than sampled.
+/// Trees of smaller blocks take no longer than sampling.
 constexpr int fewest_candidates = 40;
 
-/// The first unless another seems to take so many times fewer nodes: it is never much worse than
-/// the others, and a few dives miss the largest parts of a tree more often than not.
+/// The first rule is chosen unless another is estimated to take this many times fewer nodes: it is
+/// never much worse than the others, and a few dives often miss the largest parts of a tree.
 constexpr std::array tried{Branching::weighed, Branching::relative, Branching::deepest};
 constexpr double times_fewer = 3;
 
-/// Trees of no more nodes are not worth a trial, and fewer nodes of dives say little; but a node
-/// takes the more time the more candidates there are.
+/// Trees with at most this many nodes are not sampled, and fewer nodes of dives are not
+/// significant. Nodes with more candidates take more time.
 std::uint64_t few_nodes(int candidates) {
   return static_cast<std::uint64_t>(std::clamp(50'000 / candidates, 100, 500));
 }
 
-/// Of blocks up to this size whole trees of some twenty nodes a candidate are looked for, since few
-/// dives can be wrong by a factor of ten. Larger ones take too long for one rank.
+/// Blocks up to this size are searched for about twenty nodes for each candidate before sampling,
+/// since few dives may be wrong by a factor of ten. Larger ones take too long on one rank.
 constexpr int most_to_look_through = 100;
 
 std::uint64_t looked_through(int candidates) {
@@ -44,7 +44,7 @@ std::uint64_t looked_through(int candidates) {
 
 constexpr int much = 20;  // leaves
 
-constexpr std::uint64_t dives_a_round = 4;  // by each rule
+constexpr std::uint64_t dives_a_round = 4;  // for each rule
 constexpr std::uint64_t most_rounds = 16;
 
 struct Dive {
@@ -57,7 +57,7 @@ struct Dive {
   }
 };
 
-// Ends early where the budget is spent.
+// Ends early when the budget is used.
 Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
           const engine::Budget& budget) {
   std::mt19937_64 random(number);
@@ -83,7 +83,7 @@ Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
   return result;
 }
 
-// The trees by the rules that are tried, and what the dives into one of their blocks say.
+// The trees of all rules, and the results of dives into one of their blocks.
 class Trial {
  public:
   Trial(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -127,8 +127,8 @@ class Trial {
   }
 
  private:
-  // The beginning of the first tree. Where much is found most of the work is its leaves, which all
-  // trees have.
+  // The beginning of the first tree. If it has many leaves, most of the work is in leaves, which
+  // all trees have.
   struct Look {
     std::uint64_t opened = 0;
     bool whole = false, much = false;
@@ -206,7 +206,7 @@ std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
   const bool automatic = options.branching == Branching::automatic;
   if (!automatic) std::ranges::fill(result, TriedTree{.branching = options.branching});
   if (options.facets != 0) return result;
-  // Loose bodies have no centre, by which the rules differ.
+  // Unconstrained bodies have no centre, in which the rules differ.
   const bool has_centre = problem.motions.cols() == 0;
   std::optional<Trial> small, large;
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {

@@ -1,12 +1,12 @@
-// Which rule of branching the tree of a block is searched by, and how large that tree is, found out
-// by sampling its trees by all of them. On faces of meshes one rule takes a hundred times the nodes
-// of another, and which one that is differs from face to face.
+// Choice of the branching rule of a block and estimate of its tree size by sampling the trees of
+// all rules. On faces of meshes one rule may take a hundred times the nodes of another, and the
+// best rule differs from face to face.
 //
-// A sample is a dive from the root: of each branched node both children are opened, and the dive
-// goes on from one of those that are branched in turn, with even odds. The nodes met, each times
-// the number of ways there were to choose from above it, are on average as many as the tree has
-// (Knuth, Estimating the efficiency of backtrack programs, 1975; that both children are opened
-// takes the variance of long chains of dead ones out of it).
+// A sample is a dive from the root: both children of each branched node are opened, and the dive
+// continues with one of the branched children, with equal probability. The sum of nodes met, each
+// times the number of choices above it, has the number of nodes of the tree as its expectation
+// (Knuth, Estimating the efficiency of backtrack programs, 1975; opening both children removes the
+// variance of long chains of infeasible nodes).
 #pragma once
 
 #include <span>
@@ -18,18 +18,18 @@
 
 namespace kusabi::wedged {
 
-/// What is best without a trial.
+/// The rule without sampling.
 Branching untried_branching(int candidates);
 
-/// A rule, and how many nodes its tree has.
+/// A rule, and the number of nodes of its tree.
 struct TriedTree {
   Branching branching = Branching::relative;
-  double nodes = 0;  ///< an estimate; zero if nobody looked, infinity if only that it is not small
+  double nodes = 0;  ///< an estimate; zero without sampling, infinity if only known not to be small
 };
 
-/// For each block the rule that was asked for, or what the trial says. The ranks share the dives,
-/// and come to the same, however many they are. Every rank makes the same call.
-/// @param fewest smaller blocks are not looked at
+/// For each block the requested rule, or the result of sampling. The dives are distributed over the
+/// ranks; the result does not depend on their number. Every rank makes the same call.
+/// @param fewest smaller blocks are not sampled
 std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                    const problems::WedgedProblem& problem,
                                    std::span<const double> friction,

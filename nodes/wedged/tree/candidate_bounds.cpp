@@ -19,37 +19,36 @@ using support::IndexSet;
 
 namespace {
 
-/// No bound goes below this share of the first one, that of the candidate's own reach: a cut of a
-/// smaller one asks for reactions and gaps so small that t*, which no inequality leaves more room
-/// than the others, comes near the tolerance.
+/// Smallest bound relative to the first one: smaller bounds would lead to cuts with reactions and
+/// gaps so small that t*, which no other inequality then limits, is close to the tolerance.
 constexpr double least_share = 1e-2;
 
-/// Bounds are loosened by this share, which leaves the proofs room for rounding.
+/// Bounds are increased by this share, to leave the proofs a margin for rounding errors.
 constexpr double room = 1e-6;
 
-/// A bound that takes less than this share off is not taken up.
+/// Improvements of a bound below this share are not added.
 constexpr double hardly_better = 1e-2;
 
-/// The level of the row that asks for more than the bound, in units of the others: these give way
-/// by as small a part of what it falls short of. A larger one makes bounds no better and takes more
+/// The weight of t in the row of the bound, relative to the other rows, which are then relaxed by a
+/// correspondingly small part of its violation. Larger weights do not improve bounds and take more
 /// iterations.
 constexpr double level_of_bound = 30;
 
-/// How near to the best a bound comes, as a share: no nearer than is taken up.
+/// Relative accuracy of a bound: better ones would not be added.
 constexpr double close_enough = hardly_better / 2;
 
-/// A gap of a loose body is looked for from so many mean compliances down: what is larger says
-/// little.
+/// Gaps of an unconstrained body are bounded from this many mean compliances down; larger bounds
+/// are of no use.
 constexpr double largest_gap = 100;
 
 /// Candidates whose programs do not wait for each other's bounds.
 constexpr int group_size = 8;
 
-/// Sweeps end when bounds fall by no more than this share on average, or after so many.
+/// Sweeps end when bounds decrease by at most this share on average, or after the maximum number.
 constexpr double slow_progress = 0.05;
 constexpr int most_sweeps = 10;
 
-// The value of the program is as much as the bound can come down, over the level.
+// The value of the program is the possible decrease of the bound divided by the weight.
 conic::StopEarly once_known(double bound) {
   const double worth = bound / level_of_bound;
   return {.when_dead = false,
@@ -104,7 +103,8 @@ std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& 
   return numbers;
 }
 
-// u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i; of a loose body but for its motion.
+// u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i; for an unconstrained body without its
+// rigid-body displacement.
 CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
                                      std::span<const double> friction, conic::Tolerances tolerances)
     : solver_(problem, friction, tolerances),
@@ -121,7 +121,7 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
       const double mu = friction[static_cast<std::size_t>(k)];
       most = std::max(most, row[0] + mu * row.tail(d - 1).norm());
     }
-    // What F may be wrong by is far less than this.
+    // Far larger than the error of F.
     most += room * problem.compliance.row(d * i).cwiseAbs().maxCoeff();
     least_[static_cast<std::size_t>(i)] = {.gap = least_share * (most / solver_.unit()),
                                            .reaction = least_share};
@@ -155,9 +155,9 @@ std::vector<double> CandidateBounding::evidence(std::span<const conic::Cut> cuts
   return numbers;
 }
 
-// The program of the side with the cuts, and the row  r_ni - bound s >= level t  or the same of
-// u_ni. Its multipliers prove how much larger than the bound there is at most: it is less by as
-// much as the bound can come down.
+// The program of the side with the cuts, and the row  r_ni - bound s >= weight t  or the same for
+// u_ni. Its multipliers prove a bound of the violation: the bound decreases by its possible
+// decrease.
 std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side) {
   const double bound = std::isinf(known(candidate, side)) ? largest_gap : known(candidate, side);
   if (!bounds_[static_cast<std::size_t>(candidate)].is_free()) return {};
@@ -196,14 +196,13 @@ std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side)
 
 namespace {
 
-// As a logarithm; that there is a bound now counts as one.
+// Logarithm of the ratio; a first bound counts as one.
 double fall(double before, double after) {
   if (std::isinf(before)) return std::isinf(after) ? 0 : 1;
   return std::log(before / after);
 }
 
-// By what factor all bounds together have come down, as a logarithm, and whether any sides have
-// gone.
+// Logarithm of the factor by which all bounds decrease, and whether sides were excluded.
 double progress(std::span<const CandidateBounds> before, std::span<const CandidateBounds> after) {
   double sum = 0;
   int count = 0;
@@ -218,7 +217,7 @@ double progress(std::span<const CandidateBounds> before, std::span<const Candida
   return count == 0 ? 0 : sum / count;
 }
 
-// What a reader of the log sees fall.
+// Summary for the log.
 std::string in_short(std::span<const CandidateBounds> bounds, int sweep, int done) {
   int fixed = 0;
   double sum = 0;

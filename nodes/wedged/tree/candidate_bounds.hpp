@@ -1,16 +1,15 @@
-// How much each candidate can take part in any wedged configuration, found before a tree is
-// searched, and the cuts that follow (docs/theory/wedged.md, "Bounds and cuts").
+// Bounds of reactions and gaps of each candidate in wedged configurations, computed before the
+// search, and the cuts that follow (docs/theory/wedged.md, "Bounds and cuts").
 //
-// Let s = sum_k r_nk. If u_ni <= gap_i s wherever r_i = 0, and r_ni <= reaction_i s wherever
-// u_ni = 0, then, since one of both is zero,
+// Let s = sum_k r_nk. If u_ni <= gap_i s wherever r_i = 0, and r_ni <= reaction_i s wherever u_ni =
+// 0, then, since one of both is zero,
 //
 //   u_ni / gap_i + r_ni / reaction_i <= s
 //
-// in every wedged configuration. The relaxation of a node in which i is undecided does not know
-// that, and is weak without. Of a loose body gap_i may be infinite, where it can move off i and
-// from no other candidate against it; r_ni <= reaction_i s is what is left then. Each bound is
-// proved by a cone program in which the cuts found so far take part, so that sweeps over all
-// candidates make all of them better.
+// in every wedged configuration. The relaxation of a node with undecided i does not imply it, and
+// is weak without it. For an unconstrained body gap_i may be infinite, if it can move away from i
+// and towards no other candidate; then r_ni <= reaction_i s remains. Each bound is proved by a cone
+// program with the cuts found so far, so repeated sweeps over all candidates improve all of them.
 #pragma once
 
 #include <cstdint>
@@ -30,20 +29,20 @@
 
 namespace kusabi::wedged {
 
-/// What a candidate is known to be in a configuration.
+/// State of a candidate in a configuration.
 enum class Side {
   contact,    ///< u_n = 0
   separated,  ///< r = 0
 };
 
-/// Of a candidate, for sum_k r_nk = 1, in scaled units (see ContactSolver). A bound below zero says
-/// that there is no configuration on this side.
+/// Bounds of a candidate for sum_k r_nk = 1, in scaled units (see ContactSolver). A negative bound
+/// means that there is no configuration on this side.
 struct CandidateBounds {
   /// Of u_n, separated.
   double gap = std::numeric_limits<double>::infinity();
   double reaction = 1;  ///< of r_n, in contact
 
-  /// The sides there are configurations on, or may be.
+  /// True if there may be configurations on each side.
   [[nodiscard]] bool can_separate() const { return gap > 0; }
   [[nodiscard]] bool can_touch() const { return reaction > 0; }
   [[nodiscard]] bool is_free() const { return can_separate() && can_touch(); }
@@ -54,9 +53,9 @@ struct ProvedBound {
   std::uint32_t block = 0;
   int candidate = 0;  ///< of the block; of the whole problem in RootBounds
   Side side = Side::contact;
-  double most = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; below zero: nothing on this side
-  /// Multipliers of the normal displacements, m; of a loose body the mean motion of w, p; those of
-  /// the cuts of all candidates, m, and of the bound itself unless `most` is below zero.
+  double most = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; negative: none on this side
+  /// Multipliers of the normal displacements, m; for an unconstrained body the mean motion of w, p;
+  /// those of the cuts of all candidates, m, and of the bound itself unless `most` is negative.
   std::vector<double> numbers;
 
   [[nodiscard]] bool never() const { return most < 0; }
@@ -67,7 +66,7 @@ struct ProvedBound {
   }
 };
 
-/// Whether the bounds leave a candidate of these nothing on the side that it is on.
+/// True if the bounds exclude the side of one of these candidates.
 bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::IndexSet& contact,
                     const support::IndexSet& separated);
 
@@ -75,38 +74,37 @@ bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::Inde
 std::optional<int> one_sided(const support::IndexSet& free,
                              std::span<const CandidateBounds> bounds);
 
-/// The cut of each of these candidates of which something is known. A common factor keeps the
-/// largest coefficient at one.
+/// The cuts of the given candidates with bounds. A common factor makes the largest coefficient one.
 std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,
                                 std::span<const CandidateBounds> bounds);
 
-/// What was solved with cuts proves, in units of the problem: its multipliers of the normal
-/// displacements, m, the mean motion of w, p, and by candidate those of
-/// s >= u_n / gap + r_n / reaction, m.
+/// Evidence of a solution with cuts, in units of the problem: its multipliers of the normal
+/// displacements, m, the mean motion of w, p, and by candidate those of s >= u_n / gap + r_n /
+/// reaction, m.
 std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
                                  std::span<const conic::Cut> cuts);
 
 /// Finds the bounds of one block's candidates, one program after another.
 class CandidateBounding {
  public:
-  /// Begins with bounds that need no program; a loose body has none.
+  /// Initial bounds that need no program; an unconstrained body has none.
   /// @param problem of the block  @param friction of its candidates
   CandidateBounding(const problems::WedgedProblem& problem, std::span<const double> friction,
                     conic::Tolerances tolerances);
 
-  /// A bound by one program; it depends on what has been taken up, and on nothing else. Nothing if
-  /// it is hardly better than the one there is.
+  /// A bound by one program, which depends on the added bounds only. Nothing if it is hardly better
+  /// than the present one.
   [[nodiscard]] std::optional<ProvedBound> improved(int candidate, Side side);
 
   void take_up(ProvedBound bound);
 
-  /// From now on improved() throws support::Stopped soon after an end is asked for.
+  /// Makes improved() throw support::Stopped soon after the run is to stop.
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
 
   /// m.
   [[nodiscard]] int candidates() const { return static_cast<int>(bounds_.size()); }
   [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
-  /// All that was taken up, in this order: each is proved by means of those before.
+  /// All added bounds, in this order; each is proved with those before.
   [[nodiscard]] const std::vector<ProvedBound>& proved() const { return proved_; }
 
  private:
@@ -120,15 +118,16 @@ class CandidateBounding {
   std::vector<ProvedBound> proved_;
 };
 
-/// What is known of a block's candidates before its tree is searched.
+/// Bounds of a block's candidates before its tree is searched.
 struct RootBounds {
-  std::vector<CandidateBounds> bounds;  ///< empty: none were looked for
+  std::vector<CandidateBounds> bounds;  ///< empty: not computed
   std::vector<ProvedBound> proved;      ///< candidates as the whole problem numbers them
   std::uint64_t programs = 0;
 };
 
-/// Sweeps over the candidates of a block until that does little, or the budget is spent. The ranks
-/// share the programs, and come to the same, however many they are. Every rank makes the same call.
+/// Sweeps over the candidates of a block until the bounds hardly improve, or the budget is used.
+/// The programs are distributed over the ranks; the result does not depend on their number. Every
+/// rank makes the same call.
 RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             std::span<const double> friction, std::uint32_t block,
                             conic::Tolerances tolerances);

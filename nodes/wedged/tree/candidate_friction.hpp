@@ -1,4 +1,4 @@
-// The friction of the candidates at one coefficient of a search.
+// Friction of the candidates at one coefficient of a search.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace kusabi::wedged {
 
-/// mu_i = coefficient x phi_i of each contact candidate, for what takes friction by candidate;
-/// that checks the range.
+/// mu_i = coefficient x phi_i of each contact candidate; functions that take friction by candidate
+/// check the range.
 inline std::vector<double> candidate_friction(const problems::WedgedProblem& problem,
                                               double coefficient) {
   std::vector<double> friction = problem.friction;

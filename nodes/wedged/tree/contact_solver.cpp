@@ -1,4 +1,4 @@
-// Doubles first, more digits where they are needed.
+// Solution in doubles, escalated to higher precision levels where necessary.
 #include "nodes/wedged/tree/contact_solver.hpp"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ using support::IndexSet;
 
 namespace {
 
-// A margin of a leaf is given to three digits.
+// Relative accuracy of the margin of a leaf.
 constexpr double three_digits = 1e-3;
 
-// The quotient of F and its unit.
+// Rounding of the quotient of F and its unit.
 constexpr double scaling_roundings = 1.01;
 
-/// G with 104 bits, and combined as the solvers want it.
+/// G in 104 bits, combined as the solvers require.
 conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem) {
   const bool precise = problem.precise_motions.size() != 0;
   const numbers::PreciseMatrix given =
@@ -110,39 +110,39 @@ double ContactSolver::scaled_error() const {
 }
 
 template <class Real>
-auto ContactSolver::made(Rung<Real>& rung) -> Rung<Real>& {
-  if (!std::holds_alternative<std::monostate>(rung)) return rung;
+auto ContactSolver::made(Level<Real>& level) -> Level<Real>& {
+  if (!std::holds_alternative<std::monostate>(level)) return level;
   if (dimension_ == 2)
-    rung.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
-                             scaled_error<Real>(), motions<Real>());
+    level.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
+                              scaled_error<Real>(), motions<Real>());
   else
-    rung.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
-                             scaled_error<Real>(), motions<Real>());
-  return rung;
+    level.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
+                              scaled_error<Real>(), motions<Real>());
+  return level;
 }
 
 namespace {
 
-/// Calls `function` with the solver of a rung that has been made.
-template <class Rung, class Function>
-auto with(Rung& rung, Function function) {
-  if (auto* plane = std::get_if<1>(&rung)) return function(*plane);
-  return function(std::get<2>(rung));
+/// Calls `function` with the solver of a precision level that has been constructed.
+template <class Level, class Function>
+auto with(Level& level, Function function) {
+  if (auto* plane = std::get_if<1>(&level)) return function(*plane);
+  return function(std::get<2>(level));
 }
 
 }  // namespace
 
 template <class Real>
-void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
-                          const IndexSet& separated, const IndexSet& ignored, conic::StopEarly stop,
-                          conic::ConicResult& answer) {
-  with(made(rung), [&](auto& solver) {
+void ContactSolver::escalate(Level<Real>& level, int number, const IndexSet& contact,
+                             const IndexSet& separated, const IndexSet& ignored,
+                             conic::StopEarly stop, conic::ConicResult& answer) {
+  with(made(level), [&](auto& solver) {
     solver.end_when(stop_);
     solver.set_friction(friction_);
     const conic::ConicResult again = solver.solve(contact, separated, stop, ignored);
     answer.iterations += again.iterations;
     answer.precision_level = number;
-    // Both brackets hold, and so does what they have in common.
+    // Both brackets are valid, and so is their intersection.
     if (again.lower > answer.lower) {
       answer.lower = again.lower;
       answer.has_point = again.has_point;
@@ -216,8 +216,8 @@ conic::ConicResult ContactSolver::solve(const IndexSet& contact, const IndexSet&
       },
       solver_);
   has_centre_ = has_centre(answer, stop);
-  if (is_open(answer, stop)) climb(long_rung_, 1, contact, separated, ignored, stop, answer);
-  if (is_open(answer, stop)) climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) escalate(long_level_, 1, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) escalate(precise_level_, 2, contact, separated, ignored, stop, answer);
   return answer;
 }
 
@@ -230,7 +230,7 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(const In
                                                                         const IndexSet& separated,
                                                                         const IndexSet& ignored) {
   if (precision_ == Precision::doubles) return {};
-  return with(made(precise_rung_), [&](auto& solver) {
+  return with(made(precise_level_), [&](auto& solver) {
     solver.end_when(stop_);
     solver.set_friction(friction_);
     auto found = solver.relative_interior(contact, separated, ignored);
@@ -243,9 +243,9 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(const In
   });
 }
 
-// Reactions that vanish move others all the same as long as they are not quite zero. What is left
-// counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits
-// takes from the others of its block of F, or than the error of F.
+// Reactions that vanish only approximately still displace other candidates. A displacement counts
+// as zero if it is within the error of cancellation, of directions with sixteen digits in its block
+// of F, or of F.
 IndexSet ContactSolver::moved_by(const IndexSet& loaded) const {
   constexpr double cancelled = 1e-12;
   const double unknown = precise_compliance_.size() == 0 ? compliance_error_ : precise_error_;

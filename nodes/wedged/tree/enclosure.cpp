@@ -1,4 +1,4 @@
-// One computation a rank, and the agreement of all.
+// One computation on each rank, and a common decision.
 #include "nodes/wedged/tree/enclosure.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// K enclosed for the verifier's test within the limits of an analysis.
+// Enclosure of K for the exact test within the limits of an analysis.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 #include "engine/analysis/analysis.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "support/stop.hpp"
-#include "verify/structure/loose_stiffness.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 
 namespace kusabi::wedged {
 
-/// Or why there is none, a sentence.
+/// The enclosed K, or a sentence with the reason why there is none.
 using Enclosure = std::variant<verify::EnclosedProblem, std::string>;
 
 /// enclosed_stiffness(), or enclosed_stiffness_of_any().
 using Enclose = Enclosure (*)(const problems::Structure&, const support::LongWork&);
 
 /// Every rank makes the same call and computes it. Nothing, on all of them, if the analysis ends
-/// before one of them has it.
+/// before one of them is done.
 std::optional<Enclosure> enclosed_within(engine::Analysis& analysis,
                                          const problems::Structure& structure, Enclose enclose);
 

@@ -1,4 +1,4 @@
-// A certificate without nodes, and one record at a time.
+// A certificate without nodes, and single records.
 #include "nodes/wedged/tree/evidence_check.hpp"
 
 #include "nodes/evidence/verified_structure.hpp"
@@ -41,7 +41,7 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
          .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
          .most = bound.never() ? std::nullopt : most,
          .numbers = bound.numbers});
-    if (refusal) return;  // what comes after it may rest on it
+    if (refusal) return;  // later bounds may depend on it
   }
 }
 

@@ -37,7 +37,7 @@ Eigen::MatrixXd spread_of(Eigen::Index m, int facets) {
   return spread;
 }
 
-// The roundings of the spread and of the products come on top of what F and G are wrong by.
+// Rounding errors of the spread and of the products, in addition to those of F and G.
 constexpr double spread_roundings = 32 * 0x1p-53;
 
 conic::NodeSolver<2> solver_of(const Eigen::MatrixXd& spread, const Eigen::MatrixXd& compliance,

@@ -1,4 +1,4 @@
-// Comparison of cones by the bits of their relative interiors.
+// Comparison of cones by the active candidates of their relative interiors.
 #include "nodes/wedged/tree/maximal_cones.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Whether, as increasing lists, the first comes before the second in a dictionary.
+/// True if the first comes before the second in lexicographic order of the increasing lists.
 bool precedes(const support::IndexSet& a, const support::IndexSet& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
@@ -17,7 +17,7 @@ bool is_cone(const Configuration& leaf) {
   return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
 }
 
-/// Living and flat cones together.
+/// Feasible and flat cones are one kind.
 int kind(const Configuration& leaf) {
   return is_cone(leaf) ? 0 : leaf.state == LeafState::marginal ? 1 : 2;
 }
@@ -44,7 +44,7 @@ std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {
   std::vector<Configuration> kept;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const auto& leaf = leaves[i];
-    // Solid cones are within no other. Of equal flat ones the first is kept.
+    // Solid cones are contained in no other. Of equal flat ones the first is kept.
     const auto contains_it = [&](const Configuration& other) {
       if (&other == &leaf || !is_cone(other) || other.block != leaf.block) return false;
       if (!within(leaf.pattern, other.pattern)) return false;

@@ -1,5 +1,5 @@
-// Where displacements have gone on the whole, of bodies that nothing holds: what a certificate says
-// of rigid motions, so that it does not hang on the temporary springs that F was computed with.
+// Least-squares rigid-body part of a displacement of unconstrained bodies. Certificates use it,
+// since it does not depend on the grounding springs of F.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class MeanMotion {
   /// @param problem of a block
   explicit MeanMotion(const problems::WedgedProblem& problem);
 
-  /// How many motions there are: p.
+  /// The number p of rigid-body modes.
   [[nodiscard]] Eigen::Index count() const { return mean_.rows(); }
 
   /// (G'G)^-1 G'u. @param displacements u, dm
@@ -23,7 +23,7 @@ class MeanMotion {
     return mean_ * displacements;
   }
 
-  /// The same of w = F y + unit G beta, behind y.
+  /// The same for w = F y + unit G beta, appended to y.
   /// @param multipliers y at the normals, m, and beta, p
   [[nodiscard]] std::vector<double> with_multipliers(const Eigen::VectorXd& multipliers,
                                                      double unit) const;

@@ -1,5 +1,5 @@
-// The solvers of a tree, ended in the middle of a node: by the search that opens it, or by whoever
-// opens nodes without one.
+// Interruption of the solvers of a tree within a node, by the search that opens it or by other
+// callers.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,19 @@
 
 namespace kusabi::wedged {
 
-/// What the solvers of a tree ask. Trees are moved; those who ask keep what they were given.
+/// The stop condition of the solvers of a tree. Trees may be moved; the condition keeps its
+/// address.
 class Pollable {
  public:
-  /// For the solvers.
+  /// The condition for the solvers.
   [[nodiscard]] support::Stop stop() const {
     return [asked = asked_] { return support::asked(*asked); };
   }
 
   void end_when(support::Stop stop) { *asked_ = std::move(stop); }
 
-  /// Does a node's work, which the search is polled by. @return nothing if the search is about to
-  /// end; the node is then put back
+  /// Does a node's work, during which the search is polled. @return nothing if the search is about
+  /// to end; the node is then put back
   template <class Tree, class Work>
   std::optional<std::invoke_result_t<Work>> within(engine::Expansion<Tree>& out,
                                                    const typename Tree::Node& node, Work work) {

@@ -1,4 +1,4 @@
-// Whether bounds pay, by the size of the tree without them.
+// Decision on candidate bounds by the size of the tree without them.
 #include "nodes/wedged/tree/preparation.hpp"
 
 #include <limits>
@@ -9,11 +9,11 @@
 namespace kusabi::wedged {
 namespace {
 
-/// What bounding a candidate costs, in nodes of the tree without cuts: some ten programs with up to
+/// Cost of bounding a candidate in nodes of the tree without cuts: about ten programs with up to
 /// twice as many rows.
 constexpr double nodes_a_candidate = 15;
 
-/// Of more candidates a sweep takes longer than anybody waits.
+/// Larger blocks are not bounded, since a sweep takes too long.
 constexpr int largest_to_bound = 200;
 
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
@@ -28,7 +28,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
   const bool is_loose = problem.motions.cols() > 0;
-  // Nobody asks how large trees are if it is said already whether candidates are bounded.
+  // The tree size is not estimated if an option decides on candidate bounds.
   const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
                      : is_loose                                  ? fewest_of_loose_to_bound
                                                                  : fewest_to_bound;
@@ -41,7 +41,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
     const int candidates = blocks[block].size();
     if (options.facets != 0 || !pays(trees[block], candidates, options.tightening)) continue;
     own.root = bound_candidates(analysis, problem, friction, block, options.tolerances);
-    // With cuts the centre says more than the first point that proves a node alive.
+    // With cuts the centre is a better criterion than the first point that proves a node feasible.
     if (options.branching == Branching::automatic && own.branching == Branching::relative &&
         !is_loose)
       own.branching = Branching::weighed;

@@ -1,5 +1,5 @@
-// What is done before the trees of sign patterns are searched: the rule of branching of each block,
-// and bounds of its candidates where the tree is large enough to pay for them.
+// Preparation of trees of sign patterns: the branching rule of each block, and bounds of its
+// candidates if the tree is large enough.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@
 
 namespace kusabi::wedged {
 
-/// Smaller blocks have trees that are searched sooner than their candidates are bounded.
+/// Trees of smaller blocks take less time than bounds of their candidates.
 inline constexpr int fewest_to_bound = 24;
-/// The same of loose bodies, whose bounds cost more: where a motion opens a candidate there is none
-/// of its gap.
+/// The same for unconstrained bodies, whose bounds cost more: a candidate opened by a rigid-body
+/// mode has no bound of its gap.
 inline constexpr int fewest_of_loose_to_bound = 56;
 
 /// Of one block.
@@ -24,16 +24,16 @@ struct Preparation {
   RootBounds root;
 };
 
-/// Finds both for each block, as the options ask for. The ranks share the work, and come to the
-/// same, however many they are. Every rank makes the same call.
+/// Determines both for each block by the options. The work is distributed over the ranks; the
+/// result does not depend on their number. Every rank makes the same call.
 std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options);
 
-/// Lets a tree of the same problem know.
+/// Passes the rules and bounds to a tree of the same problem.
 void inform(SignPatternTree& tree, std::span<const Preparation> blocks);
 
-/// Those of all blocks, in the order in which they are proved.
+/// The bounds of all blocks, in the order of their proofs.
 std::vector<ProvedBound> proved_bounds(std::span<const Preparation> blocks);
 
 }  // namespace kusabi::wedged

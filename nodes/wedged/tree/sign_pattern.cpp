@@ -1,4 +1,4 @@
-// How a node of the sign-pattern tree is decided and split.
+// Decision and branching of nodes of the tree of sign patterns.
 #include "nodes/wedged/tree/sign_pattern.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ SignPattern in_whole(const SignPattern& own, const IndexSet& block) {
           .at_rest = problems::in_whole(own.at_rest, block)};
 }
 
-// In contact first.
+// The child in contact comes first.
 std::array<PatternNode, 2> children(const PatternNode& node, int candidate) {
   const auto own = IndexSet::single(candidate);
   const auto& [contact, separated, at_rest] = node.pattern;
@@ -101,7 +101,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   Block& block = blocks_[node.block];
   const auto& [contact, separated, at_rest] = node.pattern;
   const bool leaf = block.free(node.pattern).empty();
-  // A leaf that lives is worth its full accuracy: its margin is part of the answer.
+  // A feasible leaf is solved to full accuracy, since its margin is part of the answer.
   const conic::StopEarly stop{.when_dead = true, .when_alive = !leaf};
   double polyhedral = 0;
   if (block.outer) {
@@ -116,7 +116,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   }
   const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-  if (answer.precision_level > 0) ++tally_.climbed;
+  if (answer.precision_level > 0) ++tally_.escalated;
   if (block.outer && leaf) note_tested(node, polyhedral, answer);
   switch (answer.sign) {
     case conic::Sign::dead:
@@ -130,9 +130,9 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   return branch_living(node);
 }
 
-// A candidate that has no configuration on one side is branched on before anything is solved, and
-// the child on that side is dead by this alone. What is marginal with cuts is so by what they
-// leave, too.
+// A candidate without configurations on one side is branched on before any program is solved, and
+// the child on that side is infeasible by the bound alone. A node undecided with cuts is solved
+// without them.
 std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Node& node) {
   Block& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
@@ -167,9 +167,9 @@ void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
                            .upper = answer.upper});
 }
 
-// A tie in which a candidate of U is never loaded has nothing of its own: with that candidate in R
-// instead, all its configurations are below another node. Otherwise it is closed if what is zero in
-// its relative interior leaves nothing to be decided.
+// A degenerate node in which some candidate of U has no reaction is redundant: all its
+// configurations are below the node with that candidate in R. Otherwise it is closed if the zeros
+// of its relative interior leave no candidate to be decided.
 SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
                                                     const conic::ConicResult& answer) {
   Block& block = blocks_[node.block];
@@ -179,7 +179,7 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
     const Eigen::VectorXd multipliers = block.solver.multipliers();
     const auto inside =
         block.solver.relative_interior(node.pattern.contact, node.pattern.separated);
-    if (inside && inside->loaded.empty()) {  // dead, though by less than the tolerance
+    if (inside && inside->loaded.empty()) {  // infeasible, though by less than the tolerance
       if (answer.upper < 0) return prune(node, multipliers);
       ++tally_.dead;
       report_open(node);
@@ -195,10 +195,10 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
       const SignPattern cone{.contact = inside->loaded,
                              .separated = inside->moved,
                              .at_rest = block.all - (inside->loaded | inside->moved)};
-      // Where equilibrium leaves the free candidates nothing, the node is a tie, and the one leaf
-      // below it that has configurations can be solid all the same.
+      // If equilibrium makes all reactions of the free candidates zero, the node is degenerate, but
+      // the single leaf below it with configurations may be solid.
       if (cone.at_rest.empty() && !free.empty()) {
-        if (thorough_ || witness_) return branch(node, free);
+        if (thorough_ || recorder_) return branch(node, free);
         const auto own = block.solver.solve(cone.contact, cone.separated,
                                             {.when_dead = true, .when_alive = false});
         tally_.iterations += static_cast<std::uint64_t>(own.iterations);
@@ -223,7 +223,7 @@ SignPatternTree::Fate SignPatternTree::branch(const Node& node, const IndexSet& 
   return split(node, block.rule.candidate(open, block.solver));
 }
 
-// A node that is known to be alive, by what was solved last.
+// Branches a feasible node by the last solution.
 SignPatternTree::Fate SignPatternTree::branch_living(const Node& node) {
   Block& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
@@ -231,8 +231,8 @@ SignPatternTree::Fate SignPatternTree::branch_living(const Node& node) {
   return split(node, probed(node, block.rule.best(free, block.solver, probes_)));
 }
 
-// Where a child is dead the node has one child fewer. Otherwise t* of both says how much is left of
-// them; their product is smallest where both have lost much.
+// Strong branching: a candidate with an infeasible child leaves one child; otherwise t* of both
+// children measures their size, and the candidate with the smallest product is chosen.
 int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
   int best = tried.front();
   double least = std::numeric_limits<double>::infinity();
@@ -251,7 +251,7 @@ int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
   return best;
 }
 
-// What the child's own program says of it; what is marginal is not asked any further.
+// The child's program without escalation of undecided signs.
 conic::ConicResult SignPatternTree::probe(const Node& child) {
   Block& block = blocks_[child.block];
   const auto& [contact, separated, at_rest] = child.pattern;
@@ -272,7 +272,7 @@ SignPatternTree::Fate SignPatternTree::split(const Node& node, int candidate) {
   return {.children = {both.begin(), both.end()}, .leaf = {}};
 }
 
-// Tells the witness that a node is closed, unless the exact test refuses why.
+// Passes the evidence of a closed node to the recorder, unless the exact test refuses it.
 bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
                              std::span<const double> numbers) {
   const Evidence evidence{.kind = kind,
@@ -287,12 +287,12 @@ bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
   } else if (kind == Evidence::Kind::alive) {
     ++tally_.proved;
   }
-  if (witness_) witness_(evidence);
+  if (recorder_) recorder_(evidence);
   return true;
 }
 
-// A node whose evidence is refused is branched, unless that would be all that is below it; a leaf
-// is left open.
+// A node whose evidence is refused is branched, unless its subtree is too large; a leaf is left
+// undecided.
 SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
   constexpr int most_free = 8;
   Block& block = blocks_[node.block];
@@ -311,7 +311,7 @@ SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
 }
 
 SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
-  if (witness_ || judge_) {
+  if (recorder_ || judge_) {
     const Block& block = blocks_[node.block];
     const auto numbers = block.mean_motion.with_multipliers(multipliers, block.solver.unit());
     if (!closes(node, Evidence::Kind::dead, numbers)) return doubt(node);
@@ -322,7 +322,7 @@ SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::Vect
 
 std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const conic::Cut> cuts,
                                                                  const Node& node) {
-  if (witness_ || judge_) {
+  if (recorder_ || judge_) {
     const Block& block = blocks_[node.block];
     const auto numbers = cut_evidence(block.solver, block.mean_motion, cuts);
     if (!closes(node, Evidence::Kind::cut, numbers)) return {};
@@ -333,7 +333,7 @@ std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const
 
 // Infeasible by the bounds alone.
 std::optional<SignPatternTree::Fate> SignPatternTree::prune_by_bounds(const Node& node) {
-  if (witness_ || judge_) {
+  if (recorder_ || judge_) {
     const Block& block = blocks_[node.block];
     const std::vector<double> nothing(2 * block.bounds.size() +
                                       static_cast<std::size_t>(block.mean_motion.count()));
@@ -400,7 +400,7 @@ void SignPatternTree::report_open(const Node& node) {
                           .node = in_whole(node.pattern, blocks_[node.block].candidates),
                           .numbers = {}};
   if (!judge_ || !judge_(evidence)) ++tally_.unproved;
-  if (witness_) witness_(evidence);
+  if (recorder_) recorder_(evidence);
 }
 
 }  // namespace kusabi::wedged

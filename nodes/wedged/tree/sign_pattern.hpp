@@ -1,24 +1,24 @@
-// The tree of sign patterns: Algorithm 5.1 of the wedged paper, or 5.8.
+// Tree of sign patterns: Algorithm 5.1 of the wedged paper, or 5.8.
 //
-// A node is a pair (U, R) of disjoint sets of the contact candidates of one block: those held in
-// contact, u_n = 0, and those held separated, r = 0. Its bound is the cone program of
-// solvers/conic, whose optimal value t* tells whether a wedged configuration can exist below the
+// A node is a pair (U, R) of disjoint sets of the contact candidates of one block: those fixed in
+// contact, u_n = 0, and those fixed separated, r = 0. Its bound is the cone program of
+// solvers/conic, whose optimal value t* decides whether a wedged configuration can exist below the
 // node:
 //
-//   t* < 0   none can: the node is dead;
-//   t* > 0   the relaxation is alive: a leaf is a pattern, any other node is branched;
-//   t* = 0   (within the tolerance) a tie: there are configurations, but in all of them some
-//            inequalities are equalities. Those in the relative interior say which. If a candidate
-//            of U is never loaded, the configurations are also below the node that has it in R
-//            instead, and this one is closed. If no candidate is left with both a reaction and a
-//            gap, all configurations of the node are those of one cone D(Y) of (14), a flat one,
-//            and it is closed: found once, however many sign patterns name it. Otherwise it is
-//            branched at such a candidate.
+//   t* < 0   none can: the node is infeasible;
+//   t* > 0   the relaxation is feasible: a leaf is a pattern, any other node is branched;
+//   t* = 0   (within the tolerance) a degenerate node: there are configurations, but in all of
+//            them some inequalities are equalities, which those in the relative interior
+//            determine. If some candidate of U never has a reaction, the configurations are also
+//            below the node that has it in R instead, and this one is closed. If no candidate is
+//            left with both a reaction and a gap, all configurations of the node are those of one
+//            cone D(Y) of (14), a flat one, and it is closed: found once, under any of its sign
+//            patterns. Otherwise it is branched at such a candidate.
 //
-// Should rounding leave the sign of a leaf or the zeros of a tie open, the leaf is reported as
-// undecided or marginal: neither counted as a pattern nor thrown away.
+// If rounding leaves the sign of a leaf or the zeros of a degenerate node undecided, the leaf is
+// reported as undecided or marginal: it neither counts as a pattern nor is it discarded.
 //
-// A structure that comes apart has a tree a block, all below one root.
+// A structure with decoupled blocks has a tree for each block, all below one root.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@
 
 namespace kusabi::wedged {
 
-/// What is asked of each candidate.
+/// State of each candidate.
 struct SignPattern {
   support::IndexSet contact;    ///< U: u_n = 0
   support::IndexSet separated;  ///< R: r = 0
@@ -61,7 +61,7 @@ struct SignPattern {
 
 /// A node of a tree of sign patterns.
 struct PatternNode {
-  /// The root of a structure in several blocks, whose children are the roots of these.
+  /// The root of a structure with several blocks, whose children are the roots of these.
   static constexpr std::uint32_t all_blocks = UINT32_MAX;
 
   std::uint32_t block = 0;
@@ -75,15 +75,15 @@ struct PatternNode {
   }
 };
 
-/// What is known of a leaf that is not dead.
+/// State of a leaf that is not infeasible.
 enum class LeafState {
   alive,      ///< t* is above the tolerance: a solid cone
-  flat,       ///< t* = 0, and it is known what is zero: a flat cone
-  marginal,   ///< |t*| is within the tolerance, but what is zero cannot be told
-  undecided,  ///< neither is proved
+  flat,       ///< t* = 0 with known zeros: a flat cone
+  marginal,   ///< |t*| is within the tolerance, and the zeros are numerically undecided
+  undecided,  ///< neither feasibility nor infeasibility is proved
 };
 
-/// A leaf of the tree that is not dead, with a configuration that shows it.
+/// A leaf of the tree that is not infeasible, with a configuration.
 struct Configuration {
   std::uint32_t block = 0;
   SignPattern pattern;  ///< of the whole problem's candidates
@@ -99,19 +99,19 @@ struct Configuration {
   }
 };
 
-/// The leaf of the block's own tree whose cone a configuration's is: candidates at rest may be
-/// called separated.
+/// The leaf of the block's own tree that contains the configuration; inactive candidates may count
+/// as separated.
 /// @param block its candidates, as the whole problem numbers them
 SignPattern own_leaf(const Configuration& found, const support::IndexSet& block);
 
-/// A leaf that polyhedral friction cones let live: one of Y_1, ..., Y_k of Algorithm 5.8, and what
-/// its step 2 says of it.
+/// A leaf feasible with polyhedral friction cones: one of Y_1, ..., Y_k of Algorithm 5.8, with the
+/// result of its step 2.
 struct PolyhedralCandidate {
   std::uint32_t block = 0;
   SignPattern pattern;    ///< of the whole problem's candidates
-  double polyhedral = 0;  ///< t of their program, of which the sign counts
-  double lower = 0;       ///< lower <= t* <= upper of (23); minus infinity where only the sign
-  double upper = 0;       ///< of t* was wanted
+  double polyhedral = 0;  ///< t of their program, of which only the sign is used
+  double lower = 0;       ///< lower <= t* <= upper of (23); minus infinity if only the sign
+  double upper = 0;       ///< of t* was requested
 
   /// t* < 0: no configuration of (WP) has this pattern.
   [[nodiscard]] bool discarded() const { return upper < 0; }
@@ -122,14 +122,15 @@ struct PolyhedralCandidate {
   }
 };
 
-/// Why a node was closed: what a certificate says of it (docs/certificates.md).
+/// Evidence of a closed node for a certificate (docs/certificates.md).
 struct Evidence {
   enum class Kind {
-    dead,   ///< numbers: the multipliers that prove it, one a candidate of the block
-    alive,  ///< a leaf; numbers: the tangential reactions of the candidates in U. Of loose bodies
-            ///< both go on with the mean motion of w, of u (mean_motion.hpp)
-    cut,    ///< dead with cuts; numbers: as of dead, then one for the cut of each candidate
-    marginal,  ///< flat, marginal or undecided: nothing is claimed; no numbers
+    dead,   ///< numbers: the multipliers of the proof, one for each candidate of the block
+    alive,  ///< a leaf; numbers: the tangential reactions of the candidates in U. For unconstrained
+            ///< bodies both continue with the mean motion of w or u (mean_motion.hpp)
+    cut,    ///< infeasible with cuts; numbers: those of `dead`, then one for the cut of each
+            ///< candidate
+    marginal,  ///< flat, marginal or undecided: no claim and no numbers
   };
   Kind kind = Kind::marginal;
   std::uint32_t block = 0;
@@ -137,32 +138,33 @@ struct Evidence {
   std::span<const double> numbers;  ///< valid during the call
 };
 
-/// Told of every node that is closed.
-using Witness = std::function<void(const Evidence&)>;
+/// Recorder of the evidence of every closed node.
+using EvidenceRecorder = std::function<void(const Evidence&)>;
 
-/// Whether an exact test accepts what is said of a node that is to be closed; of one of which
-/// nothing is claimed, whether it has nothing that others do not have.
+/// Exact test of the evidence of a node to be closed; for a node without claim, whether its
+/// configurations are also those of others.
 using Judge = std::function<bool(const Evidence&)>;
 
-/// What became of the nodes that were opened, and what it cost.
+/// Counts of opened nodes by their result, and costs.
 struct SignPatternTally : engine::Counts<SignPatternTally> {
-  std::uint64_t branched = 0;    ///< had both children put into the tree
-  std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
-  std::uint64_t found = 0;       ///< leaves that are alive
-  std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
-  std::uint64_t faces = 0;       ///< ties closed: another node has all of their solutions
-  std::uint64_t marginal = 0;    ///< leaves that are marginal
+  std::uint64_t branched = 0;  ///< both children added to the tree
+  std::uint64_t dead = 0;      ///< pruned: no wedged configuration below
+  std::uint64_t found = 0;     ///< feasible leaves
+  std::uint64_t flat = 0;      ///< nodes closed as flat cones, maximal or not
+  std::uint64_t faces = 0;     ///< degenerate nodes closed: another node has all of their solutions
+  std::uint64_t marginal = 0;  ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
-  std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
-  std::uint64_t probed = 0;      ///< children that were solved to choose which to split into
+  std::uint64_t escalated = 0;   ///< nodes solved at a higher precision level
+  std::uint64_t probed = 0;      ///< children solved for strong branching
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
-  std::vector<PolyhedralCandidate> tested;  ///< these; no count, and so not among the fields
-  std::uint64_t proved = 0;                 ///< leaves whose life an exact test has accepted
-  std::uint64_t refused = 0;                ///< claims that it has not
-  std::uint64_t doubted = 0;                ///< nodes closed as dead although it refuses why
-  std::uint64_t unproved = 0;  ///< closed nodes of which nothing is claimed, and no test proves it
+  std::vector<PolyhedralCandidate> tested;  ///< these leaves; not a count
+  std::uint64_t proved = 0;                 ///< leaves proved feasible by the exact test
+  std::uint64_t refused = 0;                ///< claims refused by it
+  std::uint64_t doubted =
+      0;  ///< nodes closed as infeasible although the test refuses their evidence
+  std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
 
   SignPatternTally& operator+=(const SignPatternTally& other) {
     Counts::operator+=(other);
@@ -189,49 +191,49 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
                       field("marginal_leaves", &SignPatternTally::marginal),
                       field("undecided_leaves", &SignPatternTally::undecided),
                       field("doubtful_branched", &SignPatternTally::doubtful),
-                      field("climbed", &SignPatternTally::climbed),
+                      field("climbed", &SignPatternTally::escalated),
                       field("probed", &SignPatternTally::probed),
                       field("iterations", &SignPatternTally::iterations),
                       field("candidates", &SignPatternTally::candidates)};
   }
 };
 
-/// Whether the candidates are bounded before the tree is searched (candidate_bounds.hpp).
+/// Bounding of candidates before the tree is searched (candidate_bounds.hpp).
 enum class Tightening {
-  automatic,  ///< where the tree is large: find_patterns looks at it
+  automatic,  ///< if the tree is large, as decided by find_patterns
   never,
-  always,  ///< by the cones themselves, that is
+  always,  ///< only the bounds that follow from the cones themselves
 };
 
-/// How the tree is searched. Whatever is chosen, the patterns are the same.
+/// Options of the search. The patterns do not depend on them.
 struct SignPatternOptions {
   conic::Tolerances tolerances;
-  Branching branching = Branching::automatic;     ///< without a trial: find_patterns makes one
+  Branching branching = Branching::automatic;     ///< without sampling; find_patterns samples
   Tightening tightening = Tightening::automatic;  ///< likewise
-  /// Of how many candidates, the best by the rule of branching, both children are solved before a
-  /// node is split: by one of which a child is dead, or else by the one whose children have least
-  /// left. 0: none, the rule decides. Of polyhedral cones none are.
+  /// Number of candidates for strong branching, the best by the branching rule: both children of
+  /// each are solved, and the node is split by one with an infeasible child or by the one whose
+  /// children are smallest. 0: none. Not used with polyhedral cones.
   int probes = 0;
-  /// 0: a node is bounded with the friction cones themselves (Algorithm 5.1). Otherwise, in space,
-  /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
-  /// to the test of the cones (Algorithm 5.8).
+  /// 0: nodes are bounded with the friction cones themselves (Algorithm 5.1). Otherwise, in space,
+  /// the number of facets of circumscribed polyhedral cones; leaves feasible with these are tested
+  /// with the cones themselves (Algorithm 5.8).
   int facets = 0;
-  /// Whether ties that have nothing of their own are searched all the same: then each sign pattern
-  /// below them is decided by itself, which a certificate needs. Up to 2^k times as many nodes
-  /// where k candidates stay at rest.
+  /// True if redundant degenerate nodes are also branched: then each sign pattern below them is
+  /// decided by itself, which a certificate needs. Up to 2^k times as many nodes for k inactive
+  /// candidates.
   bool thorough = false;
   Precision precision = Precision::escalating;
 };
 
-/// The problem type that engine::search searches.
+/// Problem type of engine::search.
 class SignPatternTree {
  public:
   using Node = PatternNode;
   using Solution = Configuration;
   using Tally = SignPatternTally;
 
-  /// Contact leaves less to search than separation: a quarter to a third of a subtree is below it,
-  /// weighted by size, on space trusses of 20 to 40 candidates (docs/theory/wedged.md).
+  /// Contact leaves a smaller subtree than separation: a quarter to a third of the size on space
+  /// trusses of 20 to 40 candidates (docs/theory/wedged.md).
   static constexpr double work_of_first_child = 1.0 / 3;
 
   /// @param friction mu of each contact candidate, m numbers >= 0
@@ -239,29 +241,29 @@ class SignPatternTree {
   SignPatternTree(const problems::WedgedProblem& problem, std::span<const double> friction,
                   SignPatternOptions options = {});
 
-  /// From now on the nodes of this block are split by another rule.
+  /// Sets the branching rule of a block.
   void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
-  /// From now on the nodes of this block know these bounds of its candidates.
+  /// Sets bounds of a block's candidates.
   void tighten(std::size_t block, std::vector<CandidateBounds> bounds);
 
   Node root() const { return {.block = blocks_.size() == 1 ? 0 : Node::all_blocks, .pattern = {}}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
   Tally tally() const { return tally_; }
 
-  /// For engine::Order::best_first, which is breadth-first by these (Remark 5.2): how many
-  /// candidates have a sign in a leaf, and so at most how many above it.
+  /// Objective of engine::Order::best_first, which is breadth-first with it (Remark 5.2): the
+  /// number of candidates with a sign in a leaf, which bounds that of the nodes above it.
   [[nodiscard]] double objective(const Solution& leaf) const;
   [[nodiscard]] double bound(const Node& node) const;
 
-  /// What becomes of a node: it is dead (neither), branched, or a leaf that is not dead.
+  /// Result of a node: infeasible (neither), branched, or a leaf that is not infeasible.
   struct Fate {
     std::vector<Node> children;
     std::optional<Configuration> leaf;
   };
 
-  /// Opens a node, for `expand` and for trees that make something else of the leaves.
-  /// @throws support::Stopped soon after an end is asked for
+  /// Opens a node, for `expand` and for other trees on the same nodes.
+  /// @throws support::Stopped soon after the run is to stop
   Fate decide(const Node& node);
 
   /// The same within an expansion of another tree: nothing if the search is about to end and the
@@ -271,22 +273,22 @@ class SignPatternTree {
     return pollable_.within(out, node, [&] { return decide(node); });
   }
 
-  /// From now on decide() ends when this is asked for, outside of expansions.
+  /// Sets the stop condition of decide() outside of expansions.
   void end_when(support::Stop stop) { pollable_.end_when(std::move(stop)); }
 
-  /// From now on `witness` is told why nodes are closed. A branched node is not closed.
-  void report_to(Witness witness) { witness_ = std::move(witness); }
+  /// Sets the recorder of evidence of closed nodes. Branched nodes are not closed.
+  void report_to(EvidenceRecorder recorder) { recorder_ = std::move(recorder); }
 
-  /// From now on what is said of a node is put to this test, and what it refuses is counted.
-  /// @param binding whether it is not said then: a node is branched that few candidates are free
-  /// at, a leaf is undecided
+  /// Sets the exact test of evidence; refused claims are counted.
+  /// @param binding whether refused claims are not used: a node with few free candidates is then
+  /// branched, a leaf is undecided
   void judge_by(Judge judge, bool binding) {
     judge_ = std::move(judge);
     binding_ = binding;
   }
 
  private:
-  // What it takes to bound the nodes of one block.
+  // Solver and bounds for the nodes of one block.
   struct Block {
     /// @param problem of the block alone  @param within_whole its candidates in the whole
     Block(const problems::WedgedProblem& problem, support::IndexSet within_whole,
@@ -305,7 +307,8 @@ class SignPatternTree {
     std::optional<FacetBound> outer;      // of Algorithm 5.8
   };
 
-  // What bounds say of a node that is no leaf; nothing if the program without cuts must be asked.
+  // Decision by bounds at a node that is not a leaf; nothing if the program without cuts is
+  // required.
   std::optional<Fate> decide_with_cuts(const Node& node);
   Fate decide_doubt(const Node& node, const conic::ConicResult& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::ConicResult& answer);
@@ -331,7 +334,7 @@ class SignPatternTree {
   Pollable pollable_;
   std::vector<Block> blocks_;
   Tally tally_;
-  Witness witness_;
+  EvidenceRecorder recorder_;
   Judge judge_;
   bool binding_ = false;
 };

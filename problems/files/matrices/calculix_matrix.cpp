@@ -149,8 +149,8 @@ void SubstructureReader::rest() {
     }
     data_.warnings.emplace_back(
         support::InputError(in_.file(), {in_.number(), 1},
-                            "a matrix after the stiffness is left out; wedged configurations are "
-                            "at rest")
+                            "a matrix after the stiffness is ignored, since wedged configurations "
+                            "are static")
             .what());
     while (in_.next_line()) {
       if (!is_keyword()) continue;
@@ -166,7 +166,7 @@ void SubstructureReader::warn() {
   data_.warnings.emplace_back(
       support::InputError(in_.file(), {data_.size_line, 1},
                           "CalculiX 2.20 does not condense its substructures: the nodes that are "
-                          "not retained are held; its .sti and .dof hold no more than the supports")
+                          "not retained are fixed; its .sti and .dof files fix the supports only")
           .what());
 }
 

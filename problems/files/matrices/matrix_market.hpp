@@ -13,7 +13,7 @@
 
 namespace kusabi::problems {
 
-/// Whether a text begins with the banner of a Matrix Market file.
+/// True if a text begins with the banner of a Matrix Market file.
 bool is_matrix_market(std::string_view text);
 
 /// A square matrix, coordinate or array, real or integer, symmetric or general.

@@ -13,7 +13,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Whether a material is one of bars: it has a key that bodies do not have.
+/// True if a material is one of bars: it has a key that bodies do not have.
 bool is_of_bars(const TomlTable& table) {
   const auto has = [&](std::string_view key) { return table.table->contains(key); };
   return std::ranges::any_of(std::array{"EA", "A", "yield", "fy"}, has);

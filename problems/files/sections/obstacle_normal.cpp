@@ -146,11 +146,10 @@ ObstacleNormal of_plane(const ProblemDraft& draft, const toml::node& entry, Lazy
     const auto outward =
         surface.get().mean_normal(listed.node, [](const SurfaceFace&) { return true; });
     if (!outward) {
-      draft.reader().fail(
-          listed.position,
-          fmt::format("the body has no surface at {}, so on which side of the plane "
-                      "it is cannot be told; expected a normal [...]",
-                      draft.node_name(listed.node)));
+      draft.reader().fail(listed.position,
+                          fmt::format("the body has no surface at {}, so its side of the plane is "
+                                      "undetermined; expected a normal [...]",
+                                      draft.node_name(listed.node)));
     }
     return outward->dot(normal) > 0 ? Eigen::VectorXd(-normal) : normal;
   };

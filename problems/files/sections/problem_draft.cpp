@@ -16,13 +16,13 @@ namespace {
 constexpr int most_every = 1'000'000;
 
 /// Maximum number of groups of a mesh in an error message.
-constexpr std::size_t most_groups_told = 12;
+constexpr std::size_t most_groups_named = 12;
 
 }  // namespace
 
 std::string names_of_groups(std::vector<std::string> groups, std::string_view between) {
   for (std::string& group : groups) group = support::in_quotes(group);
-  const std::size_t left_out = groups.size() - std::min(groups.size(), most_groups_told);
+  const std::size_t left_out = groups.size() - std::min(groups.size(), most_groups_named);
   groups.resize(groups.size() - left_out);
   const std::string more = left_out == 0 ? "" : fmt::format(" and {} more", left_out);
   return fmt::format("{}{}", fmt::join(groups, between), more);

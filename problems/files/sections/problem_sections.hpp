@@ -26,7 +26,7 @@ void read_springs(ProblemDraft& draft);
 /// [[stiffness]]. The elements of the named meshes become outlines.
 void read_stiffnesses(ProblemDraft& draft);
 
-/// Whether a [[stiffness]] contains that of the mesh.
+/// True if a [[stiffness]] contains that of the mesh.
 bool is_of_stiffness(const ProblemDraft& draft, std::string_view mesh);
 
 /// [[ties]].

@@ -26,7 +26,7 @@ Stresses element_stresses(const Structure& structure, const Eigen::MatrixXd& dis
 /// Von Mises stresses, sqrt(3/2 s:s) with the deviator s, one for each column.
 Eigen::VectorXd von_mises(const Stresses& stresses);
 
-/// Whether any member has a yield force.
+/// True if any member has a yield force.
 bool has_yield_forces(const Structure& structure);
 
 /// |q| relative to the yield force of the sign of q, one for each member: 1 at yield, 0 without

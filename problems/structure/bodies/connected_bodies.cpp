@@ -166,8 +166,9 @@ std::vector<std::string> coincidence_warnings(const Structure& structure) {
   if (pairs.empty()) return {};
   const auto [first, second] = pairs.front();
   const auto message = fmt::format(
-      "{} {} where another node is and nothing joins them, such as {} and {}, so that each moves "
-      "by itself{}; expected one node at a place (in Gmsh: Coherence, Coherence Mesh), [[ties]] "
+      "{} {} at the place of another node without connection, such as {} and {}, so that each "
+      "moves independently{}; expected one node at a place (in Gmsh: Coherence, Coherence Mesh), "
+      "[[ties]] "
       "between them, or a [[contact]] with against where bodies touch",
       pairs.size(), pairs.size() == 1 ? "node is" : "nodes are", name_of(structure, first),
       name_of(structure, second),

@@ -11,7 +11,7 @@
 
 namespace kusabi::problems {
 
-/// Whether a node is supported along every axis. Such a node belongs to the ground.
+/// True if a node is supported along every axis. Such a node belongs to the ground.
 bool is_ground(const Structure& structure, int node);
 
 /// The nodes of each body, including ground nodes that touch it, in the order of their first free

@@ -138,7 +138,7 @@ void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees) {
   throw structure_error(
       structure, position_of(structure.sources.nodes, moving.front()),
       fmt::format("the structure is a mechanism: {} {} without straining any member; expected "
-                  "supports and members that hold every node",
+                  "supports and members that prevent this",
                   some_names(structure, moving), moving.size() == 1 ? "moves" : "move"));
 }
 

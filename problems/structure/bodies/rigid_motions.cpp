@@ -77,7 +77,7 @@ Place first_large(const PreciseMatrix& matrix) {
   return {0, 0};
 }
 
-/// Whether the elimination continues with a pivot.
+/// True if the elimination continues with a pivot.
 /// @return nothing if numerically undecided
 std::optional<bool> goes_on(double pivot) {
   if (pivot <= dependent) return false;
@@ -162,7 +162,7 @@ class Piece {
  public:
   Piece(const Structure& structure, const std::set<int>& nodes);
 
-  [[nodiscard]] LooseBody body() &&;
+  [[nodiscard]] UnconstrainedBody body() &&;
 
  private:
   void set_conditions(const std::set<int>& nodes);
@@ -176,7 +176,7 @@ class Piece {
   // component: rows of q entries.
   std::vector<PreciseMatrix> conditions_;
   std::vector<std::pair<int, PreciseMatrix>> ties_;  // number of the constraint
-  LooseBody body_;
+  UnconstrainedBody body_;
 };
 
 Piece::Piece(const Structure& structure, const std::set<int>& nodes) : structure_(structure) {
@@ -242,9 +242,9 @@ void Piece::require_ties_in_place(const PreciseMatrix& motions) const {
     throw structure_error(
         structure_, position_of(structure_.sources.ties, tie),
         fmt::format(
-            "node {} is tied to a place that is not exactly its own, in a body that can "
-            "move as a whole; expected nodes that meet, shares of nodes that give the place "
-            "exactly, or supports that hold the body",
+            "node {} is tied to a place that differs from its own, in an unconstrained body; "
+            "expected coincident nodes, weights that give the place exactly, or supports of the "
+            "body",
             support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
   }
 }
@@ -268,15 +268,15 @@ void Piece::refuse() const {
   const int node = held_.empty() ? body_.nodes.front() : held_.front().first;
   throw structure_error(
       structure_, position_of(structure_.sources.nodes, node),
-      fmt::format("what holds the body of node {} lies almost on one line, so that it cannot be "
-                  "told whether the body can turn about it; expected supports exactly on a line, "
-                  "or clearly off it",
+      fmt::format("the supports of the body of node {} lie almost on one line, and whether the "
+                  "body can turn about it is numerically undecided; expected supports exactly on "
+                  "a line, or clearly off it",
                   support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
 }
 
 // A single bar may rotate about its axis without displacement of a node; this is not counted as a
 // mode.
-LooseBody Piece::body() && {
+UnconstrainedBody Piece::body() && {
   auto [columns, pivot] = null_space(held());
   if (pivot == 0) refuse();
   const Eigen::Index d = structure_.dimension;
@@ -334,19 +334,19 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Eigen::Index LooseBody::translations() const {
+Eigen::Index UnconstrainedBody::translations() const {
   const Eigen::MatrixXd turning = motions.bottomRows(motions.rows() - centre.size()).cast<double>();
   Eigen::Index count = 0;
   while (count < motions.cols() && turning.col(count).isZero(0.0)) ++count;
   return count;
 }
 
-PreciseMatrix displacements(const LooseBody& body, const Eigen::VectorXd& place) {
+PreciseMatrix displacements(const UnconstrainedBody& body, const Eigen::VectorXd& place) {
   return lever(body.centre, body.size, place) * body.motions;
 }
 
-std::vector<LooseBody> loose_bodies(const Structure& structure) {
-  std::vector<LooseBody> bodies;
+std::vector<UnconstrainedBody> unconstrained_bodies(const Structure& structure) {
+  std::vector<UnconstrainedBody> bodies;
   std::set<int> of_superelements;
   for (const Superelement& each : structure.superelements) {
     const auto nodes = nodes_of(each);
@@ -363,7 +363,7 @@ std::vector<LooseBody> loose_bodies(const Structure& structure) {
   return bodies;
 }
 
-std::string described(const LooseBody& body) {
+std::string described(const UnconstrainedBody& body) {
   const Eigen::MatrixXd motions = body.motions.cast<double>();
   const Eigen::Index d = body.centre.size();
   const Eigen::Index shifts = body.translations();

@@ -25,7 +25,7 @@ inline constexpr double independent = 1e-8;
 /// A component connected by members and elements that admits rigid-body modes. Nodes supported
 /// along every axis belong to the ground and connect nothing; nor do candidates `against` another
 /// body.
-struct LooseBody {
+struct UnconstrainedBody {
   std::vector<int> nodes;  ///< in increasing order, without ground nodes
   Eigen::VectorXd centre;  ///< d, centre of the modes below
   double size = 1;         ///< a power of two near the largest distance of a node from the centre
@@ -41,15 +41,15 @@ struct LooseBody {
 };
 
 /// The displacements d x p of a place in the modes of a body.
-numbers::PreciseMatrix displacements(const LooseBody& body, const Eigen::VectorXd& place);
+numbers::PreciseMatrix displacements(const UnconstrainedBody& body, const Eigen::VectorXd& place);
 
 /// All unconstrained bodies, in the order of their first nodes; without those connected to a
 /// superelement, which are taken as constrained.
 /// @throws InputError where supports lie almost, but not exactly, on one line
 /// @pre the structure passes `check_structure`
-std::vector<LooseBody> loose_bodies(const Structure& structure);
+std::vector<UnconstrainedBody> unconstrained_bodies(const Structure& structure);
 
 /// Description such as "can move along x and y and turn".
-std::string described(const LooseBody& body);
+std::string described(const UnconstrainedBody& body);
 
 }  // namespace kusabi::problems

@@ -124,7 +124,7 @@ void ConstraintCheck::place_of(const Follower& follower, const std::set<int>& fo
   for (const auto& [node, weight] : *follower.place) {
     if (!is_node(node)) {
       fail(follower.position,
-           fmt::format("what node {} is paired with does not exist", name(follower.node)));
+           fmt::format("node {} is paired with a node that does not exist", name(follower.node)));
     }
     if (node == follower.node) {
       fail(follower.position, fmt::format("node {} is paired with itself; expected a node of "
@@ -156,11 +156,11 @@ void ConstraintCheck::held_alike(const Follower& follower) const {
     if (!is_fixed(follower.node, axis)) continue;
     for (const auto& [node, weight] : *follower.place) {
       if (is_fixed(node, axis)) continue;
-      fail(
-          follower.position,
-          fmt::format("node {} is held along {}, but {}, with which it is paired, is not; expected "
-                      "both or neither",
-                      name(follower.node), axis_name(axis), name(node)));
+      fail(follower.position,
+           fmt::format(
+               "node {} is supported along {}, but {}, with which it is paired, is not; expected "
+               "both or neither",
+               name(follower.node), axis_name(axis), name(node)));
     }
   }
 }
@@ -195,10 +195,11 @@ void ConstraintCheck::rollers() const {
     }
     for (int axis = 0; axis < structure_.dimension; ++axis) {
       if (!is_fixed(candidate.node, axis) || candidate.normal(axis) == 0) continue;
-      fail(position_of(structure_.sources.contact, index),
-           fmt::format("contact candidate {} is held along {}, across the obstacle; expected a "
-                       "support along the obstacle, where the normal has no component, or none",
-                       name(candidate.node), axis_name(axis)));
+      fail(
+          position_of(structure_.sources.contact, index),
+          fmt::format("contact candidate {} is supported along {}, across the obstacle; expected a "
+                      "support along the obstacle, where the normal has no component, or none",
+                      name(candidate.node), axis_name(axis)));
     }
   }
 }

@@ -15,7 +15,7 @@
 #include "problems/structure/checks/superelement_check.hpp"
 #include "problems/structure/checks/uncertainty_check.hpp"
 #include "problems/structure/geometry/surface.hpp"
-#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/superelement.hpp"
 
 namespace kusabi::problems {
@@ -297,7 +297,7 @@ void check_structure(const Structure& structure) {
   check.contact_count();
   check.contact_nodes();
   check.contact_directions();
-  check_corners(structure);
+  check_several_normals(structure);
   check_constraints(structure);
   check_normals(structure);
   check.loads();

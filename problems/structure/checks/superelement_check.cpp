@@ -56,7 +56,7 @@ void check_rows(const Structure& structure, std::size_t index) {
   const auto size = static_cast<Eigen::Index>(own.rows.size());
   if (size == 0 || own.stiffness.rows() != size || own.stiffness.cols() != size) {
     fail(structure, index,
-         fmt::format("the stiffness is {} x {}; expected {} x {}, for so many rows are named",
+         fmt::format("the stiffness is {} x {}; expected {} x {}, the number of named rows",
                      own.stiffness.rows(), own.stiffness.cols(), size, size));
   }
 }
@@ -114,7 +114,7 @@ Matrix scaled(const Matrix& matrix, const Eigen::VectorXd& scale) {
   return scale.asDiagonal() * matrix * scale.asDiagonal();
 }
 
-/// Whether the matrix plus `shift` times the unit matrix is positive definite.
+/// True if the matrix plus `shift` times the unit matrix is positive definite.
 bool definite(const Matrix& matrix, double shift) {
   Eigen::SimplicialLLT<Matrix> factor;
   factor.setShift(shift);
@@ -174,13 +174,14 @@ void refuse_unheld(const Structure& structure, const FreeDegrees& degrees) {
   const auto moving = nodes_moved(degrees, motion, visible);
   if (moving.empty()) {
     fail(structure, 0,
-         "a rotation, or another unknown that a stiffness has of its own, is held by no more than "
-         "the rounding of its numbers; expected all of them to be held in the stiffness");
+         "an internal unknown of a stiffness, such as a rotation, is constrained only by the "
+         "rounding "
+         "of its numbers; expected a stiffness that constrains all internal unknowns");
   }
   throw structure_error(
       structure, position_of(structure.sources.nodes, moving.front()),
-      fmt::format("{} can move: a [[stiffness]] resists it by no more than the rounding of its "
-                  "numbers; expected supports or springs that hold its body",
+      fmt::format("{} can move: a [[stiffness]] resists it only by the rounding of its numbers; "
+                  "expected supports or springs on its body",
                   some_names(structure, moving)));
 }
 

@@ -15,7 +15,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Whether `place` lies on the straight edge between its ends, excluding them.
+/// True if `place` lies on the straight edge between its ends, excluding them.
 bool on_edge(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& place) {
   const Eigen::VectorXd along = to - from;
   const double length = along.norm();
@@ -24,7 +24,7 @@ bool on_edge(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen
   return share > same_place && share < 1 - same_place && off <= same_place * length;
 }
 
-/// Whether `place` lies in a triangle in space, excluding its vertices.
+/// True if `place` lies in a triangle in space, excluding its vertices.
 bool on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& place) {
   const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double area = normal.norm();

@@ -23,7 +23,7 @@ constexpr double cancelled_normals = 1e-6;
 /// millionth of a radian apart.
 constexpr double dependent_normals = 1e-12;
 
-/// Whether an element has the opposite orientation: the normal of its first face then points
+/// True if an element has the opposite orientation: the normal of its first face then points
 /// inwards.
 bool inside_out(const Structure& structure, const Element& element) {
   const auto& face = element_faces(element.shape).front();

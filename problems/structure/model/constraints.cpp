@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/several_normals.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -14,11 +14,11 @@ namespace {
 using numbers::Precise;
 
 /// Weights of the free displacements in one displacement.
-class Leaders {
+class MasterDegrees {
  public:
-  Leaders(const Structure& structure, FreeDegrees& degrees)
+  MasterDegrees(const Structure& structure, FreeDegrees& degrees)
       : structure_(structure), degrees_(degrees) {
-    degrees_.leaders.resize(static_cast<std::size_t>(degrees_.number.size()));
+    degrees_.master_degrees.resize(static_cast<std::size_t>(degrees_.number.size()));
   }
 
   void incline(const InclinedSupport& support) {
@@ -48,8 +48,8 @@ class Leaders {
   }
 
  private:
-  std::vector<Leader>& at(int axis, int node) {
-    return degrees_.leaders[static_cast<std::size_t>(degrees_.number.rows() * node + axis)];
+  std::vector<MasterDegree>& at(int axis, int node) {
+    return degrees_.master_degrees[static_cast<std::size_t>(degrees_.number.rows() * node + axis)];
   }
 
   const Structure& structure_;
@@ -74,7 +74,7 @@ bool has_constraints(const Structure& structure) {
   return false;
 }
 
-std::set<std::pair<int, int>> made_of_others(const Structure& structure) {
+std::set<std::pair<int, int>> dependent_displacements(const Structure& structure) {
   std::set<std::pair<int, int>> made;
   for (const InclinedSupport& support : structure.inclined)
     made.emplace(support.node, steepest_axis(support.direction));
@@ -84,16 +84,16 @@ std::set<std::pair<int, int>> made_of_others(const Structure& structure) {
   return made;
 }
 
-void set_leaders(const Structure& structure, FreeDegrees& degrees) {
+void set_master_degrees(const Structure& structure, FreeDegrees& degrees) {
   if (!has_constraints(structure)) return;
-  Leaders leaders(structure, degrees);
-  for (const InclinedSupport& support : structure.inclined) leaders.incline(support);
-  for (const Tie& tie : structure.ties) leaders.follow(tie.node, tie.to);
-  const auto corners = corner_nodes(structure);
+  MasterDegrees master_degrees(structure, degrees);
+  for (const InclinedSupport& support : structure.inclined) master_degrees.incline(support);
+  for (const Tie& tie : structure.ties) master_degrees.follow(tie.node, tie.to);
+  const auto corners = nodes_with_several_normals(structure);
   for (const ContactCandidate& candidate : structure.contact) {
     // A node with several contact normals may be opposite to two places, so it keeps displacements
     // of its own.
-    if (!corners.contains(candidate.node)) leaders.follow(candidate.node, candidate.against);
+    if (!corners.contains(candidate.node)) master_degrees.follow(candidate.node, candidate.against);
   }
 }
 

@@ -42,9 +42,9 @@ template <class Scalar>
 void add_entry(const FreeDegrees& degrees, int axis, int node, const Scalar& value,
                StrainVector<Scalar>& vector) {
   if (const int number = degrees.number(axis, node); number >= 0) vector.push_back({number, value});
-  if (degrees.leaders.empty()) return;
+  if (degrees.master_degrees.empty()) return;
   const auto place = static_cast<std::size_t>(degrees.number.rows() * node + axis);
-  for (const auto& [number, weight] : degrees.leaders[place]) {
+  for (const auto& [number, weight] : degrees.master_degrees[place]) {
     vector.push_back({number, detail::times(value, weight)});
   }
 }

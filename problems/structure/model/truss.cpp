@@ -18,7 +18,7 @@ double length(const Structure& structure, const Member& member) {
 FreeDegrees free_degrees(const Structure& structure) {
   FreeDegrees degrees;
   degrees.number.setConstant(structure.dimension, structure.coordinates.cols(), -1);
-  const auto made = made_of_others(structure);
+  const auto made = dependent_displacements(structure);
   for (int node = 0; node < static_cast<int>(structure.coordinates.cols()); ++node) {
     for (int axis = 0; axis < structure.dimension; ++axis) {
       if (structure.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)]) continue;
@@ -27,7 +27,7 @@ FreeDegrees free_degrees(const Structure& structure) {
       degrees.free.push_back({node, axis});
     }
   }
-  set_leaders(structure, degrees);
+  set_master_degrees(structure, degrees);
   for (const Superelement& each : structure.superelements) {
     auto& own = degrees.own_unknowns.emplace_back();
     for (const SuperelementRow& row : each.rows)

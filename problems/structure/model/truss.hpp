@@ -19,7 +19,7 @@ struct DegreeOfFreedom {
 };
 
 /// A master degree of freedom of a dependent displacement, with its weight.
-struct Leader {
+struct MasterDegree {
   int number;
   numbers::Precise weight;  ///< accurate to 104 bits
 };
@@ -32,7 +32,7 @@ struct FreeDegrees {
   Eigen::MatrixXi number;
   /// By d * node + axis, or empty if there are none: masters of the displacement besides the free
   /// one of its own number (problems/structure/model/constraints.hpp).
-  std::vector<std::vector<Leader>> leaders{};
+  std::vector<std::vector<MasterDegree>> master_degrees{};
   /// By superelement and row: the number of an internal unknown, or -1 for displacements of nodes.
   std::vector<std::vector<int>> own_unknowns{};
   int own_count = 0;  ///< number of internal unknowns

@@ -1,4 +1,4 @@
-// Combinations of actions: the box of each leading action against all its combinations, one by one.
+// Combinations of actions: the box of each leading action compared with all its combinations.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -37,7 +37,8 @@ void add(Structure& truss, const Action& action, double factor, problems::Load::
   }
 }
 
-// The least factor of snow over all choices of favourable and unfavourable, each by its own (5).
+// The least factor of snow over all choices of favourable and unfavourable factors, each by a
+// program (5) of its own.
 double least_by_choices(const Structure& truss, double reference, double imposed_most,
                         double wind_most) {
   double least = std::numeric_limits<double>::infinity();

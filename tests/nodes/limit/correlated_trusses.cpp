@@ -1,4 +1,4 @@
-// Parameter by parameter.
+// Random trusses, parameter by parameter.
 #include "tests/nodes/limit/correlated_trusses.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class Draw {
   std::mt19937 bits_;
 };
 
-/// A truss that grows parameter by parameter.
+/// Builder of a truss, parameter by parameter.
 class Maker {
  public:
   explicit Maker(std::uint32_t seed) : draw_(seed) { truss_.dimension = seed % 2 == 0 ? 2 : 3; }
@@ -77,7 +77,7 @@ void Maker::loads() {
     truss_.loads.push_back({kind, node, force});
   };
   load(Load::Kind::reference, last, 1);
-  truss_.loads.back().force(0) = 0;  // one free component there carries none
+  truss_.loads.back().force(0) = 0;  // one free component there has none
   load(Load::Kind::reference, last - 1, 1);
   if (draw_.one_in(2)) load(Load::Kind::dead, last - 2, 0.2);
 }
@@ -96,7 +96,7 @@ UncertainParameter Maker::single() {
   return {{}, {{node, 1, weight}}};
 }
 
-// On all free components of some nodes, less what it has of the reference load.
+// On all free components of some nodes, without its part along the reference load.
 UncertainParameter Maker::spread() {
   UncertainParameter load;
   double work = 0;
@@ -116,7 +116,7 @@ UncertainParameter Maker::spread() {
   return load;
 }
 
-// The reference load of a node, turned by a right angle.
+// The reference load of a node, rotated by 90 degrees.
 UncertainParameter Maker::turned() {
   const int node = static_cast<int>(truss_.node_names.size()) - 2;
   const int axis = draw_.below(d() - 1);
@@ -126,7 +126,7 @@ UncertainParameter Maker::turned() {
            {node, axis + 1, -size * reference(node, axis)}}};
 }
 
-// A multiple of one parameter plus one of another: dependent on them.
+// A combination of two parameters, on which it is linearly dependent.
 UncertainParameter Maker::combined() {
   UncertainParameter load;
   for (const double share : {draw_.between(-1, 1), draw_.one_in(2) ? 0.0 : draw_.between(-1, 1)}) {

@@ -7,14 +7,14 @@
 
 namespace kusabi::limit::test {
 
-/// A truss and half the width of its parameters.
+/// A truss and the half-width of its parameters.
 struct CorrelatedTruss {
   problems::Structure truss;
   double alpha = 0;
 };
 
-/// In the plane for an even seed, in space for an odd one; two to six parameters: single
-/// components, loads on several nodes, along components that carry reference load, multiples and
+/// In the plane for an even seed, in space for an odd one. Two to six parameters: single
+/// components, loads on several nodes, loads along components with reference load, multiples and
 /// sums of others, two on one component. May be a mechanism.
 CorrelatedTruss correlated_truss(std::uint32_t seed);
 

@@ -1,5 +1,5 @@
-// Curves over beta: the published ones, and those of random trusses against all corners of their
-// loads, each place solved by itself.
+// Curves over beta: the published ones, and those of random trusses compared with all vertices of
+// their loads, each place solved by itself.
 #include "nodes/limit/factor_curves.hpp"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ LimitAnswer answer(const Structure& truss, const LimitQuestion& question) {
   return limit_loads(analysis, truss, problems::limit_problem(truss), question).answer;
 }
 
-/// @param expected pairs of a place and a factor, the last one where the curve ends
+/// @param expected pairs of a place and a factor, the last one at the end of the curve
 void expect_points(const LoadCurve& curve, const Json& expected, double unit, double near) {
   ASSERT_EQ(curve.pieces.size() + 1, expected.size());
   for (std::size_t k = 0; k < curve.pieces.size(); ++k) {
@@ -57,7 +57,7 @@ void expect_points(const LoadCurve& curve, const Json& expected, double unit, do
   EXPECT_NEAR(curve.pieces.back().factor_at_end, expected.back()[1].get<double>(), near);
 }
 
-// The figure is lost, but for the letters that the text mentions and the numbers of Figures 2 to 4.
+// The figure is not available, except the letters in the text and the numbers of Figures 2 to 4.
 TEST(Figure5, IsAsPrintedAndAsTheReferenceSays) {
   const auto truss = truss_in("examples/paper/limit-3x3.toml");
   const auto problem = problems::limit_problem(truss);
@@ -101,8 +101,8 @@ TEST(WorstCurve, BreaksWhereTheReferenceSays) {
   }
 }
 
-// By hand: two bars under 45 degrees and a pull of alpha across: sqrt(2) - alpha, until both yield
-// under it alone.
+// By hand: two bars at 45 degrees and a transverse pull of alpha: sqrt(2) - alpha, until both yield
+// under the pull alone.
 TEST(WorstCurve, EndsWhereNothingIsCarried) {
   const auto found =
       answer(truss_in("tests/cases/tie.toml"), {.alpha = 0.1, .curve = true, .curve_to = 1e4});
@@ -115,7 +115,7 @@ TEST(WorstCurve, EndsWhereNothingIsCarried) {
     EXPECT_LT(curve->end->carried_at, curve->end->not_carried_at);
   }
   EXPECT_TRUE(found.worst_curve->proved());
-  // The load at the end of the axis, not carried, has a critical part all the same.
+  // The load at the end of the axis has no factor, but a critical part.
   const auto beyond = answer(truss_in("tests/cases/tie.toml"), {.alpha = 2, .curve = true});
   EXPECT_EQ(beyond.worst->status, RootStatus::not_carried);
   EXPECT_NEAR(beyond.worst_curve->end->carried_at, std::sqrt(0.5), 1e-6);
@@ -123,7 +123,7 @@ TEST(WorstCurve, EndsWhereNothingIsCarried) {
   EXPECT_TRUE(beyond.whole());
 }
 
-/// A random truss in the plane, cables among its members.
+/// A random truss in the plane, with some cables.
 Structure random_truss(std::mt19937& bits) {
   Structure truss;
   truss.name = "random";
@@ -154,7 +154,7 @@ Structure random_truss(std::mt19937& bits) {
   return truss;
 }
 
-/// lambda* under another dead load, in a program of its own; minus infinity: not carried.
+/// lambda* under another dead load, by a program of its own; minus infinity: no factor.
 double factor_under(LimitProblem problem, const Eigen::VectorXd& dead) {
   problem.dead = dead;
   const auto model = problems::limit_model(problem);
@@ -174,7 +174,7 @@ double least_of_corners(const LimitProblem& problem, double alpha) {
   return least;
 }
 
-/// What a curve says of a place; minus infinity: not carried.
+/// Value of a curve at a place; minus infinity: no factor.
 double value_of(const LoadCurve& curve, double beta) {
   for (const auto& piece : curve.pieces) {
     if (beta <= piece.to) return piece.from.factor + piece.from.slope * (beta - piece.from.at);

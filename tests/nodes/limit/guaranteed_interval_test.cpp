@@ -1,4 +1,4 @@
-// Brackets of both ends put together: what is proved of one is not claimed of the other.
+// Combination of brackets: proofs of one bound are not claimed for the other.
 #include "nodes/limit/guaranteed_interval.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ LimitWorstCase worst_case(double lower, double upper, bool lower_proved, bool up
   return worst;
 }
 
-// The factors of the reversed reference load are those of the other one with their signs turned.
+// The factors of the opposite reference load are those of the original one with opposite signs.
 TEST(GuaranteedInterval, TurnsTheSignsOfTheReversedLoad) {
   LimitAnswer answer;
   answer.worst = worst_case(1.4, 1.5, true, false);
@@ -44,7 +44,7 @@ TEST(GuaranteedInterval, IsEmptyOnlyByTheBoundsThatShowIt) {
   EXPECT_FALSE(guaranteed_interval(answer).decided());
 }
 
-// What a search that was stopped leaves: the least factors of the loads that are known.
+// Result of a stopped search: the least factors of the known loads.
 TEST(GuaranteedInterval, KnowsTheLoadsThatWereLookedAt) {
   LimitAnswer answer;
   answer.worst = worst_case(1, 2, true, true);

@@ -1,5 +1,5 @@
-// Uncertain loads that each go as far as the file says, or as is asked of their group: against all
-// corners, and by exact proofs.
+// Uncertain loads with half-widths of the file or of groups, compared with all vertices and by
+// exact proofs.
 #include "problems/limit/half_widths.hpp"
 
 #include <string>
@@ -22,7 +22,7 @@ using test::near;
 using test::PlainTruss;
 using testing::HasSubstr;
 
-// From end to end. @return the problem with its half-widths, too
+// A complete analysis. @return the problem with its half-widths, too
 std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
                                                        const AskedHalfWidths& asked) {
   auto problem = problems::limit_problem(truss);
@@ -33,7 +33,7 @@ std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
   return {limit_loads(analysis, truss, problem, {.alpha = alpha}), problem};
 }
 
-// Those of the file are of every other parameter, the rest is asked for.
+// Every other parameter has a half-width in the file, the rest has the requested one.
 TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -41,7 +41,7 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
     auto [truss, alpha] = test::correlated_truss(seed);
     if (!test::problem_of(truss)) continue;
     auto& parameters = *truss.uncertain;
-    auto all = truss;  // what all of them come to
+    auto all = truss;  // the result of all of them
     for (std::size_t j = 0; j < parameters.size(); ++j) {
       const double own = alpha * (0.3 + 0.35 * static_cast<double>(j));
       if (j % 2 == 0) parameters[j].half_width = own;
@@ -61,7 +61,7 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
       EXPECT_LE(claim.lower, *least + near);
       EXPECT_NEAR(claim.lower, claim.upper, near);
     }
-    // The file says another one; or the certificate does.
+    // The file, or the certificate, has another half-width.
     auto other = truss;
     other.uncertain->front().half_width = 1.125 * *parameters.front().half_width;
     EXPECT_THAT(test::shown(certificate, other).why, HasSubstr("half-width"));
@@ -75,8 +75,8 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
   EXPECT_GE(compared, 10U);
 }
 
-// By the name of the load, or of the group: the same answer as of one alpha where they are alike,
-// and as of weights.
+// Half-widths by the name of a load or of a group: the same answer as with one alpha where they are
+// equal, and as with weights.
 TEST(HalfWidths, OfGroupsAreWhatWeightsWouldSay) {
   const auto read = [](const std::string& weight, const std::string& group) {
     return problems::read_structure(two_bars(R"([[uncertainty]]
@@ -91,7 +91,7 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
     EXPECT_TRUE(answer.whole());
     return answer.worst->ends.upper;
   };
-  // q = (lambda + zeta, lambda - zeta + eta): 3 - 0.5, and 5 - 0.5 - 3 where eta goes far.
+  // q = (lambda + zeta, lambda - zeta + eta): 3 - 0.5, and 5 - 0.5 - 3 for a large eta.
   const auto open = read("", "group = \"side\"\n");
   EXPECT_NEAR(upper(open, {.alpha = 0.5}), 2.5, 1e-9);
   EXPECT_NEAR(upper(open, {.alpha = 0.5, .groups = {{"side", 3}}}), 1.5, 1e-9);
@@ -117,7 +117,7 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
               HasSubstr("the file says alpha = 1"));
 }
 
-// [lower, upper] is the middle and a half-width, whatever alpha the others have.
+// [lower, upper] is the middle and a half-width, for any alpha of the others.
 TEST(HalfWidths, OfAnIntervalAreFromEndToEnd) {
   const auto truss = problems::read_structure(R"(name = "one bar"
 dimension = 2

@@ -1,6 +1,6 @@
-// The worst case of random trusses against all corners of their loads: each end must be proved, and
-// the upper one be that of the worst corner. KUSABI_TRUSSES sets how many, KUSABI_SEED where to
-// begin.
+// The worst case of random trusses compared with all vertices of their loads: both bounds must be
+// proved, and the upper one must be that of the worst vertex. KUSABI_TRUSSES sets the number of
+// trusses, KUSABI_SEED the first one.
 #include "nodes/limit/limit_loads.hpp"
 
 #include <algorithm>
@@ -38,14 +38,14 @@ class Draw {
   std::mt19937 bits_;
 };
 
-/// A truss and half the width of its loads.
+/// A truss and the half-width of its loads.
 struct Uncertain {
   problems::Structure truss;
   double alpha = 0;
   bool wide = false;  ///< its yield forces span decades
 };
 
-/// In the plane or in space; by chance with cables, rollers, weights of the components, a node that
+/// In the plane or in space; at random with cables, rollers, weights of the components, a node that
 /// hangs idle from a cable, members that never yield, and yield forces over twelve decades.
 Uncertain random_truss(std::uint32_t seed) {
   Draw draw(seed);
@@ -119,8 +119,8 @@ Uncertain random_truss(std::uint32_t seed) {
   return {truss, size * draw.between(0.01, 0.3), decades > 0};
 }
 
-/// The worst corner, each solved in its own units. lambda* is concave in zeta, so that the least is
-/// at one.
+/// The worst vertex, each solved in its own units. lambda* is concave in zeta, so its minimum is at
+/// a vertex.
 struct Corner {
   LoadStatus status = LoadStatus::collapses;
   double factor = infinity;
@@ -175,7 +175,7 @@ TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
     engine::Analysis analysis(alone);
     const auto found = limit_loads(analysis, truss, *problem, {.alpha = alpha}).answer;
     if (!found.whole()) {
-      ++open;  // and says so
+      ++open;  // and reports it
       continue;
     }
     if (!found.worst) {
@@ -191,8 +191,8 @@ TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
       continue;
     }
     if (wide && found.worst->status == RootStatus::not_carried) {
-      // Shown in exact arithmetic; the corners are solved in floating point, where what a member of
-      // a strength of 1e-10 cannot carry is not seen.
+      // Proved in exact arithmetic; the vertices are solved in floating point, which neglects yield
+      // forces of 1e-10.
       ++not_carried;
       continue;
     }
@@ -207,12 +207,15 @@ TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
   RecordProperty("compared", static_cast<int>(compared));
   RecordProperty("not_carried", static_cast<int>(not_carried));
   RecordProperty("open", static_cast<int>(open));
-  EXPECT_LE(open, count / 100);  // strengths of 1e12 beside 1e-10 are too much for doubles at times
+  EXPECT_LE(
+      open,
+      count /
+          100);  // yield forces of 1e12 and 1e-10 together exceed double precision in some cases
   EXPECT_GE(compared, count / 5);
   EXPECT_GE(not_carried, count / 20);
 }
 
-/// What a curve says of a place; minus infinity: not carried.
+/// Value of a curve at a place; minus infinity: no factor.
 double value_of(const LoadCurve& curve, double beta) {
   for (const auto& piece : curve.pieces) {
     if (beta <= piece.to) return piece.from.factor + piece.from.slope * (beta - piece.from.at);
@@ -258,7 +261,7 @@ TEST(LimitLoads, ProvesTheCurveOfTheWorstCornersOfRandomTrusses) {
     }
     ++compared;
   }
-  EXPECT_LE(open, count / 20);  // where next to nothing is carried but the nominal load
+  EXPECT_LE(open, count / 20);  // where little more than the nominal load has a factor
   EXPECT_GE(compared, count / 3);
 }
 

@@ -1,6 +1,6 @@
-// Worst-case limit loads against the printed numbers of the limit paper and the values of
-// independent programs (tests/reference/limit.json), against brute force over all corners of the
-// uncertain loads, and against their own exact proofs.
+// Worst-case limit loads compared with the printed numbers of the limit paper and with independent
+// programs (tests/reference/limit.json), with enumeration of all vertices of the uncertain loads,
+// and with their own exact proofs.
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -25,7 +25,7 @@ using problems::LimitProblem;
 using problems::Structure;
 using Json = nlohmann::json;
 
-/// The reference has ten digits and more.
+/// The reference has at least ten digits.
 constexpr double reference_digits = 1e-9;
 
 Json reference() {
@@ -38,7 +38,7 @@ LimitProblem example(const std::string& name) {
       problems::load_structure(std::string(KUSABI_SOURCE_DIR "/examples/") + name));
 }
 
-/// Everything of one worst case.
+/// All results of one worst case.
 struct Solved {
   const LimitProblem& problem;
   LimitModel model = limit_model(problem);
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Limit, PaperTruss, testing::Values("3x3", "4x4"));
 
 TEST(GridFamily, HasTheFactorsOfTheReference) {
   const Json family = reference().at("family");
-  // Up to 8 bays here; the larger ones are in bench_limit.
+  // Up to 8 bays here; larger ones are in bench_limit.
   for (int bays = 5; bays <= 8; ++bays) {
     const LimitProblem problem = limit_problem(problems::grid_truss(bays));
     const auto key = std::to_string(bays);
@@ -151,8 +151,8 @@ TEST(CollapseModes, AreThoseOfThePaper) {
   EXPECT_FALSE(sways(40));
 }
 
-/// The least factor over all corners of the loads: lambda* is concave in zeta, so that its minimum
-/// over the box is at one. Nothing if a corner is carried at no factor.
+/// The least factor over all vertices of the loads: lambda* is concave in zeta, so its minimum over
+/// the box is at a vertex. Nothing if a vertex has no factor.
 std::optional<double> least_of_all_corners(const LimitModel& model, double alpha) {
   LoadFactor load_factor(model);
   const int m = model.uncertain_count();
@@ -168,8 +168,8 @@ std::optional<double> least_of_all_corners(const LimitModel& model, double alpha
   return least;
 }
 
-/// A random truss in the plane or in space, cables among its members, with one or two reference
-/// loads; nothing if it is a mechanism.
+/// A random truss in the plane or in space, with some cables, with one or two reference loads;
+/// nothing if it is a mechanism.
 std::optional<LimitProblem> random_truss(std::mt19937& bits) {
   const auto number = [&](double from, double to) {
     return from + (to - from) * (static_cast<double>(bits()) * 0x1p-32);
@@ -236,7 +236,7 @@ TEST(RandomTrusses, HaveTheLeastFactorOfAllCorners) {
 }
 
 TEST(StaticCuts, LeaveAGapThatTheTreeCloses) {
-  // The counterexample to their being always enough.
+  // A counterexample to the sufficiency of static cuts.
   const LimitProblem problem = example("static-gap.toml");
   const double alpha = 0.45;
   const Solved solved(problem, alpha);
@@ -281,7 +281,7 @@ TEST(LoadFactor, OfTwoBarsIsThatOfTheHandCalculation) {
   EXPECT_NEAR(factor({0, 0}).value(), 3, 1e-12);
   EXPECT_NEAR(factor({-1, 0}).value(), 4, 1e-12);
   EXPECT_NEAR(factor({4, 0}).value(), -1, 1e-12);  // the dead load alone collapses it
-  EXPECT_FALSE(factor({0, 6}));                    // carried at no factor
+  EXPECT_FALSE(factor({0, 6}));                    // no factor
   truss.loads[0].force *= -1;                      // now the bar yields in compression
   EXPECT_NEAR(factor({0, 0}).value(), 2, 1e-12);
 }

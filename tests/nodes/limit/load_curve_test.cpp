@@ -1,4 +1,4 @@
-// Curves with known breakpoints, made up: all of them are found, and where the curve ends.
+// Curves with given breakpoints: all of them are found, and the end of the curve.
 #include "nodes/limit/model/load_curve.hpp"
 
 #include <cmath>
@@ -33,7 +33,7 @@ struct Broken {
     }
   }
 
-  /// At a breakpoint the mode of either side, by chance.
+  /// At a breakpoint the mode of either side, at random.
   [[nodiscard]] CurvePoint sample(double beta, std::mt19937& bits) const {
     std::size_t k = 0;
     while (k + 1 < slope.size() && at[k + 1] < beta - 1e-12) ++k;
@@ -88,7 +88,7 @@ TEST(ConcaveCurve, EndsBetweenTwoPlacesNearToEachOther) {
       EXPECT_LE(found.end->carried_at, end);
       EXPECT_GT(found.end->not_carried_at, end);
       EXPECT_LE(found.end->not_carried_at - found.end->carried_at, 1e-6 * end);
-      EXPECT_FALSE(found.end->proved);  // that of the far place says nothing of the near one
+      EXPECT_FALSE(found.end->proved);  // a proof at the far place is not one at the near place
       known.expect(found, found.end->carried_at);
     }
   }

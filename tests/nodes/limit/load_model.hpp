@@ -1,4 +1,4 @@
-// What the tests of the load model share: a truss from end to end, on one rank.
+// Common functions of the tests of the load model: a complete analysis of a truss on one rank.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 #include "support/input_error.hpp"
 #include "tests/nodes/limit/correlated_trusses.hpp"
 #include "tests/nodes/limit/plain_truss.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit::test {
 
-/// The corners are solved by a simplex method with a tolerance of 1e-7 of its own.
+/// The vertices are solved by a simplex method with a tolerance of 1e-7.
 inline constexpr double near = 1e-6;
 
 inline LimitFindings findings(const problems::Structure& truss, const LimitQuestion& question) {
@@ -41,7 +41,7 @@ inline std::optional<problems::LimitProblem> problem_of(const problems::Structur
   }
 }
 
-// What the certificate shows of the truss; an empty interval: nothing.
+// Proved bounds of a certificate for the truss; an empty interval: none.
 struct Shown {
   double lower = std::numeric_limits<double>::infinity();
   double upper = -std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ struct Shown {
 };
 
 inline Shown shown(const verify::LimitCertificate& certificate, const problems::Structure& truss) {
-  auto agreed = verify::limit_agreement(certificate, evidence::verified_structure(truss));
+  auto agreed = verify::limit_consistency(certificate, evidence::verified_structure(truss));
   if (const auto* why = std::get_if<std::string>(&agreed)) return {.why = *why};
   const verify::LimitProof proof(certificate, std::get<verify::LimitTruss>(std::move(agreed)));
   Shown result;

@@ -1,6 +1,6 @@
 // The load model f_D + T zeta with columns of any direction: worst cases and certificates of random
-// trusses against all corners, which are solved by a route of their own. KUSABI_TRUSSES sets how
-// many, KUSABI_SEED where to begin.
+// trusses compared with all vertices, which are solved independently. KUSABI_TRUSSES sets the
+// number of trusses, KUSABI_SEED the first one.
 #include "tests/nodes/limit/load_model.hpp"
 
 #include <algorithm>
@@ -30,14 +30,14 @@ unsigned from_environment(const char* name, unsigned otherwise) {
   return text == nullptr ? otherwise : static_cast<unsigned>(std::stoul(text));
 }
 
-// Another column of T in the certificate is not that of the truss.
+// A certificate with another column of T is refused for the truss.
 void expect_other_columns_refused(const verify::LimitCertificate& certificate,
                                   const Structure& truss) {
   const auto refused = [&](const auto& change) {
     for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
       auto other = certificate;
       change(other.uncertain[j]);
-      // Of two columns that are opposite, or one, this makes what was there before.
+      // If two columns are equal or opposite, the change may reproduce the original.
       if (shown(other, truss).why.find("uncertain loads") == std::string::npos) return false;
     }
     return true;
@@ -62,7 +62,7 @@ std::vector<verify::Sparse> columns_of(const LimitProblem& problem) {
   return columns;
 }
 
-// Evidence of one T, put forward for another in truss and certificate: whatever it shows must hold.
+// Evidence of one T used for another in truss and certificate: its proved bounds must be valid.
 void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
                                    const Structure& truss) {
   for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
@@ -78,8 +78,7 @@ void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
   }
 }
 
-// The lower end of the factors that all loads leave: of all corners, with the reference load
-// reversed.
+// The smallest guaranteed factor: of all vertices, with the opposite reference load.
 void expect_least_factors(const Structure& truss, double alpha, const LimitAnswer& answer) {
   auto mirrored = truss;
   for (auto& load : mirrored.loads) {
@@ -142,8 +141,8 @@ TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
   EXPECT_GE(not_carried, count / 50);
 }
 
-// Found among random trusses: static cuts leave a gap, and the tree decides on the signs of columns
-// of several components, and of columns that share theirs. In the plane and in space.
+// Found among random trusses: static cuts leave a gap, and the tree decides the signs of columns
+// with several components, also common ones. In the plane and in space.
 TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
   for (const std::uint32_t seed : {1807U, 2041U, 2064U, 2685U, 3981U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));

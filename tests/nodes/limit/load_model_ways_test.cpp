@@ -1,5 +1,5 @@
-// The load model f_D + T zeta by other ways to the same numbers: all signs decided, the 0-1
-// program, parameters that are one, an example corner by corner, a truss by hand.
+// The load model f_D + T zeta by independent ways: all signs decided, the 0-1 program, equal
+// parameters, the vertices of an example, a truss by hand.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -34,8 +34,8 @@ TEST(LoadModel, OfTheExampleIsThatOfAllCorners) {
   }
 }
 
-// With all signs decided there is nothing left to cut: the least of 2^m linear programs is that of
-// 2^m corners, and their duals prove it.
+// With all signs decided static cuts are exact: the least of 2^m linear programs is that of 2^m
+// vertices, and their duals prove it.
 TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -129,7 +129,7 @@ TEST(LoadModel, CurvesAndSamplesAreOfTheSameLoads) {
   EXPECT_GE(compared, 5U);
 }
 
-// A parameter that comes twice counts twice, whatever its sign: T need not be of full rank.
+// A parameter that occurs twice counts twice, with either sign: T need not have full rank.
 TEST(LoadModel, ParametersThatAreOneAddUp) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -166,8 +166,8 @@ TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
   EXPECT_NEAR(least(across, 0.5), 2.5, 1e-9);
   EXPECT_NEAR(least(across, 2), 1, 1e-9);
   EXPECT_NEAR(least(across + more, 1), 1.5, 1e-9);
-  // Along the reference load, which assumption 3.1 (ii) leaves out: q = lambda + zeta in the level
-  // bar alone, and in both.
+  // Loads along the reference load, which assumption 3.1 (ii) excludes: q = lambda + zeta in the
+  // level bar alone, and in both.
   const std::string level = "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"x\"]\n";
   const std::string along =
       "[[uncertainty]]\nname = \"along\"\nforces = [{ nodes = [\"tip\"], force = [1, 1] }]\n";
@@ -176,8 +176,8 @@ TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
   EXPECT_NEAR(least(along, 4), -1, 1e-9);
 }
 
-// A parameter of c f_R takes alpha |c| from the least factor, whatever else is uncertain; one on a
-// component that carries reference load is like any other.
+// A parameter of c f_R decreases the least factor by alpha |c| for any other uncertain loads; a
+// parameter on a component with reference load is like any other.
 TEST(LoadModel, MayActAlongTheReferenceLoad) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 25; ++seed) {

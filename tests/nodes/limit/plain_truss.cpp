@@ -1,4 +1,4 @@
-// Corner by corner.
+// Enumeration of vertices.
 #include "tests/nodes/limit/plain_truss.hpp"
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace {
 
 using problems::Load;
 
-/// A program of GLPK, one row a displacement, one column a member and the last one lambda.
+/// A program of GLPK: one row for each displacement, one column for each member and the last one
+/// for lambda.
 class Program {
  public:
   Program(const PlainTruss& truss, const Eigen::VectorXd& dead) : program_(glp_create_prob()) {

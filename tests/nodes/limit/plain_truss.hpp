@@ -1,5 +1,5 @@
-// Load factors of a truss by a route of its own: B, T and the loads straight from the structure,
-// (5) of the limit paper in the units of the structure, by GLPK with nothing of ours between.
+// Load factors of a truss by independent code: B, T and the loads directly from the structure, (5)
+// of the limit paper in the units of the structure, by GLPK.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace kusabi::limit::test {
 
-/// T, free displacements x parameters, and all else that (5) is made of.
+/// T, free displacements x parameters, and all other data of (5).
 struct PlainTruss {
   Eigen::MatrixXd equilibrium;
   Eigen::MatrixXd uncertain;
@@ -23,7 +23,7 @@ struct PlainTruss {
 
   /// max { lambda : B q = f_D + T zeta + lambda f_R, -q^c <= q <= q^t }; nothing if there is no q.
   [[nodiscard]] std::optional<double> factor(const Eigen::VectorXd& zeta) const;
-  /// The least over all corners of the box; nothing if a corner is carried at no factor.
+  /// The least over all vertices of the box; nothing if a vertex has no factor.
   [[nodiscard]] std::optional<double> least_of_all_corners(double alpha) const;
 };
 

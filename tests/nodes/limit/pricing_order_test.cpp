@@ -1,5 +1,5 @@
-// The order of the pricing programs against distances between all pairs, from the members of a
-// grid.
+// The order of the pricing programs compared with distances between all pairs, from the members of
+// a grid.
 #include "nodes/limit/root/pricing_order.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr int unreachable = 1000;
 
-// Steps between free displacements along one axis, by members that resist both: Floyd and Warshall.
+// Steps between free displacements along one axis, by members that resist both (Floyd-Warshall
+// algorithm).
 std::vector<std::vector<int>> steps_between(const problems::Structure& truss,
                                             const problems::LimitProblem& problem) {
   const auto n = static_cast<std::size_t>(problem.free_count());

@@ -1,6 +1,6 @@
-// The limit paper's method as printed: against brute force over all corners, by itself (nothing of
-// static cuts is solved for it), stopped, started from samples (remark 4.5), with an M that is too
-// small; and the dual (45) at nodes against the relaxation (42).
+// The limit paper's method as printed: compared with enumeration of all vertices, by itself (no
+// static cuts), stopped, started from samples (remark 4.5), with too small an M; and the dual (45)
+// at nodes compared with the relaxation (42).
 #include <algorithm>
 #include <random>
 #include <string>
@@ -34,7 +34,7 @@ LimitAnswer answered(const problems::Structure& truss, const LimitQuestion& ques
   return limit_loads(analysis, truss, problems::limit_problem(truss), question).answer;
 }
 
-/// lambda* is concave in zeta, so that the least of all corners is the worst case.
+/// lambda* is concave in zeta, so the least of all vertices is the worst case.
 double worst_corner(const LimitProblem& problem, double alpha) {
   const auto model = problems::limit_model(problem);
   LoadFactor solver(model);
@@ -57,7 +57,7 @@ struct Case {
   double big_m;
 };
 
-// Small enough for all corners: 2^7, 2^9.
+// Small enough for all vertices: 2^7, 2^9.
 std::vector<Case> small_cases() {
   return {{example("static-gap.toml"), 0.35, 20},
           {example("static-gap.toml"), 0.45, 20},
@@ -88,7 +88,7 @@ TEST(AsPrinted, FindsTheWorstCornerByItself) {
       EXPECT_EQ(worst.zero_one->upper, worst.ends.upper);
       ASSERT_TRUE(worst.collapse);
       EXPECT_NEAR(worst.collapse->factor, expected, near);
-      // Floating point and somebody's M: no proof.
+      // Floating point and a given M: no proof.
       EXPECT_FALSE(worst.proved || worst.ends.lower_proved || worst.ends.upper_proved);
       EXPECT_FALSE(found.whole());
       EXPECT_EQ(worst.zero_one->cut_programs > 0, method == LimitMethod::disjunctive);
@@ -109,7 +109,7 @@ TEST(AsPrinted, IsProvedAfterwardsIfThatIsWanted) {
   }
 }
 
-// With an M of next to nothing the motions are held to nothing, and (29) is above the worst case.
+// With a very small M motions are almost zero, and (29) is above the worst case.
 TEST(AsPrinted, IsNotBelievedWithAnMThatIsTooSmall) {
   const auto truss = example("static-gap.toml");
   const double expected = worst_corner(problems::limit_problem(truss), 0.35);
@@ -198,7 +198,7 @@ class DualAtNodes {
         alpha_(of.alpha / model_.force_unit),
         big_m_(of.big_m * Eigen::VectorXd::Ones(model_.uncertain_count()) / model_.factor_unit) {}
 
-  // @return whether the rows that are left out were redundant there
+  // @return whether the omitted rows were redundant there
   bool compare(const std::vector<HeldTau>& held, bool with_cuts) {
     auto mixed = relaxation_of(model_, alpha_, big_m_);
     const auto cuts = with_cuts ? some_cuts(mixed) : std::vector<problems::RelaxationCut>{};

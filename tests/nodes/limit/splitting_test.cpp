@@ -1,5 +1,5 @@
-// Operator splitting: projections against optimality conditions and searches by hand, and worst
-// cases against all corners.
+// Operator splitting: projections compared with optimality conditions and simple searches, and
+// worst cases with all vertices.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -36,7 +36,7 @@ ColumnBlocks random_blocks(int rows, std::mt19937& bits, const Sharing& sharing)
   return z;
 }
 
-// The number at which a falling function passes zero.
+// The zero of a decreasing function.
 double root_of(const std::function<double(double)>& falling, double lower, double upper) {
   for (int k = 0; k < 200; ++k) {
     const double middle = (lower + upper) / 2;
@@ -103,7 +103,7 @@ TEST(AffineProjection, IsTheNearestPointInItsMetric) {
   }
 }
 
-// What sum [x]_+ is at most leaves of the positive numbers of a row.
+// The square of the change of a row that limits the sum of its positive numbers.
 double squared_cut(const ColumnBlocks& z, int row, double sign, double most) {
   const auto over = [&](double threshold) {
     double sum = -std::max(0.0, most);
@@ -161,7 +161,7 @@ TEST(FaceProjection, FindsTheNearestStateAndBothThresholds) {
         const int within = j % block_columns;
         const double x = z.at(i, j) - cut.part[within / lanes][within % lanes];
         EXPECT_GE(i == 2 ? x : -x, 0);
-        if (j == 8) {  // the load that does no work
+        if (j == 8) {  // the load without work
           EXPECT_EQ(x, 0);
         }
         sum += std::abs(x);
@@ -173,7 +173,7 @@ TEST(FaceProjection, FindsTheNearestStateAndBothThresholds) {
   }
 }
 
-// The sums do not depend on who has which columns.
+// The sums do not depend on the distribution of columns over ranks.
 TEST(ColumnBlocks, SumsAreTheSameOnAnyNumberOfRanks) {
   std::mt19937 bits(4);
   const auto whole = random_blocks(4, bits, {});

@@ -1,12 +1,12 @@
-// Two bars that share a reference load, as a problem file: simple enough to answer by hand.
+// Problem file of two bars that share a reference load, simple enough for hand calculation.
 #pragma once
 
 #include <string>
 
 namespace kusabi::limit {
 
-/// A tip on a level bar, which carries from -2 to 3, and an upright one, from -5 to 5, with the
-/// reference load (1, 1). @param more sections of the file, after these
+/// A tip on a level bar with forces from -2 to 3 and an upright one from -5 to 5, with the
+/// reference load (1, 1). @param more further sections of the file
 inline std::string two_bars(const std::string& more) {
   return R"(name = "two bars"
 dimension = 2

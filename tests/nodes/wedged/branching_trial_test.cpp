@@ -1,4 +1,4 @@
-// The trial of rules against whole trees by each of them.
+// Sampling of branching rules compared with complete trees by each of them.
 #include "nodes/wedged/tree/branching_trial.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::uint64_t opened_by(Branching rule, const Instance& instance) {
   return engine::search(tree).opened();
 }
 
-// Without cuts, so that the nodes are those of the rule.
+// Without cuts, such that the nodes are those of the rule.
 PatternFindings found(const Instance& instance) {
   const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
   engine::SingleProcess alone;
@@ -38,8 +38,8 @@ PatternFindings found(const Instance& instance) {
   return find_patterns(analysis, instance.problem, friction, question);
 }
 
-// By one rule the first has a twentieth of the nodes that it has by another, by which the second
-// has a tenth.
+// By one rule the first has a twentieth of the nodes of another rule, by which the second has a
+// tenth.
 TEST(BranchingTrial, IsNeverFarFromTheBestRule) {
   for (const Instance& instance : {Instance{"cantilever", cantilever_face(70), 5.2},
                                    Instance{"leaning", leaning_face(60), 0.8}}) {

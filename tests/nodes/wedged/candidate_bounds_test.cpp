@@ -1,5 +1,5 @@
-// The bounds of candidates against the configurations of the tree without cuts: what rays, or walks
-// to the boundary of each cone, find beyond a bound would refute it.
+// Bounds of candidates compared with the configurations of the tree without cuts: rays, or walks to
+// the boundary of each cone, must not exceed a bound.
 #include "nodes/wedged/tree/candidate_bounds.hpp"
 
 #include <algorithm>
@@ -26,11 +26,11 @@ namespace {
 
 using problems::WedgedProblem;
 
-/// How many numbers were compared with their bounds, and how many had a bound that says something.
+/// Number of comparisons with bounds, and of nontrivial bounds.
 struct Compared {
   int numbers = 0;
   int close = 0;  ///< at least half of the bound
-  int never = 0;  ///< sides that the bounds rule out
+  int never = 0;  ///< sides excluded by the bounds
 };
 
 RootBounds bounds_of(const WedgedProblem& problem, const std::vector<double>& friction) {
@@ -39,7 +39,8 @@ RootBounds bounds_of(const WedgedProblem& problem, const std::vector<double>& fr
   return bound_candidates(analysis, problem, friction, 0, {});
 }
 
-/// A configuration (r, u) with these candidates in contact and these separated, within the bounds.
+/// Checks a configuration (r, u) with these candidates in contact and these separated against the
+/// bounds.
 void expect_within(const std::vector<CandidateBounds>& bounds, const SignPattern& pattern,
                    const Eigen::VectorXd& r, const Eigen::VectorXd& scaled_u, int d,
                    Compared& compared) {
@@ -63,8 +64,7 @@ void expect_within(const std::vector<CandidateBounds>& bounds, const SignPattern
   }
 }
 
-/// One cone D(Y), which a walk looks for its largest numbers in. Takes the definition of the cone
-/// alone.
+/// One cone D(Y), whose largest numbers a walk approaches. Uses only the definition of the cone.
 class Cone {
  public:
   Cone(const WedgedProblem& problem, const std::vector<double>& friction, SignPattern pattern)
@@ -86,7 +86,7 @@ class Cone {
               equations.completeOrthogonalDecomposition().pseudoInverse() * equations;
   }
 
-  /// The point of the cone that is farthest from `start` towards `goal`, as the equations let it.
+  /// The point of the cone that is farthest from `start` towards `goal`, subject to the equations.
   [[nodiscard]] Eigen::VectorXd farthest(const Eigen::VectorXd& start,
                                          const Eigen::VectorXd& goal) const {
     const Eigen::VectorXd direction = within_ * goal;
@@ -115,7 +115,7 @@ class Cone {
   const WedgedProblem& problem_;
   const std::vector<double>& friction_;
   SignPattern pattern_;
-  Eigen::MatrixXd within_;  // the projection on what the equations leave
+  Eigen::MatrixXd within_;  // the projection onto the null space of the equations
 };
 
 /// Walks towards the largest reaction and gap of each candidate, and halfway back each time.
@@ -202,7 +202,7 @@ TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomTrusses) {
 
 INSTANTIATE_TEST_SUITE_P(Dimension, CandidateBoundsIn, ::testing::Values(2, 3));
 
-// In the plane a number is largest at a ray, and these are found without any program.
+// In the plane a number is largest at a ray, and rays are found without cone programs.
 TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
   Compared compared;
   for (int m = 5; m <= 8; ++m)
@@ -237,8 +237,8 @@ bool same(const ProvedBound& first, const ProvedBound& second) {
          first.side == second.side && first.most == second.most && first.numbers == second.numbers;
 }
 
-// What ranks do: each has bounds of its own, solves some of the programs of a group in its own
-// order, and takes up what all of them found.
+// Like ranks: each has bounds of its own, solves some of the programs of a group in its own order,
+// and adds all bounds found.
 TEST(CandidateBounds, AreTheSameToTheBitHoweverManyRanksShareThePrograms) {
   for (const int d : {2, 3}) {
     const int m = 8;

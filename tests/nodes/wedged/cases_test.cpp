@@ -1,4 +1,4 @@
-// Structures on which an earlier solver stalled, with what 60-digit arithmetic says of them.
+// Structures on which an earlier solver stalled, with results in 60-digit arithmetic.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -26,7 +26,8 @@ problems::WedgedProblem problem_of(const std::string& name) {
 
 struct Leaves {
   int alive = 0, undecided = 0;
-  double nearest = std::numeric_limits<double>::infinity();  // of the living margins to the truth
+  double nearest = std::numeric_limits<double>::infinity();  // distance of the true value from the
+                                                             // nearest feasible margin
 };
 
 Leaves leaves(const problems::WedgedProblem& problem, double mu, double truth,
@@ -68,7 +69,7 @@ TEST(Stalled, MarginsAreRightToThreeDigits) {
   }
 }
 
-// The truth's last digit is known; a coefficient beyond it on either side is decided.
+// The last digit of the true value is known; coefficients beyond it on either side are decided.
 TEST(Stalled, ACriticalCoefficientIsHeldFromBothSides) {
   const struct {
     const char* name;
@@ -90,7 +91,7 @@ TEST(Stalled, NothingIsUndecidedAtATightTolerance) {
     EXPECT_EQ(leaves(problem, 0.51200526, 0, tolerance).undecided, 0);
 }
 
-// From where nothing wedges to where something does, through the critical coefficient.
+// From infeasible to feasible coefficients, through the critical one.
 TEST(Stalled, NothingIsUndecidedNearACriticalCoefficient) {
   for (const char* name : {"undecided_lowcond_88", "false_lower_62"}) {
     SCOPED_TRACE(name);

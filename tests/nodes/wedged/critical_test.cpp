@@ -1,5 +1,5 @@
-// Critical friction coefficients: against the published and independent values, method against
-// method, and the global search against the least of all patterns.
+// Critical friction coefficients: compared with published and independent values, method with
+// method, and the global search with the least of all patterns.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -89,8 +89,8 @@ bool narrow(const CriticalCell& cell) {
   return cell.alive - cell.dead == 1;
 }
 
-// Where a bracket is wider than the grid, the sign in between is marginal, and two methods need not
-// find the same two ends.
+// Where a bracket is wider than the grid, the sign in between is undecided, and two methods may
+// find different brackets.
 void expect_same(const Found& a, const Found& b) {
   ASSERT_EQ(a.cells.size(), b.cells.size());
   for (const auto& [contact, cell] : a.cells) {
@@ -106,7 +106,7 @@ void expect_same(const Found& a, const Found& b) {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-// @param doubt from where on a leaf is doubtful
+// @param doubt coefficient from which on a leaf is undecided
 CriticalCell least(const problems::WedgedProblem& problem, double most, double doubt = none) {
   CriticalTree tree(problem, width, multiple(most));
   engine::Options options;
@@ -116,7 +116,7 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   EXPECT_EQ(tree.tally().doubt.value, doubt);
   const auto cell = outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
 
-  // From above, in another order by other programs, it is the same.
+  // The search from above is the same, in another order by other programs.
   CriticalTree down(problem, width, multiple(most), CriticalDirection::down);
   options.order = engine::Order::depth_first;
   const auto again = engine::search(down, options);
@@ -146,8 +146,8 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
   }
 }
 
-// Anywhere between the points where a descent starts, and beside them, also where --mu-max cuts it
-// off: the friction of all candidates times as much divides the critical factor.
+// At and between the starts of a descent, also where --mu-max limits it: scaling the friction of
+// all candidates divides the critical factor.
 TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
   const auto structure =
       problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml");
@@ -189,12 +189,12 @@ void expect_same_answer(const CriticalFindings& one, const CriticalFindings& oth
     EXPECT_EQ(one.patterns[i].pattern, other.patterns[i].pattern);
 }
 
-/// How often the trial was enough, and how often a descent came after it.
+/// Number of searches decided by the limited global search, and of those followed by a descent.
 struct Trials {
   int whole = 0, descended = 0;
 };
 
-/// Compares the answers, unless there is a tie, where brackets may differ.
+/// Compares the answers, unless a leaf is degenerate, where brackets may differ.
 void compare_trials(const problems::Structure& structure, std::optional<double> most,
                     Trials& trials) {
   CriticalQuestion question{.way = CriticalWay::global, .most = most, .width = 1e-6, .list = true};
@@ -204,12 +204,12 @@ void compare_trials(const problems::Structure& structure, std::optional<double> 
   if (!up.open.empty() || !down.open.empty()) return;
   expect_same_answer(down, up);
   question.way = CriticalWay::automatic;
-  for (const int nodes : {0, 1, 3, 9}) {  // 0: as many as it takes by itself
+  for (const int nodes : {0, 1, 3, 9}) {  // 0: the default number
     SCOPED_TRACE(nodes);
     if (nodes > 0) question.trial_nodes = static_cast<std::uint64_t>(nodes);
     const auto either = found_of(structure, question);
     expect_same_answer(either, up);
-    // What may live at a largest coefficient that is given is looked for first.
+    // With a given upper limit, feasibility there is tested first.
     EXPECT_EQ(either.costs.front().phase, most ? CriticalPhase::dive : CriticalPhase::trial);
     const bool descended = std::ranges::any_of(either.costs, [](const auto& cost) {
       return cost.phase == CriticalPhase::coarse || cost.phase == CriticalPhase::fine;
@@ -218,7 +218,8 @@ void compare_trials(const problems::Structure& structure, std::optional<double> 
   }
 }
 
-// Wherever the trial ends: at once, with a lower end, with something that lives, with the answer.
+// For every end of the global search: at once, with a lower bound, with a feasible leaf, with the
+// answer.
 TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
   Trials trials;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -235,8 +236,7 @@ TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
   EXPECT_GT(trials.descended, 50);
 }
 
-// A run that goes on takes the way that the trial chose when there was time for it, though its own
-// would choose another.
+// A resumed run continues as the original run decided, even if it would decide otherwise itself.
 TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
   std::string folder = (std::filesystem::temp_directory_path() / "kusabi trial-XXXXXX").string();
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -267,7 +267,7 @@ TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
   std::filesystem::remove_all(folder);
 }
 
-// Against the digits that a person would write: k and the power of ten, read by the library.
+// Compared with decimals: k and the power of ten, converted by the library.
 TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
   const std::vector<std::tuple<double, std::int64_t, int>> widths = {
       {1e-8, 1, 8}, {1e-6, 1, 6}, {2.5e-7, 25, 8}, {0.01048576, 1048576, 8}, {1e-22, 1, 22}};
@@ -282,7 +282,7 @@ TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
     EXPECT_GT(other, 0) << step << ": the products are the decimals";
   }
   EXPECT_EQ(FrictionGrid(1e-8).at(60962948), 0.60962948);
-  // No decimal to count with.
+  // Widths that are not short decimals.
   for (const double step : {1.0 / 3, 0x1p-30, 3e-30, 40.0}) {
     const FrictionGrid grid(step);
     for (const std::int64_t multiple : {0, 1, 2, 3, 1000, 123456789})
@@ -301,7 +301,7 @@ TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
   EXPECT_EQ((trial + 1)->phase, CriticalPhase::dive);
 }
 
-// What one pattern proves: the bracket is that of the whole list, which the pattern is on.
+// The claim of one pattern: the bracket is that of the whole list, which contains the pattern.
 TEST(CriticalFriction, OnePatternIsEnoughForTheUpperEnd) {
   for (const char* name : {"space-truss.toml", "plane-truss.toml", "doorstop.toml"}) {
     SCOPED_TRACE(name);
@@ -331,8 +331,8 @@ TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
   EXPECT_EQ(part.patterns.size(), 1U);
 }
 
-// Whatever limit it is stopped at: nodes are counted over all searches, and each further node
-// leaves the bracket as it is or narrower.
+// For every limit: nodes are counted over all searches, and each further node leaves the bracket
+// unchanged or narrower.
 TEST(CriticalFriction, MoreNodesNeverKnowLess) {
   const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
   const auto problem = problems::wedged_problem(structure);
@@ -364,7 +364,7 @@ TEST(CriticalFriction, MoreNodesNeverKnowLess) {
 }
 
 TEST(CriticalFriction, OfTheTwoBarsIsTwo) {
-  // r_t = 2 r_n, see docs/problem-files.md. The grid has a point there, which is marginal.
+  // r_t = 2 r_n, see docs/problem-files.md. The grid has a point there, which is undecided.
   const auto cell =
       least(example("two-bars.toml"), 10, width * static_cast<double>(multiple(2) - 1));
   EXPECT_LT(cell.dead, multiple(2));
@@ -380,7 +380,7 @@ TEST(CriticalFriction, OfTheSpaceTrussIsThatOfTheReferenceByBothMethods) {
   expect_reference(known, newton, 1e-6);
   expect_reference(known, bisection, 1e-6);
   expect_same(newton, bisection);
-  // 27 halvings lead from 1 to 1e-8. The tangents need a quarter of that.
+  // 27 halvings lead from 1 to 1e-8. Newton's method takes a quarter of that.
   EXPECT_GT(bisection.programs, 26 * 251U);
   EXPECT_LT(newton.programs, 7 * 251U);
 }
@@ -434,7 +434,8 @@ TEST(CriticalFriction, AllMethodsAgreeOnRandomProblems) {
   EXPECT_GT(patterns, 40U);
 }
 
-// A pattern is dead at the lower end of its bracket and below, alive at the upper one and above.
+// A pattern is infeasible at the lower bound of its bracket and below, feasible at the upper one
+// and above.
 TEST(CriticalFriction, LifeIsMonotoneInFriction) {
   const auto problem = example("space-truss.toml");
   const auto found = all_cells(problem, 0.7, CriticalMethod::newton);
@@ -459,7 +460,7 @@ TEST(CriticalFriction, IsTheFactorOfTheCandidatesOwn) {
   EXPECT_NEAR(static_cast<double>(half.alive), 0.5 * static_cast<double>(cell.alive), 1);
 }
 
-// When ranks outnumber patterns, cells are cut into several at once.
+// When ranks outnumber patterns, cells are divided into several at once.
 TEST(CriticalFriction, AnyNumberOfSectionsFindsTheSame) {
   const auto problem = example("plane-truss.toml");
   const auto once = all_cells(problem, 0.7, CriticalMethod::bisection);
@@ -483,9 +484,9 @@ TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
   }
 }
 
-// A flat cone above its critical coefficient: what the multipliers pull at its loaded candidates is
-// zero, of which rounding leaves any quotient. These lived below coefficients up to which such
-// quotients said that they were dead.
+// A flat cone above its critical coefficient: the displacements of the multipliers at its loaded
+// candidates are zero, so quotients of their rounding errors are arbitrary. These flat cones were
+// feasible below coefficients that such quotients claimed to be infeasible.
 TEST(CriticalFriction, RoundingProvesNoFlatConeDead) {
   const auto problem = problems::wedged_problem(problems::paper_plane_truss(19));
   const SignPattern leaf{.contact = set_of({4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 17, 18}),
@@ -507,8 +508,8 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeDead) {
   EXPECT_GT(ties, 100);
 }
 
-// Six programs and some a pattern, also where a flat cone comes first, and where nothing is known
-// to be alive: bisection takes 27.
+// About six programs for each pattern, also where a flat cone comes first, and where no feasible
+// coefficient is known: bisection takes 27.
 TEST(CriticalFriction, TakesFewProgramsAPattern) {
   for (const auto& [rows, most] : {std::pair{13, 6.5}, {15, 7.7}}) {
     const auto problem = problems::wedged_problem(problems::paper_plane_truss(rows));
@@ -528,7 +529,7 @@ TEST(CriticalFriction, TakesFewProgramsAPattern) {
   }
 }
 
-// The grid has points below the least friction that programs take.
+// The grid has points below the least supported friction.
 TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
   for (const double own : {1.0, 1e3, 2e5}) {
     auto problem = example("two-bars.toml");

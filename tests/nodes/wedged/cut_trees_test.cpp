@@ -1,5 +1,4 @@
-// Trees of sign patterns with cuts: what they find, how large they are, and whether their evidence
-// stands the verifier's test.
+// Trees of sign patterns with cuts: results, sizes, and exact tests of their evidence.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -27,7 +26,8 @@ namespace kusabi::wedged {
 namespace {
 
 PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tightening tightening,
-                         const Witness& witness = {}, bool thorough = false, int probes = 0) {
+                         const EvidenceRecorder& recorder = {}, bool thorough = false,
+                         int probes = 0) {
   const std::vector<double> friction(problem.contact_names.size(), mu);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
@@ -35,11 +35,11 @@ PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tigh
   question.tree.tightening = tightening;
   question.tree.thorough = thorough;
   question.tree.probes = probes;
-  question.witness = witness;
+  question.recorder = recorder;
   return find_patterns(analysis, problem, friction, question);
 }
 
-/// The same patterns in the same states; of solid cones the same bits, too, since a leaf's program
+/// The same patterns in the same states; solid cones are bitwise equal, too, since a leaf's program
 /// has no cuts.
 void expect_same(const PatternFindings& with, const PatternFindings& without,
                  const std::string& where) {
@@ -63,7 +63,7 @@ bool is_open(const Configuration& leaf) {
   return leaf.state == LeafState::marginal || leaf.state == LeafState::undecided;
 }
 
-/// How many leaves of what kind were compared.
+/// Number of compared leaves by kind.
 struct Leaves {
   std::size_t all = 0, flat = 0, in_blocks = 0, cut_short = 0, bounds = 0;
 
@@ -106,8 +106,8 @@ TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
   EXPECT_GT(compared.cut_short, 20U);
 }
 
-/// The problems of so many random loose bodies.
-std::vector<problems::Structure> loose_bodies(int dimension, std::size_t count) {
+/// The problems of random unconstrained bodies.
+std::vector<problems::Structure> unconstrained_bodies(int dimension, std::size_t count) {
   std::vector<problems::Structure> bodies;
   for (std::uint64_t seed = 1; bodies.size() < count; ++seed) {
     auto structure = random_loose_structure(dimension, seed);
@@ -121,10 +121,10 @@ std::vector<problems::Structure> loose_bodies(int dimension, std::size_t count) 
   return bodies;
 }
 
-TEST_P(CutTreesIn, FindTheSameOfLooseBodies) {
+TEST_P(CutTreesIn, FindTheSameOfUnconstrainedBodies) {
   Leaves compared;
   int number = 0;
-  for (const auto& body : loose_bodies(GetParam(), 40)) {
+  for (const auto& body : unconstrained_bodies(GetParam(), 40)) {
     const auto problem = problems::wedged_problem(body);
     for (const double mu : {0.4, 1.0, 2.5})
       compared.compare(problem, mu, fmt::format("body {}, mu {}", number, mu));
@@ -145,12 +145,12 @@ double missed_contact(const Configuration& leaf, int dimension) {
   return largest == 0 ? 0 : missed / largest;
 }
 
-// Coefficients at which forces along lines through candidates lie on the very edge of their cones,
-// and one so large that these are half-spaces.
-TEST_P(CutTreesIn, LeaveNothingOpenOfLooseBodies) {
+// Coefficients at which forces along lines through candidates lie on the boundary of their cones,
+// and one so large that these are almost half-spaces.
+TEST_P(CutTreesIn, LeaveNothingOpenOfUnconstrainedBodies) {
   std::size_t flat = 0;
   int number = 0;
-  for (const auto& body : loose_bodies(GetParam(), 60)) {
+  for (const auto& body : unconstrained_bodies(GetParam(), 60)) {
     const auto problem = problems::wedged_problem(body);
     for (const double mu : {0.01, 0.5, std::sqrt(0.5), 1.0, std::sqrt(2), 3.0, 100.0}) {
       const auto findings = searched(problem, mu, Tightening::never);
@@ -167,8 +167,8 @@ TEST_P(CutTreesIn, LeaveNothingOpenOfLooseBodies) {
 
 INSTANTIATE_TEST_SUITE_P(Dimension, CutTreesIn, testing::Values(2, 3));
 
-/// Square cells of bars with both diagonals, held below, in contact above with normals that lean to
-/// either side alike: each pattern has its mirror image.
+/// Square cells of bars with both diagonals, supported below, in contact above with normals that
+/// lean to both sides symmetrically: each pattern has its mirror image.
 problems::Structure symmetric_grid(int columns, int rows, double lean) {
   StructureBuilder builder(2);
   std::vector<std::vector<int>> nodes;
@@ -214,7 +214,7 @@ TEST(CutTrees, FindTheSameInSpace) {
   EXPECT_GT(compared.all, 200U);
 }
 
-// Thirty candidates, so large a tree that the bounds are worth their price by far.
+// Thirty candidates, with a tree so large that bounds pay.
 TEST(CutTrees, HaveFarFewerNodes) {
   const auto problem = problems::wedged_problem(problems::space_truss({.rows = 15}));
   const auto without = searched(problem, 0.5, Tightening::never);
@@ -236,7 +236,7 @@ TEST(CutTrees, HaveFewerNodesWhereChildrenAreTriedFirst) {
   EXPECT_GT(probed.outcome.tally().probed, probed.outcome.tally().branched);
 }
 
-/// Evidence that outlives its node.
+/// Copy of evidence that outlives its node.
 struct KeptEvidence {
   Evidence evidence;
   std::vector<double> numbers;
@@ -248,14 +248,14 @@ struct KeptEvidence {
   }
 };
 
-/// A search with cuts of a structure, and what the verifier makes of K.
+/// A search with cuts of a structure, and the verifier's enclosure of K.
 struct Searched {
   problems::WedgedProblem problem;
   std::vector<double> friction;
   verify::EnclosedProblem enclosed;
   std::vector<KeptEvidence> evidence{};
   PatternFindings findings{};
-  mutable verify::Certificate certificate{};  // what a proof is about
+  mutable verify::Certificate certificate{};  // input of a proof
 
   Searched(const problems::Structure& structure, double mu, int probes = 0)
       : problem(problems::wedged_problem(structure)),
@@ -269,7 +269,7 @@ struct Searched {
         true, probes);
   }
 
-  /// Without bounds yet.
+  /// Without bounds.
   [[nodiscard]] verify::Proof proof() const {
     certificate.dimension = static_cast<std::size_t>(problem.dimension);
     certificate.names = problem.contact_names;
@@ -288,7 +288,7 @@ struct Searched {
   }
 };
 
-/// Trees with something to prove: in space and in the plane.
+/// Structures with trees that are not trivial, in space and in the plane.
 std::vector<std::pair<problems::Structure, double>> structures() {
   return {{problems::space_truss({.rows = 5}), 0.65}, {problems::plane_truss({.rows = 8}), 0.8}};
 }
@@ -308,7 +308,7 @@ TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
     }
 }
 
-/// Of all configurations that were found on its side, the largest reaction or gap of a candidate.
+/// The largest reaction or gap of a candidate over all configurations found on its side.
 double largest(const Searched& own, const ProvedBound& bound) {
   double most = 0;
   const auto d = static_cast<std::size_t>(own.problem.dimension);
@@ -331,7 +331,7 @@ verify::Bound as_written(const ProvedBound& bound) {
           .numbers = bound.numbers};
 }
 
-// Each bound below what a known configuration has, and a side taken away that one is on.
+// Each bound decreased below a known configuration, and an excluded side that contains one.
 TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
   for (const auto& [structure, mu] : structures()) {
     const Searched own(structure, mu);
@@ -359,10 +359,10 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
   }
 }
 
-// Of loose bodies with ties everywhere; what is marginal claims nothing.
-TEST_P(CutTreesIn, OfLooseBodiesHaveEvidenceThatStandsTheTestOfTheVerifier) {
+// Unconstrained bodies with many degenerate nodes; undecided leaves have no claim.
+TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
   std::size_t cut = 0, alive = 0, bounds = 0, refused = 0;
-  for (const auto& body : loose_bodies(GetParam(), 25)) {
+  for (const auto& body : unconstrained_bodies(GetParam(), 25)) {
     for (const double mu : {0.4, 1.0}) {
       const Searched own(body, mu);
       const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);
@@ -392,10 +392,10 @@ TEST_P(CutTreesIn, OfLooseBodiesHaveEvidenceThatStandsTheTestOfTheVerifier) {
   EXPECT_GT(cut, 50U);
   EXPECT_GT(alive, 10U);
   EXPECT_GT(bounds, 50U);
-  EXPECT_GT(refused, 5U);  // in space few reactions are in equilibrium, and few bounded
+  EXPECT_GT(refused, 5U);  // in space few reactions are in equilibrium, and few are bounded
 }
 
-// The first bound that took a program; what was proved by it and by those after it is not proved.
+// Without the first bound that took a program, its consequences and later bounds are not proved.
 TEST(CutTrees, HaveEvidenceThatFallsWithItsBounds) {
   for (const auto& [structure, mu] : structures()) {
     const Searched own(structure, mu);

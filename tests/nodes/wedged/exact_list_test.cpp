@@ -1,5 +1,5 @@
-// Lists of patterns where scales are far apart: what floating point cannot tell is decided by the
-// exact test, or left open. The truth is that of bench/hostile, in 140 digits.
+// Lists of patterns of structures with very different scales: the exact test decides, or the result
+// is undecided. The true results are those of bench/hostile, in 140 digits.
 #include "nodes/wedged/exact_list.hpp"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// Faces of meshed blocks with many candidates, on which rules of branching differ.
+// Faces of meshed blocks with many candidates, on which branching rules differ.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace kusabi::wedged {
 
-/// A block that is held at its left side. @param contact the section's lines
+/// A block with a supported left side. @param contact the section's lines
 inline problems::WedgedProblem face(const std::string& corners, const std::string& divisions,
                                     const std::string& contact) {
   return problems::wedged_problem(problems::read_structure(
@@ -28,7 +28,7 @@ inline problems::WedgedProblem cantilever_face(int candidates) {
               "nodes = [\"b.bottom\"]\nexcept = [\"b.left\"]\nnormal = [0, 1]");
 }
 
-/// The side across from the held one, with normals that lean by 11 degrees against it.
+/// The side opposite to the supported one, with normals that lean by 11 degrees towards it.
 inline problems::WedgedProblem leaning_face(int candidates) {
   return face("[[0, 0], [1.8, 0], [2, 2], [0, 2]]", fmt::format("[4, {}]", candidates - 1),
               "nodes = [\"b.right\"]\nnormal = [-2.0, -0.2]");

@@ -1,5 +1,5 @@
-// Ties: the list of maximal cones, solid or flat, against the extremal rays in the plane and
-// against all leaves one by one in space.
+// Degenerate leaves: the list of maximal cones, solid or flat, compared with the extremal rays in
+// the plane and with all leaves one by one in space.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -22,7 +22,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// (S, G): what a cone loads and what it moves.
+/// (S, G): candidates with reactions and with gaps in a cone.
 using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
 
 std::vector<Configuration> leaves_of(const problems::WedgedProblem& problem, double mu) {
@@ -32,7 +32,7 @@ std::vector<Configuration> leaves_of(const problems::WedgedProblem& problem, dou
   return maximal_cones(std::move(leaves));
 }
 
-// Every cone of one block with every cone of the others; nothing if a leaf is open.
+// Every cone of one block with every cone of the others; nothing if a leaf is undecided.
 std::optional<Cones> whole_cones(const problems::WedgedProblem& problem, double mu) {
   std::vector<Cones> of_blocks(problems::blocks_of(problem).size());
   for (const auto& leaf : leaves_of(problem, mu)) {
@@ -60,8 +60,8 @@ std::optional<problems::WedgedProblem> problem_of(const problems::Structure& str
   }
 }
 
-// Nothing couples the two candidates, but the problem does not say so. The first can stick by
-// itself, with r_t = 2 r_n; the second is then at rest.
+// The two candidates are decoupled, but the problem does not have the blocks. The first can stick
+// by itself, with r_t = 2 r_n; the second is then inactive.
 TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
@@ -79,7 +79,7 @@ TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   EXPECT_EQ(tree.tally().flat, 1U);
 }
 
-// Of k candidates that nothing moves each pattern has 2^k names.
+// With k inactive candidates each pattern has 2^k names.
 TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
   constexpr int candidates = 24;
   problems::WedgedProblem problem;
@@ -95,8 +95,8 @@ TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
   EXPECT_LE(outcome.opened(), 2U * candidates + 1);
 }
 
-// Candidate 1 alone sticks with r_t = 2 r_n, and what it does to candidate 2 is in proportion to
-// its own u_n = 0: candidate 2 does not move. In contact as well, both carry.
+// Candidate 1 alone sticks with r_t = 2 r_n, and its influence on candidate 2 is proportional to
+// its own u_n = 0: candidate 2 does not move. Both in contact have reactions.
 TEST(FlatCones, ThatAreFacesOfAnotherAreLeftOut) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
@@ -112,7 +112,7 @@ TEST(FlatCones, ThatAreFacesOfAnotherAreLeftOut) {
   EXPECT_EQ(whole_cones(problem, 3.0), (Cones{{0b10, 0b01}, {0b11, 0}}));
 }
 
-// W (11) against W (16): the rays know nothing of sign patterns, nor of blocks.
+// W (11) compared with W (16): rays are found without sign patterns and blocks.
 TEST(FlatCones, InThePlaneAreTheMaximalCliquesOfTheRays) {
   std::size_t cones = 0;
   std::size_t flat = 0;
@@ -138,8 +138,8 @@ TEST(FlatCones, InThePlaneAreTheMaximalCliquesOfTheRays) {
   EXPECT_GT(flat, 100U);
 }
 
-// All 3^m ways in which a candidate can be loaded, moved or neither: the relative interior of each
-// cone D(Y), leaf by leaf, and of these the maximal ones.
+// All 3^m states of candidates with a reaction, with a gap or inactive: the relative interior of
+// each cone D(Y), leaf by leaf, and of these the maximal ones.
 TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
   std::size_t cones = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -180,7 +180,8 @@ TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
   EXPECT_GT(cones, 20U);
 }
 
-// On a truss of one bay each candidate is a block: as one tree it has hundreds of ties.
+// On a truss of one bay each candidate is a block: as a single tree it has hundreds of degenerate
+// nodes.
 TEST(FlatCones, OfAOneBayTrussAreTheProductOfItsBlocks) {
   const auto problem = problems::wedged_problem(problems::space_truss({5, 2, 1}));
   ASSERT_GT(problem.blocks.size(), 1U);

@@ -1,4 +1,4 @@
-// Where a curve of values and slopes passes zero: on curves whose zeros are known.
+// Zeros of curves from values and slopes, on curves with known zeros.
 #include "nodes/wedged/friction/level_curve.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Concave, as t* is below its zero, which is at 0.6.
+// Concave, as t* below its zero, which is at 0.6.
 double level(double factor) {
   return 1 / 0.6 - 1 / factor;
 }
@@ -28,15 +28,15 @@ TEST(LevelCurve, FindsTheZeroFromBelowInAFewPoints) {
   take(curve, 0.5);
   double error = 0.1;
   for (int points = 1; points < 4; ++points) {
-    const auto guess = curve.next(0, infinity);
-    const double now = std::abs(guess.factor - 0.6);
-    if (guess.settled) {
+    const auto estimate = curve.next(0, infinity);
+    const double now = std::abs(estimate.factor - 0.6);
+    if (estimate.settled) {
       EXPECT_LT(now, 1e-8);
       return;
     }
     EXPECT_LT(now, error / 3);
     error = now;
-    take(curve, guess.factor);
+    take(curve, estimate.factor);
   }
   ADD_FAILURE() << "four points do not settle it";
 }
@@ -44,10 +44,10 @@ TEST(LevelCurve, FindsTheZeroFromBelowInAFewPoints) {
 TEST(LevelCurve, TakesTheTangentFromAboveAsLongAsThereIsNothingBelow) {
   LevelCurve curve(1e-8);
   curve.take(0.8, 0.1, 0.7);
-  const auto guess = curve.next(0.5, 0.8);
-  EXPECT_EQ(guess.factor, 0.7);
-  EXPECT_FALSE(guess.settled);
-  // Not where it leads out of what is open.
+  const auto estimate = curve.next(0.5, 0.8);
+  EXPECT_EQ(estimate.factor, 0.7);
+  EXPECT_FALSE(estimate.settled);
+  // The estimate stays within the open interval.
   EXPECT_GE(curve.next(0.75, 0.8).factor, 0.75);
   EXPECT_LT(curve.next(0.75, 0.8).factor, 0.8);
 }
@@ -65,21 +65,21 @@ TEST(LevelCurve, GoesDownFromATie) {
   curve.take(0.8, 0.1, 0.7);
   curve.take_tie(0.7);
   EXPECT_EQ(curve.least_tie(), 0.7);
-  const auto guess = curve.next(0.1, 0.7);
-  EXPECT_LT(guess.factor, 0.7);
-  EXPECT_GE(guess.factor, 0.1);
+  const auto estimate = curve.next(0.1, 0.7);
+  EXPECT_LT(estimate.factor, 0.7);
+  EXPECT_GE(estimate.factor, 0.1);
 }
 
-// Whatever it was told, it leads to where the zero can be.
+// For arbitrary points the estimate stays within the interval of the zero.
 TEST(LevelCurve, StaysWithinWhatIsOpen) {
   LevelCurve curve(1e-8);
   for (const double newton : {-5.0, 0.2, 0.9, infinity, std::nan("")}) {
     for (const double level : {-1.0, -1e-12, 0.0, 1.0}) {
       for (const double factor : {0.3, 0.5}) {
         curve.take(factor, level, newton);
-        const auto guess = curve.next(0.4, 0.45);
-        EXPECT_GE(guess.factor, 0.4);
-        EXPECT_LT(guess.factor, 0.45);
+        const auto estimate = curve.next(0.4, 0.45);
+        EXPECT_GE(estimate.factor, 0.4);
+        EXPECT_LT(estimate.factor, 0.45);
       }
     }
   }

@@ -1,4 +1,4 @@
-// More candidates than a word has bits, with answers that are known otherwise.
+// More candidates than bits in a word, with known answers.
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -55,7 +55,7 @@ problems::WedgedProblem posts_around(const problems::WedgedProblem& six) {
   return problem;
 }
 
-// Every third post is too smooth.
+// Every third post has too little friction.
 std::vector<double> frictions() {
   const auto block = block_of_six();
   std::vector<double> friction;
@@ -100,12 +100,12 @@ TEST(ManyCandidates, HaveThePatternsOfTheirBlocks) {
     const auto known = expected(six);
     SignPatternTree tree(posts_around(six), frictions());
     EXPECT_EQ(contact_sets(engine::search(tree)), known) << seed;
-    of_six += known.size() - 44;  // posts that are rough enough
+    of_six += known.size() - 44;  // posts with enough friction
   }
   EXPECT_GT(of_six, 6U);
 }
 
-// Nodes and leaves go over the wire with sets of two words.
+// Nodes and leaves are transferred with sets of two words.
 TEST(ManyCandidates, HaveTheSamePatternsOnAnyNumberOfRanks) {
   const auto problem = posts_around(random_problem(2, 6, 1));
   SignPatternTree alone(problem, frictions());

@@ -109,7 +109,7 @@ PrimalPattern found_in(const problems::WedgedProblem& problem, double infeasible
       .best;
 }
 
-// Whether any leaf is feasible at a coefficient, by all of them.
+// True if any leaf is feasible at a coefficient, by enumeration.
 bool any_sticks(CriticalFriction& critical, int m, double factor) {
   for (unsigned contact = 1; contact < 1U << static_cast<unsigned>(m); ++contact)
     if (critical.probe(leaf_with(IndexSet(contact), m), factor).sign == conic::Sign::alive)

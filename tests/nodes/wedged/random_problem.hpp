@@ -1,4 +1,4 @@
-// A wedged problem without a structure, to try solvers and proofs with.
+// Random wedged problem without a structure, for tests of solvers and proofs.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace kusabi::wedged {
 
-/// A random positive definite stiffness, full, of condition about ten.
+/// A random positive definite stiffness, full, with a condition number of about ten.
 inline problems::WedgedProblem random_problem(int dimension, int candidates, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;

@@ -1,5 +1,5 @@
-// Random structures of the kinds that make ties: pieces that nothing connects, posts of their own,
-// candidates on rods along their normals, right angles.
+// Random structures with degenerate nodes: disconnected components, separate posts, candidates on
+// rods along their normals, right angles.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace kusabi::wedged {
 
-/// Makes a structure node by node and bar by bar.
+/// Builder of a structure, node by node and bar by bar.
 class StructureBuilder {
  public:
   explicit StructureBuilder(int dimension) {
@@ -44,8 +44,8 @@ class StructureBuilder {
   problems::Structure structure_;
 };
 
-/// A structure of a few pieces, each of up to four candidates at whole coordinates, so that bars
-/// are often parallel or at right angles, to each other and to normals along the axes.
+/// A structure of a few components, each with up to four candidates at integer coordinates, such
+/// that bars are often parallel or at right angles, to each other and to normals along the axes.
 inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto pick = [&](int count) { return static_cast<int>(generator() % std::uint64_t(count)); };
@@ -72,7 +72,7 @@ inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
     const int candidates = 1 + pick(4);
     std::vector<int> loose;
     for (int i = 0; i < candidates; ++i) loose.push_back(builder.node(origin + new_place(), false));
-    // Enough bars to the ground to hold each node, and rods from one to the next.
+    // Enough bars to the ground to support each node, and rods from one to the next.
     for (std::size_t i = 0; i < loose.size(); ++i) {
       const bool rod = i > 0 && pick(2) == 0;
       if (rod) builder.bar(loose[i - 1], loose[i], 1 + pick(3));
@@ -90,9 +90,9 @@ inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
   return builder.structure();
 }
 
-/// A body that nothing holds, or that a hinge holds in part: up to six nodes at whole coordinates,
-/// a bar between every two, and a wall at most of them whose normal, along an axis or a diagonal,
-/// points inwards. May be a mechanism.
+/// An unconstrained body, or one with a hinge: up to six nodes at integer coordinates, a bar
+/// between every two, and walls at most of them with inward normals along an axis or a diagonal.
+/// May be a mechanism.
 inline problems::Structure random_loose_structure(int dimension, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto pick = [&](int count) { return static_cast<int>(generator() % std::uint64_t(count)); };

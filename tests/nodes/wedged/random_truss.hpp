@@ -1,4 +1,4 @@
-// Random trusses with bars of very different stiffness, for tests of what digits it takes.
+// Random trusses with bars of very different stiffness, for tests of precision levels.
 #pragma once
 
 #include <cmath>
@@ -13,11 +13,11 @@
 
 namespace kusabi::wedged::testing {
 
-/// What a random truss is made of.
+/// Parameters of a random truss.
 struct TrussKind {
   int dimension = 2;
   int candidates = 3;
-  int free_nodes = 5;    ///< candidates included
+  int free_nodes = 5;    ///< including candidates
   double contrast = 1;   ///< of the stiffest and the softest bar
   double density = 0.7;  ///< share of the pairs of nodes that have a bar
 };
@@ -56,14 +56,14 @@ inline problems::Structure random_truss(const TrussKind& kind, std::mt19937_64& 
   return structure;
 }
 
-/// A truss that stands.
+/// A truss that is stable.
 inline std::pair<problems::Structure, problems::WedgedProblem> random_problem(
     const TrussKind& kind, std::mt19937_64& generator) {
   for (;;) {
     problems::Structure structure = random_truss(kind, generator);
     try {
       problems::WedgedProblem problem = problems::wedged_problem(structure);
-      if (problem.motions.cols() > 0) continue;  // loose
+      if (problem.motions.cols() > 0) continue;  // unconstrained
       return {std::move(structure), std::move(problem)};
     } catch (const support::InputError&) {
       continue;  // a mechanism, or a normal out of the body

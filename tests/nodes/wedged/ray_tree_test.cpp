@@ -1,4 +1,4 @@
-// The rays pattern by pattern are those of Algorithm 4.2.
+// Equality of the rays found for each pattern and those of Algorithm 4.2.
 #include "nodes/wedged/rays/ray_tree.hpp"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ std::vector<rays::ZeroSet> sorted(std::vector<rays::ZeroSet> list) {
 
 TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
   using problems::PlaneTrussSize;
-  // The trusses of one bay have idle candidates: their cones are flat, and so are those of rays
-  // that no living pattern reports.
+  // The trusses of one bay have inactive candidates: their cones are flat, and rays that no
+  // feasible pattern reports have flat cones, too.
   for (const PlaneTrussSize& size :
        {PlaneTrussSize{.rows = 8}, PlaneTrussSize{.rows = 7, .bays = 1},
         PlaneTrussSize{.rows = 7, .bays = 3}}) {
@@ -50,7 +50,7 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
   }
 }
 
-/// A problem of rays, and what double description says of it.
+/// A problem of rays, and its solution by double description.
 struct RayProblem {
   explicit RayProblem(const problems::Structure& truss, double mu = 0.65)
       : problem(problems::wedged_problem(truss)),
@@ -83,8 +83,8 @@ TEST(RayTrial, HasAllRaysIfItIsWorthAnything) {
 }
 
 TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
-  // With all bars nearly nothing lives, and double description meets many rays on the way; of the
-  // paper's truss there are many ties, and few rays more on the way than in the end.
+  // With almost all bars no pattern is feasible, and double description has many intermediate rays;
+  // the paper's truss has many degenerate nodes, and few more intermediate rays than final ones.
   const auto outlasts = [](const problems::Structure& truss) {
     const RayProblem given(truss);
     auto trial = given.trial();
@@ -99,7 +99,7 @@ TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
   EXPECT_TRUE(outlasts(problems::paper_plane_truss(16)));
 }
 
-/// What is found with lists of at most so many rays, and what it took.
+/// Result and costs with lists of limited length.
 struct Divided {
   Divided(const RayProblem& given, std::uint64_t longest) {
     DividedRays tree(SignPatternTree(given.problem, given.friction), given.cone,
@@ -119,7 +119,7 @@ struct Divided {
   RayTally tally;
 };
 
-// Down to lists that are divided wherever they can be.
+// Down to lists that are divided wherever possible.
 TEST(DividedRays, AreTheSameHoweverOftenTheListIsDivided) {
   std::uint64_t opened = 0;  // by 24 searches, most of which divide the list
   for (const auto& truss :

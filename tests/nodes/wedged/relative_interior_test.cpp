@@ -1,4 +1,4 @@
-// Ties: who is loaded and who moves, where the structure says it.
+// Degenerate nodes: candidates with reactions and gaps that follow from the structure.
 #include <cmath>
 #include <vector>
 
@@ -12,10 +12,11 @@ namespace {
 
 constexpr conic::Tolerances tight{};
 
-// A truss with another candidate, last in the order, that cannot take part: node c has one bar to a
-// support, along its normal, and one to node 0 of the truss, across it. So u_n of c follows its own
-// r_n alone, and the reactions of the others do not reach it: in contact r_n = 0, separated
-// u_n = 0. Up to the sixteenth digit: the directions are at an angle and rounded.
+// A truss with another candidate, last in the order, that is always inactive: node c has one bar to
+// a support, along its normal, and one to node 0 of the truss, orthogonal to it. u_n of c depends
+// on its own r_n alone, and the reactions of the others do not displace it: in contact r_n = 0,
+// separated u_n = 0. This holds up to the sixteenth digit, since the directions are at an angle and
+// rounded.
 problems::Structure with_rod(problems::Structure structure, double angle) {
   const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
   const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
@@ -33,7 +34,7 @@ problems::Structure with_rod(problems::Structure structure, double angle) {
   return structure;
 }
 
-// Every pattern of the truss alone is a tie with c at rest, whichever way c is called.
+// Every pattern of the truss alone is degenerate with c inactive, under either name of c.
 void expect_rest(double angle, unsigned seed) {
   std::mt19937_64 generator(seed);
   int ties = 0;
@@ -113,7 +114,7 @@ TEST(RelativeInterior, OfNodesThatAreNoTiesIsNothing) {
   EXPECT_FALSE(dead.relative_interior(1, 0));
 }
 
-// At its own coefficient, t* = mu - F_nn / |F_nt| = 0, a candidate slides and carries.
+// At its own coefficient, t* = mu - F_nn / |F_nt| = 0, a candidate slides with a reaction.
 TEST(RelativeInterior, AtTheCriticalCoefficientTheCandidateIsLoaded) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;

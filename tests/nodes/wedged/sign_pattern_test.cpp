@@ -1,5 +1,5 @@
-// The tree of sign patterns against the published counts, against all leaves one by one, and
-// against the definition of a wedged configuration.
+// Tree of sign patterns compared with published counts, with all leaves one by one, and with the
+// definition of a wedged configuration.
 #include "nodes/wedged/tree/sign_pattern.hpp"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ TEST_P(SpaceTruss, HasThePatternsOfTheReference) {
   EXPECT_EQ(tree.tally().undecided, 0U);
 }
 
-// The tree prunes and branches; this decides each of the 2^10 leaves by itself.
+// The tree prunes and branches; this test decides each of the 2^10 leaves by itself.
 TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
   const auto problem = example("space-truss.toml");
   const double mu = std::stod(GetParam());
@@ -138,7 +138,7 @@ TEST(SignPatternTree, EveryConfigurationSolvesTheWedgedProblem) {
   }
 }
 
-// Both rules of branching find the same; one of them needs a third fewer nodes here.
+// Both branching rules find the same; one of them takes a third fewer nodes here.
 TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) {
   const auto problem = example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8}) {
@@ -153,8 +153,7 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
   }
 }
 
-// Where nothing can wedge and where something can: on this face fewer nodes, a third where all are
-// dead.
+// Infeasible and feasible coefficients: on this face fewer nodes, a third where all are infeasible.
 TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
   const auto problem = cantilever_face(32);
   for (const double mu : {5.0, 6.0, 8.0}) {
@@ -169,7 +168,7 @@ TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
   }
 }
 
-// In space, where they have no fewer.
+// In space, where they do not have fewer.
 TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
   const auto problem = example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8, 1.0}) {
@@ -184,7 +183,7 @@ TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
   }
 }
 
-// Against all leaves one by one, with another friction at every candidate.
+// Compared with all leaves one by one, with different friction at every candidate.
 TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
   const auto problem = example("space-truss.toml");
   double unit = 0;
@@ -207,7 +206,7 @@ TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
 }
 
 TEST(SignPatternTree, DoesNotDependOnTheUnits) {
-  // A hundred thousand times stiffer, or softer, and the structure gets stuck in the same ways.
+  // Scaling the stiffness by a hundred thousand does not change the patterns.
   const auto problem = example("space-truss.toml");
   auto tree = tree_of(problem, 0.65);
   const auto expected = contact_sets(engine::search(tree));
@@ -220,7 +219,7 @@ TEST(SignPatternTree, DoesNotDependOnTheUnits) {
   }
 }
 
-// Far beyond any friction there is, doubles run out: more digits decide.
+// Coefficients far beyond physical ones, for which higher precision levels are required.
 TEST(SignPatternTree, IsDecidedAtAnyFriction) {
   for (const double mu : {1e-6, 1e-3, 1e3, 1e6}) {
     auto tree = tree_of(example("space-truss.toml"), mu);
@@ -242,8 +241,8 @@ TEST_P(PlaneTruss, HasAsManyPatternsAsTheReference) {
 INSTANTIATE_TEST_SUITE_P(AllFrictions, PlaneTruss,
                          testing::Values("0.62", "0.65", "0.7", "0.8", "1.0"));
 
-// Algorithm 5.8 against Algorithm 5.1: the same patterns out of more or fewer candidates, which
-// more facets cannot make more of when each polygon contains the next.
+// Algorithm 5.8 compared with Algorithm 5.1: the same patterns from different numbers of
+// candidates, which do not grow with the number of facets if each polygon contains the next.
 TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
   const auto problem = example("space-truss.toml");
   for (const double mu : {0.6, 0.65, 1.0}) {
@@ -289,7 +288,7 @@ TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
   EXPECT_GT(discarded.size(), alive.size()) << "some are discarded";
 }
 
-// The tree, and how deep each node lies that it opens.
+// The tree, and the depth of each opened node.
 struct Watched {
   using Node = SignPatternTree::Node;
   using Solution = SignPatternTree::Solution;
@@ -308,7 +307,7 @@ struct Watched {
   }
 };
 
-// Remark 5.2: the order is free.
+// Remark 5.2: the order is arbitrary.
 TEST(Order, BreadthFirstOpensTheSameNodesLevelByLevel) {
   const auto problem = example("space-truss.toml");
   const auto depths = [&](engine::Order order) {
@@ -328,7 +327,7 @@ TEST(Order, BreadthFirstOpensTheSameNodesLevelByLevel) {
   EXPECT_EQ(of_deep, of_broad);
 }
 
-// Pruning and branching against all leaves one by one, in the plane and in space.
+// Pruning and branching compared with all leaves one by one, in the plane and in space.
 TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
   std::size_t patterns = 0;
   for (std::uint64_t seed = 1; seed <= 48; ++seed) {
@@ -360,8 +359,8 @@ TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
   EXPECT_GT(patterns, 100U);
 }
 
-// One candidate, in contact: the pull of the tangents wants r_t along a direction between two
-// edges, where the polygon is mu wide, or along an edge, where it is mu / cos(pi / F).
+// One candidate in contact: the displacement of the tangents requires r_t along a direction between
+// two edges, where the polygon has the width mu, or along an edge, where it is mu / cos(pi / F).
 TEST(Polyhedral, ConeTouchesTheFrictionConeInTheMiddleOfAFacet) {
   const double mu = 0.5;
   const int facets = 8;

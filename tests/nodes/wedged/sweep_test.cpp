@@ -1,4 +1,4 @@
-// Counts over friction: against an enumeration at each coefficient by itself, and put together from
+// Counts over friction: compared with an enumeration at each coefficient, and combined from
 // histories by hand.
 #include <cmath>
 #include <cstdint>
@@ -78,8 +78,8 @@ TEST(FrictionSweep, CountsWhatAnEnumerationFindsAtEachCoefficient) {
   }
 }
 
-// Pieces, right angles and rods: cones with candidates at rest, of which some become part of larger
-// ones as friction grows.
+// Components, right angles and rods: cones with inactive candidates, some of which become part of
+// larger ones as friction grows.
 TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
   std::size_t flat = 0;
   std::size_t absorbed = 0;
@@ -106,7 +106,7 @@ TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
   EXPECT_GT(absorbed, 2U);
 }
 
-// Two bars at 45 degrees hold their tip from a coefficient on that is a decimal.
+// Two bars at 45 degrees, whose tip sticks from a decimal coefficient on.
 TEST(FrictionSweep, DoesNotRoundWhereAPatternBegins) {
   const auto findings = swept(example("two-bars.toml"), 3);
   ASSERT_EQ(findings.cones.size(), 1U);
@@ -157,7 +157,8 @@ LeafStage flat(std::initializer_list<int> loaded, std::initializer_list<int> mov
   return {LeafStage::Kind::flat, set_of(loaded), set_of(moved)};
 }
 
-// A cone of two leaves begins with the first of them, and ends when a third becomes solid.
+// A cone of two leaves becomes feasible with the first of them, and ends when a third becomes
+// solid.
 TEST(FrictionSweep, PutsHistoriesTogether) {
   const LeafStage solid{LeafStage::Kind::solid, {}, {}};
   SweepFindings findings;

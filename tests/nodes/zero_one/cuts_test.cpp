@@ -1,5 +1,5 @@
-// What is done at the root: no cut, no smaller M, no implied bound and no range may lose a point
-// that matters, and each must gain something.
+// Steps at the root: no cut, smaller M, implied bound or range may lose a relevant point, and each
+// must be of use.
 #include <cmath>
 #include <vector>
 
@@ -20,7 +20,7 @@ using linear::LinearTerm;
 using tests::by_brute_force;
 using tests::random_mixed;
 
-// The program with the costs replaced: its optimum is the least of that form over all points.
+// Minimum of a form over all points: the program with the form as costs.
 std::optional<double> least_of(linear::MixedProgram mixed, const std::vector<LinearTerm>& form) {
   mixed.program.constant = 0;
   for (auto& column : mixed.program.columns) column.cost = 0;
@@ -60,7 +60,7 @@ TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
 }
 
 TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
-  // x <= tau, x <= 1 - tau with 0 <= x <= 1: both sides of the disjunction say x = 0, the
+  // x <= tau, x <= 1 - tau with 0 <= x <= 1: both sides of the disjunction imply x = 0, the
   // relaxation allows x = 1/2 at tau = 1/2.
   linear::MixedProgram mixed;
   const int tau = mixed.program.add_column({.upper = 1});
@@ -104,7 +104,7 @@ TEST(CutOrder, AsksNothingTwiceOfOnePoint) {
   EXPECT_EQ(order.next(residual), 1U);
 }
 
-// One binary alone is tried again at the next point.
+// A single binary is tried again at the next point.
 TEST(CutOrder, TakesWhatIsLeft) {
   CutOrder order(1);
   order.rejected(0);
@@ -190,7 +190,7 @@ TEST(BigMs, BecomeAsSmallAsTheyNeedToBe) {
   EXPECT_NEAR(*by_brute_force(mixed), -4, 1e-9);
 }
 
-// t - 1000 y <= 0 with t <= 0 needs no y at all.
+// t - 1000 y <= 0 with t <= 0 does not depend on y.
 linear::MixedProgram with_an_m_for_nothing(double most) {
   linear::MixedProgram mixed;
   auto& program = mixed.program;
@@ -208,13 +208,13 @@ TEST(BigMs, AreZeroWhereTheRowHoldsWithoutThem) {
   EXPECT_EQ(mixed.program.entries[0].value, 0);
   EXPECT_EQ(big_ms.smaller(), 1U);
   EXPECT_LE(done.rounds, 2U);
-  // Another time, from what the first has left: nothing to do, nothing counted twice.
+  // A second call has nothing to change and counts nothing twice.
   EXPECT_FALSE(big_ms.tighten(mixed, 0).changed);
   EXPECT_EQ(big_ms.smaller(), 1U);
 }
 
 TEST(BigMs, KeepAShareOfTheRowHoweverOftenTheyAreAskedFor) {
-  // 1e-12 is what the row needs: next to nothing beside t.
+  // The row needs 1e-12, which is negligible beside t.
   auto mixed = with_an_m_for_nothing(1e-12);
   BigMs big_ms(mixed);
   for (int time = 0; time < 5; ++time) big_ms.tighten(mixed, 0);

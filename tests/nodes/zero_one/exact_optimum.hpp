@@ -1,6 +1,5 @@
-// The optimum of a small mixed zero-one program in rational arithmetic: every value of the
-// binaries, and for each of them the simplex method with Bland's rule. For a few columns and rows
-// only.
+// Optimum of a small mixed zero-one program in rational arithmetic: all values of the binaries, and
+// for each of them the simplex method with Bland's rule. For a few columns and rows only.
 #pragma once
 
 #include <cmath>
@@ -17,7 +16,7 @@
 namespace kusabi::tests {
 
 /// Minimise c'x with Ax <= b and x >= 0, as a dictionary: each basic variable is a constant plus a
-/// combination of those that are not.
+/// combination of the nonbasic ones.
 class ExactSimplex {
  public:
   enum class Status { optimal, infeasible, unbounded };
@@ -44,7 +43,7 @@ class ExactSimplex {
  private:
   using Numbers = std::vector<mpq_class>;
 
-  // The first phase: one more variable, added to all rows, becomes as small as it can.
+  // Phase one: one more variable, added to all rows, is minimised.
   bool make_feasible() {
     std::size_t worst = rows_;
     for (std::size_t i = 0; i < rows_; ++i) {
@@ -66,7 +65,7 @@ class ExactSimplex {
     if (least > 0) return false;
     for (std::size_t i = 0; i < rows_; ++i) {
       if (basic_[i] != extra) continue;
-      // It is zero; anything may take its place.
+      // It is zero and can be replaced by any other.
       for (std::size_t j = 0; j < free_.size(); ++j) {
         if (entries_[i][j] == 0) continue;
         pivot(i, j, costs_, value_);
@@ -80,7 +79,7 @@ class ExactSimplex {
       for (auto& row : entries_) row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
       return true;
     }
-    // It is basic in a row that holds nothing else, and zero.
+    // It is zero and basic in a row without other entries.
     for (std::size_t i = 0; i < rows_; ++i) {
       if (basic_[i] != extra) continue;
       basic_.erase(basic_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -92,7 +91,7 @@ class ExactSimplex {
     return true;
   }
 
-  // Bland: the first column that helps, the first row that stops it. False if nothing does.
+  // Bland's rule: the first improving column, the first limiting row. @return false if unbounded
   bool minimise(Numbers& costs, mpq_class& value, Numbers* other = nullptr) {
     for (;;) {
       std::size_t enters = free_.size();
@@ -151,7 +150,7 @@ class ExactSimplex {
   std::vector<std::size_t> free_;
   std::vector<std::size_t> basic_;
   mpq_class value_ = 0;
-  Numbers* costs_to_keep_ = nullptr;  // of the first phase
+  Numbers* costs_to_keep_ = nullptr;  // of phase one
   mpq_class* extra_value_ = nullptr;
 };
 

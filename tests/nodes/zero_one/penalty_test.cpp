@@ -1,7 +1,8 @@
-// Mixed programs with penalties of up to 1e12 beside prices, against rational arithmetic: whatever
-// is called optimal is, and whatever is called infeasible has no point.
+// Mixed programs with penalties of up to 1e12 beside prices, compared with rational arithmetic:
+// optimal and infeasible programs are recognised.
 //
-// KUSABI_PENALTY_PROGRAMS and KUSABI_PENALTY_SEED in the environment: how many, and where from.
+// KUSABI_PENALTY_PROGRAMS and KUSABI_PENALTY_SEED in the environment set the number of programs and
+// the first one.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -38,11 +39,12 @@ class Draw {
 
   int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(draw_); }
   bool one_in(int many) { return whole(1, many) == 1; }
-  // One with two digits behind the point, which no double is equal to: for costs.
+  // A cost with two decimal places, which is not a double.
   double price(int from, int to) {
     return whole(from, to) + (one_in(2) ? whole(1, 99) / 100.0 : 0);
   }
-  // For rows, whose sums should not be equal but for rounding: in quarters, or with many digits.
+  // A coefficient of a row, whose sums should not be equal up to rounding: quarters, or numbers
+  // with many digits.
   double quarters(int from, int to) {
     return whole(from, to) + (one_in(2) ? whole(1, 3) / 4.0 : 0);
   }
@@ -55,7 +57,7 @@ class Draw {
   std::mt19937 draw_;
 };
 
-// Rows that should hold, each with what it may lack or have too much at a penalty, or at none.
+// Rows with slack variables at a penalty, or without.
 MixedProgram penalised(unsigned seed) {
   Draw draw(seed);
   MixedProgram mixed;
@@ -124,7 +126,7 @@ std::vector<Way> ways() {
   return all;
 }
 
-// Whether each row holds to 1e-12 of its terms, each bound and binary exactly.
+// True if each row is satisfied to 1e-12 of its terms, each bound and binary exactly.
 bool holds(const MixedProgram& mixed, const std::vector<double>& values) {
   const auto& program = mixed.program;
   std::vector<mpq_class> sums(program.rows.size());

@@ -1,5 +1,5 @@
-// Mixed zero-one programs to try the tree with: random ones of several kinds, and their optimum by
-// trying all binaries.
+// Mixed zero-one programs for tests of the tree: random ones of several kinds, and their optimum by
+// enumeration of all binaries.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ using linear::infinity;
 using linear::LinearTerm;
 using linear::MixedProgram;
 
-/// The least objective over all values of the binaries, each by a linear program of its own that
-/// starts anew; none if there is no point. For at most some 12 binaries.
+/// The least objective over all values of the binaries, each by a linear program of its own; none
+/// if infeasible. For at most 12 binaries or so.
 inline std::optional<double> by_brute_force(const MixedProgram& mixed) {
   std::optional<double> best;
   for (std::uint64_t mask = 0; mask < (std::uint64_t{1} << mixed.binaries.size()); ++mask) {
@@ -39,7 +39,7 @@ inline std::optional<double> by_brute_force(const MixedProgram& mixed) {
   return best;
 }
 
-/// Whether `values` satisfies the program, binaries exactly.
+/// True if `values` satisfies the program, binaries exactly.
 inline bool satisfies(const MixedProgram& mixed, const std::vector<double>& values,
                       double tolerance = 1e-6) {
   const auto& program = mixed.program;

@@ -1,6 +1,6 @@
-// The zero-one tree: small programs with known optima, random ones against all values of their
-// binaries whatever the options, bounds that must never be above the optimum, and the same answer
-// on simulated ranks.
+// Zero-one tree: small programs with known optima, random ones compared with enumeration of their
+// binaries for all options, bounds that must never be above the optimum, and the same answer on
+// simulated ranks.
 #include "nodes/zero_one/tree.hpp"
 
 #include <cmath>
@@ -76,7 +76,7 @@ TEST(ZeroOneTree, SolvesProgramsWithKnownOptima) {
   }
 }
 
-// v^U of remark 4.5: a number above the objective of a point that is known.
+// v^U of remark 4.5: a number above the objective of a known point.
 TEST(ZeroOneTree, GoesOnFromAnIncumbent) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const auto mixed = random_mixed(seed, 2, 8);
@@ -123,7 +123,7 @@ TEST(ZeroOneTree, FindsWhatTryingAllBinariesFinds) {
         EXPECT_TRUE(satisfies(mixed, found.point->values));
         EXPECT_LE(found.bound, *expected + (found.proved ? 0 : 1e-9));
         EXPECT_NEAR(found.bound, *expected, 1e-6);
-        // Columns without bounds are the only reason to do without proofs.
+        // Columns without bounds are the only reason for missing proofs.
         EXPECT_TRUE(found.proved || kind == 4);
       }
     }
@@ -178,7 +178,7 @@ TEST(ProgramFile, ABadFileGetsTheLineThatItAsksFor) {
     std::string expected;
     std::getline(stream, expected);
     expected = expected.substr(expected.find("expect: ") + 8);
-    const auto gap = expected.find("...");  // GLPK's own words
+    const auto gap = expected.find("...");  // GLPK's own text
     try {
       linear::read_program(entry.path());
       ADD_FAILURE() << entry.path() << " was read";

@@ -12,7 +12,7 @@
 namespace kusabi::problems {
 namespace {
 
-// All but names, and frames to rounding.
+// Compares all data except names, and frames up to rounding.
 void expect_alike(const Structure& a, const Structure& b) {
   EXPECT_EQ(a.dimension, b.dimension);
   EXPECT_EQ(a.coordinates, b.coordinates);

@@ -1,4 +1,4 @@
-// [[actions]] and [combinations]: the load cases that they stand for, and their boxes.
+// Sections [[actions]] and [combinations]: the resulting load cases and their boxes.
 #include <cmath>
 #include <map>
 #include <string>
@@ -85,7 +85,7 @@ TEST(Actions, WithoutALeadingActionAllAreReduced) {
               1e-15);
 }
 
-// The ends of each range, as exact products, are within the nominal load and the half-width.
+// The bounds of each range, as exact products, are within the nominal load and the half-width.
 TEST(Actions, RangesHoldBothFactors) {
   const Structure structure = read_structure(one_bar(general), "hanger.toml");
   const auto expect_held = [&](const std::string& load_case, const std::string& action,
@@ -133,7 +133,7 @@ forces = [{ nodes = ["low"], force = [1, 0] }]
   EXPECT_FALSE(ranges(structure, "6.10 snow leads, crane left").contains("crane right"));
 }
 
-// One number is no range: nothing is uncertain.
+// A single number is not a range: the load is not uncertain.
 TEST(Actions, EqualFactorsAreNominal) {
   std::string text = one_bar(general);
   text.replace(text.find("[0.9, 1.1]"), 10, "[1.2, 1.2]");

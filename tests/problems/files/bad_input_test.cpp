@@ -1,6 +1,6 @@
-// Every malformed file in tests/bad-input is refused with the one line that its first line, a
-// comment, says: `# expect: FILE:LINE:COLUMN: what is wrong; expected ...`. For a syntax error it
-// says `# expect: FILE:LINE:COLUMN: ...`: the words are those of the TOML library.
+// Every malformed file in tests/bad-input is refused with the message of its first line, a comment:
+// `# expect: FILE:LINE:COLUMN: fault; expected ...`. For syntax errors it is `# expect:
+// FILE:LINE:COLUMN: ...`, since the text is that of the TOML library.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -19,7 +19,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Fewer malformed files than this cannot cover the rules of the format.
+/// Minimum number of malformed files that cover the rules of the format.
 constexpr std::size_t least_files = 20;
 
 std::vector<std::filesystem::path> malformed_files() {
@@ -37,7 +37,7 @@ std::string contents(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What the first line promises of the error.
+/// The expected error of the first line.
 testing::Matcher<std::string> promised_error(const std::string& text) {
   const std::string_view mark = "# expect: ";
   if (!text.starts_with(mark)) return testing::Eq("what a first line '# expect: ' says");
@@ -50,7 +50,7 @@ testing::Matcher<std::string> promised_error(const std::string& text) {
 std::string error_of(const std::string& text, const std::string& file_name) {
   try {
     const Structure structure = read_structure(text, file_name);
-    // What only limit analysis asks for is asked of the files whose names say so.
+    // Files whose names begin with "limit-" have faults that only limit analysis finds.
     if (file_name.starts_with("limit-")) {
       limit_problem(structure);
     } else {
@@ -87,7 +87,7 @@ TEST(BadInputText, WithoutAnyByteIsRefused) {
             "empty.toml:1:1: the file is empty; expected a problem file in TOML");
 }
 
-// The line is that of the first candidate that is too many.
+// The line is that of the first excess candidate.
 TEST(BadInputText, OfTooManyContactCandidatesIsRefused) {
   std::string text =
       "name = \"comb\"\ndimension = 2\n"
@@ -112,7 +112,7 @@ TEST(BadInputText, OfCommentsOnlyIsRefused) {
 }
 
 TEST(BadInputText, CutAnywhereIsRefusedOrComplete) {
-  // Whatever a broken download leaves, the answer is an input error or a whole problem.
+  // Truncated files lead to an input error or to a complete problem.
   const std::string whole = contents(test::source_path("examples/two-bars.toml"));
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const std::string error = error_of(whole.substr(0, length), "cut.toml");

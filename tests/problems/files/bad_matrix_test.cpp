@@ -1,5 +1,5 @@
-// Every malformed matrix in tests/bad-matrices is refused with the line that expected.txt has for
-// it: FILE:LINE:COLUMN: what is wrong; expected ...
+// Every malformed matrix in tests/bad-matrices is refused with its message in expected.txt:
+// FILE:LINE:COLUMN: fault; expected ...
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -15,7 +15,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// A stiffness of two nodes in the plane, which CalculiX knows as 1 and 2.
+/// A stiffness of two nodes in the plane, with the tags 1 and 2 in CalculiX.
 ProblemText problem_of(const std::string& name, const std::string& matrix) {
   const bool knows_nodes = name.starts_with("stored") || name.starts_with("substructure");
   ProblemText problem{test::head(2) + "[nodes]\n1 = [0, 0]\n2 = [1, 0]\n[[stiffness]]\nfile = \"" +
@@ -73,7 +73,7 @@ TEST(BadMatrices, OfRowsThatAreNoneAreRefused) {
             "it among the nodes of the problem, or others = \"free\" in [[stiffness]]");
 }
 
-// Whatever a broken download leaves, the answer is an error of one line, or a whole matrix.
+// Truncated files lead to an error of one line or to a complete matrix.
 TEST(BadMatrices, CutAnywhereAreRefusedOrComplete) {
   for (const std::string name : {"box-hex8-substructure.mtx", "box-hex8-stored.sti"}) {
     const std::string whole = test::content("tests/meshes/" + name);

@@ -1,6 +1,6 @@
-// Every malformed mesh in tests/bad-meshes is refused with the line that expected.txt has for it:
-// FILE:LINE:COLUMN: what is wrong; expected ... Where that ends in "...", only its beginning is
-// told: the words are those of other checks.
+// Every malformed mesh in tests/bad-meshes is refused with its message in expected.txt:
+// FILE:LINE:COLUMN: fault; expected ... Where that ends in "...", only its beginning is compared,
+// since the rest is that of other checks.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -20,7 +20,7 @@ class BadMesh : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadMesh, IsRefusedWithOneLineThatSaysWhere) {
   const std::string name = test::promised_file(GetParam());
-  // What an Abaqus file lacks of materials nothing else says.
+  // Materials missing in an Abaqus file are not defined elsewhere.
   const bool is_gmsh = name.ends_with(".msh");
   ProblemText problem{
       test::head(2) +
@@ -62,7 +62,7 @@ TEST(BadMeshes, AreAllPromisedSomething) {
   EXPECT_GT(files.size(), 50U);
 }
 
-// Whatever a broken download leaves, the answer is an error of one line, or a whole mesh.
+// Truncated files lead to an error of one line or to a complete mesh.
 TEST(BadMeshes, CutAnywhereAreRefusedOrComplete) {
   for (const std::string name :
        {"quads-q4-22.msh", "quads-q4-41.msh", "box-hex20-41.msh", "box-tet4.inp"}) {

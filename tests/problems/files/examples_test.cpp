@@ -1,4 +1,4 @@
-// The example files hold the structures of tests/reference, node by node and member by member.
+// The example files contain the structures of tests/reference, node by node and member by member.
 #include <algorithm>
 #include <fstream>
 #include <set>

@@ -1,4 +1,4 @@
-// Meshes as Gmsh wrote them (tests/meshes/make): what comes out, in whichever format.
+// Meshes written by Gmsh (tests/meshes/make): the resulting structures in all formats.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -61,7 +61,7 @@ TEST_P(MeshFiles, OfBothVersionsGiveTheSameStructure) {
   EXPECT_EQ(old.elements.size(), elements);
 }
 
-// Gmsh converts to the order of Abaqus when it writes .inp, we when we read .msh.
+// Gmsh converts to the order of Abaqus when it writes .inp, this reader when it reads .msh.
 TEST_P(MeshFiles, OfAbaqusGiveTheSameStructure) {
   const auto& [name, dimension, nodes, shape, elements] = GetParam();
   const std::string file = name;
@@ -76,8 +76,8 @@ TEST_P(MeshFiles, OfAbaqusGiveTheSameStructure) {
   }
 }
 
-// In straight elements, up to what Gmsh is off by (10^-12): so the order of nodes is right,
-// whatever Gmsh's is.
+// In straight elements midpoint nodes are at midpoints up to Gmsh's error of 1e-12, which shows
+// that their order is right.
 TEST_P(MeshFiles, HaveTheNodesInTheMiddleOfSidesThere) {
   const auto& [name, dimension, nodes, shape, elements] = GetParam();
   const std::string file = name;
@@ -122,7 +122,7 @@ TEST(MeshFile, OfABoxHasItsSurface) {
   }
 }
 
-// The plate of the [[mesh]] of the same corners and divisions, by its answer: the compliance.
+// The plate of the [[mesh]] of the same vertices and divisions, compared by its compliance.
 TEST(MeshFile, OfQuadrilateralsIsTheStructuredMesh) {
   const std::string rest =
       "[[supports]]\nnodes = [\"m.left\"]\n[[contact]]\nnodes = [\"m.right\"]\n"
@@ -157,7 +157,7 @@ TEST(MeshFile, NamesNodesByTagAndGroupsByName) {
   }
 }
 
-// A curve comes in its own order, whatever the tags of its nodes are.
+// A curve is listed in its own order, for any tags of its nodes.
 TEST(MeshFile, ListsTheNodesOfACurveAlongIt) {
   for (const char* file : {"plate-t3-22.msh", "plate-t6-41.msh", "plate-t6.inp"}) {
     const Structure structure =

@@ -12,13 +12,13 @@ namespace kusabi::problems::test {
 /// The bytes of a file of the sources.
 std::string content(const std::string& path);
 
-/// The lines of expected.txt in a folder of malformed files, FILE:LINE:COLUMN: what is wrong.
+/// The lines of expected.txt in a folder of malformed files, FILE:LINE:COLUMN: fault.
 std::vector<std::string> promises(const std::string& folder);
 
 /// The file of such a line.
 std::string promised_file(const std::string& promise);
 
-/// name, dimension and units.
+/// The keys name, dimension and units.
 std::string head(int dimension);
 
 /// A [[mesh]] "m" of a file in tests/meshes, with a material.
@@ -29,7 +29,7 @@ ProblemText with_meshes(const std::string& toml);
 
 Structure read(const std::string& toml);
 
-/// What reading it says; "no error" if it reads.
+/// The message of reading it; "no error" if it is valid.
 std::string error_of(const ProblemText& problem);
 
 }  // namespace kusabi::problems::test

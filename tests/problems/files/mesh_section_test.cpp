@@ -1,4 +1,5 @@
-// [[mesh]] of a file, [[material]], lists of nodes with `except` and `every`, and meshes that meet.
+// Section [[mesh]] with a file, [[material]], lists of nodes with `except` and `every`, and meshes
+// that touch.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Quadrilaterals of 1 x 1 from (x, 0) on, all in one row, as an Abaqus file; some of their nodes
-/// by themselves.
+/// as sets.
 std::string row(int count, double x, double step, const std::string& more = {}) {
   std::string nodes = "*NODE\n";
   std::string elements = "*ELEMENT, TYPE=CPS4, ELSET=BODY\n";
@@ -153,7 +154,7 @@ TEST(MeshSection, TakesMaterialsAndSupportsOfTheFile) {
   EXPECT_THAT(structure.fixed[0], ElementsAre(true, true, false));
   EXPECT_THAT(structure.fixed[1], ElementsAre(true, false, false));
   EXPECT_THAT(structure.fixed[2], ElementsAre(false, false, false));
-  // Named, with its line: not skipped in silence.
+  // Reported with its line instead of ignored.
   EXPECT_THAT(structure.warnings,
               ElementsAre("a.inp:13: *DENSITY is left out", "a.inp:20: *STEP is left out",
                           "a.inp:21: *STATIC is left out", "a.inp:22: *END STEP is left out"));
@@ -167,7 +168,7 @@ TEST(MeshSection, MakesBarsOfLinesThatHaveAStiffness) {
   ASSERT_EQ(structure.members.size(), 1U);
   EXPECT_EQ(structure.members[0].axial_stiffness, 5);
   EXPECT_EQ(structure.node_names.size(), 5U);
-  // Without it they only name nodes, and node 9 is of no element.
+  // Without it they only name nodes, and node 9 belongs to no element.
   EXPECT_EQ(test::error_of(problem(toml, {{"a.inp", row(1, 0, 1, more)}})),
             "test.toml:12:24: node \"a.9\" does not exist; expected a name from [nodes]; did you "
             "mean \"a.1\"?");
@@ -217,7 +218,8 @@ TEST(NodeLists, LeaveOutNodesAndTakeEveryOther) {
   EXPECT_THAT(list("nodes = [\"a.3\", \"a.5\"]\nevery = 5\n"), ElementsAre("a.3"));
 }
 
-// Node sets, element sets and surfaces of one name are one group: the node set tells its nodes.
+// Node sets, element sets and surfaces with the same name are one group, whose nodes are those of
+// the node set.
 TEST(NodeLists, KnowSurfacesAndElementSets) {
   const std::string sets =
       "*ELSET, ELSET=RIGHT\n3\n*NSET, NSET=RIGHT\n7\n*SURFACE, NAME=TOP\n2, S3\nBODY, S3\n";
@@ -241,7 +243,7 @@ std::vector<Eigen::Vector2d> normals(const std::string& contact, const std::stri
   return result;
 }
 
-// The corner (2, 1) is of the top and of the right edge: the group says which is meant.
+// The vertex (2, 1) belongs to the top and to the right edge: the group determines the normal.
 TEST(SurfaceNormals, AreThoseOfTheFacesOfTheGroup) {
   const std::string sets =
       "*NSET, NSET=RIGHT\n5, 6\n*SURFACE, NAME=TOP\nBODY, S3\n*NSET, NSET=BOTH\n4, 6, 5\n";
@@ -276,7 +278,8 @@ TEST(SurfaceNormals, OfACircleComeFromItsMiddle) {
       1e-15);
 }
 
-// On curved sides of second order the normal is that of the circle to third order in the size.
+// On curved sides of second order the normal is that of the circle to third order in the element
+// size.
 TEST(SurfaceNormals, OfACurvedEdgeAreThoseOfTheCurve) {
   const auto worst = [](const std::string& file) {
     const auto structure =
@@ -327,7 +330,7 @@ TEST(SurfaceNormals, OfConesAndCylindersInSpace) {
   const auto [place, cylinder] = at("{ " + axis + " }");
   const Eigen::Vector3d away = Eigen::Vector3d(place.x() - 1, place.y() - 0.5, 0).normalized();
   EXPECT_LT((cylinder + away).norm(), 1e-15);
-  // The plug that widens upwards: the wall of the hole looks inwards and up.
+  // The plug that widens upwards: the normal of the wall of the hole points inwards and upwards.
   const auto cone = at("{ half_angle = 30, " + axis + " }").second;
   EXPECT_LT((cone - (-std::sqrt(0.75) * away + 0.5 * Eigen::Vector3d::UnitZ())).norm(), 1e-15);
 }
@@ -350,7 +353,7 @@ TEST(GivenNormals, ThatPointOutOfTheBodyAreRefused) {
 }
 
 // The paper's own normal is that of the mirrored edge, 2 atan(0.1) off.
-TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreTold) {
+TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreReported) {
   const auto path = std::string(KUSABI_SOURCE_DIR "/examples/paper/elastic-body.toml");
   const auto warnings = load_structure(path).warnings;
   ASSERT_EQ(warnings.size(), 1U);

@@ -1,4 +1,4 @@
-// The files that a problem file names, read from where they lie.
+// The files named in a problem file, read from disk.
 #include "problems/files/problem_text.hpp"
 
 #include <filesystem>
@@ -41,7 +41,7 @@ class ProblemTexts : public testing::Test {
 const std::string square =
     "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*INCLUDE, INPUT=elements.txt\n";
 
-// An included file is named as seen from the file that includes it.
+// The path of an included file is relative to the including file.
 TEST_F(ProblemTexts, HaveAllFilesThatAreNamedAndIncluded) {
   write("p.toml", test::head(2) + test::mesh_of("parts/a.inp", 2));
   write("parts/a.inp", square);
@@ -62,7 +62,7 @@ TEST_F(ProblemTexts, SayWhoNamesAFileThatIsMissing) {
                                            ":6:1: the file \"parts/elements.txt\" cannot be read"));
 }
 
-// What is wrong with it, reading it says.
+// Faults of the file are reported by the reader.
 TEST_F(ProblemTexts, HaveNoMeshesIfTheyAreNoProblemFile) {
   write("p.toml", "[[mesh]\nfile = 1");
   EXPECT_EQ(error(), "no error");

@@ -1,5 +1,5 @@
-// Stiffnesses from files: CalculiX' of a brick against our own of the same mesh, in all the forms
-// in which a matrix may come; and what the keys of [[stiffness]] say.
+// Stiffness matrices from files: a brick by CalculiX compared with the same mesh here, in all
+// formats of matrices; and the keys of [[stiffness]].
 #include <functional>
 #include <sstream>
 #include <string>
@@ -60,7 +60,7 @@ TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
         with_rows(brick(fmt::format("[[stiffness]]\nmesh = \"m\"\nfile = \"{}\"\n", name))),
         "test.toml");
     const bool is_stored = name == std::string("box-hex8-stored.sti");
-    // In its substructures all nodes but the retained ones, 6 and 7, are held: see the warning.
+    // In its substructures all nodes except the retained ones, 6 and 7, are fixed: see the warning.
     const auto expected = is_stored ? own_brick() : own_brick_held_but_for_6_and_7();
     EXPECT_EQ(structure.warnings.size(), is_stored ? 0U : 1U);
     const auto found = wedged_problem(structure);
@@ -72,7 +72,7 @@ TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
 }
 
 TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
-  // The places of the two candidates are all that is said of the brick.
+  // Only the places of the two candidates of the brick are given.
   const auto toml = test::head(3) +
                     "[nodes]\n6 = [2, 0, 1]\n7 = [2, 1, 1]\n[[stiffness]]\nfile = "
                     "\"box-hex8-stored.sti\"\nothers = \"free\"\n[[contact]]\nnodes = [\"6\", "
@@ -81,7 +81,7 @@ TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
   EXPECT_TRUE(found.compliance.isApprox(own_brick().compliance, calculix_rounding));
 }
 
-// What the first lines of the example say.
+// The claim of the first lines of the example.
 TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
   const auto name = test::source_path("examples/brick-by-calculix.toml");
   const auto given = load_structure(name);
@@ -102,15 +102,15 @@ TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
   EXPECT_TRUE(found.compliance.isApprox(own.compliance, calculix_rounding));
 }
 
-/// The stiffness of the whole brick, which nothing holds, in the order of its nodes.
-Eigen::MatrixXd loose_stiffness() {
+/// The stiffness of the whole brick without supports, in the order of its nodes.
+Eigen::MatrixXd unconstrained_stiffness() {
   const auto structure =
       test::read(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) + touches_right);
   const Eigen::MatrixXd matrix = element_stiffness(structure, free_degrees(structure));
   return (matrix + matrix.transpose()) / 2;
 }
 
-/// A line for each entry that is wanted.
+/// A line for each selected entry.
 std::string lines(const Eigen::MatrixXd& matrix, const std::string& form,
                   const std::function<bool(Eigen::Index, Eigen::Index)>& wanted, bool with_places) {
   std::string text;
@@ -137,7 +137,7 @@ Structure with_matrix(const std::string& keys, const std::string& matrix,
 
 TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
   const auto expected = own_brick();
-  const Eigen::MatrixXd k = loose_stiffness();
+  const Eigen::MatrixXd k = unconstrained_stiffness();
   const auto all = [](auto, auto) { return true; };
   const auto lower = [](auto row, auto column) { return row >= column; };
   const auto upper = [](auto row, auto column) { return row <= column; };
@@ -156,10 +156,10 @@ TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
 }
 
 TEST(StiffnessFile, TakesItsNodesAsListedAndRowsAsSaid) {
-  // Two nodes with a rotation that is free, and one that is held.
+  // Two nodes with a free rotation, and a fixed one.
   const std::string matrix =
       "%%MatrixMarket matrix array integer symmetric\n8 8\n"
-      "5\n0\n-1\n9\n0\n0\n0\n9\n"  // x of b, then y, free, held
+      "5\n0\n-1\n9\n0\n0\n0\n9\n"  // x of b, then y, free, fixed
       "6\n0\n9\n0\n0\n0\n9\n4\n9\n0\n0\n0\n9\n9\n0\n0\n0\n9\n"
       "7\n0\n0\n9\n8\n0\n9\n3\n9\n9\n";
   ProblemText problem{test::head(2) +
@@ -181,7 +181,7 @@ TEST(StiffnessFile, TakesItsNodesAsListedAndRowsAsSaid) {
 }
 
 TEST(StiffnessFile, IsMadeSymmetricWithAWarning) {
-  Eigen::MatrixXd k = loose_stiffness();
+  Eigen::MatrixXd k = unconstrained_stiffness();
   k(3, 5) += 1e-14;
   const auto all = [](auto, auto) { return true; };
   const auto structure = with_matrix("", lines(k, "array real general", all, false), clamped_below);
@@ -195,7 +195,7 @@ std::string error_with(const std::string& keys, const std::string& more = "") {
   auto problem = test::with_meshes(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) +
                                    "[[stiffness]]\nfile = \"k.mtx\"\n" + keys + more);
   problem.meshes["k.mtx"] = lines(
-      loose_stiffness(), "array real general", [](auto, auto) { return true; }, false);
+      unconstrained_stiffness(), "array real general", [](auto, auto) { return true; }, false);
   return test::error_of(problem);
 }
 
@@ -229,12 +229,13 @@ TEST(StiffnessFile, RefusesACandidateWithoutARow) {
 TEST(StiffnessFile, OfALooseBodyIsRefusedByItsNodes) {
   const auto all = [](auto, auto) { return true; };
   const auto structure =
-      with_matrix("", lines(loose_stiffness(), "array real general", all, false));
+      with_matrix("", lines(unconstrained_stiffness(), "array real general", all, false));
   try {
     wedged_problem(structure);
     FAIL() << "a loose body was accepted";
   } catch (const support::InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("can move: a [[stiffness]] resists it by no more than"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("can move: a [[stiffness]] resists it only by the rounding"));
   }
 }
 

@@ -1,5 +1,6 @@
-// `against`, [[ties]], `direction` and `join` of problem files: what they come to, and that meshes
-// said to be two bodies are as soft as both together.
+// Keys `against`, [[ties]], `direction` and `join` of problem files: their results, and the
+// compliance of meshes
+// divided into two bodies, which is that of both together.
 #include <string>
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ TEST(PegInHole, IsAsSoftAsBothTogether) {
   const auto structure =
       read_structure(peg_in_hole(2, "\"right.left\"", "[\"left.right\"]"), "peg");
   ASSERT_EQ(structure.contact.size(), 4U);
-  for (const auto& candidate : structure.contact) {  // the nodes match: no shares
+  for (const auto& candidate : structure.contact) {  // the nodes coincide: no weights
     ASSERT_EQ(candidate.against.size(), 1U);
     EXPECT_EQ(candidate.against[0].weight, 1);
     EXPECT_EQ(structure.coordinates.col(candidate.against[0].node),
@@ -85,7 +86,7 @@ TEST(PegInHole, IsWrittenAsItIsRead) {
   EXPECT_EQ(structure_text(again), structure_text(structure));
 }
 
-// A strip in one piece, and in two that are tied: node to node, and edge to edge.
+// A strip in one piece, and in two connected by constraints: node to node, and edge to edge.
 TEST(Ties, JoinMeshes) {
   const auto strip = [](const std::string& join, const std::string& ties, int rows) {
     return wedged_problem(read_structure(
@@ -101,7 +102,7 @@ TEST(Ties, JoinMeshes) {
   EXPECT_LE((by_nodes.compliance - whole.compliance).norm(), 1e-15 * whole.compliance.norm());
   const auto by_edge = strip(join, "[[ties]]\nnodes = [\"b.left\"]\nto = \"a.right\"\n", 2);
   EXPECT_EQ(by_nodes.compliance, by_edge.compliance);
-  // A finer one is softer than the same without ties would be stiffer: not far from the whole.
+  // A finer one is softer, but would be stiffer without constraints: not far from the whole.
   const auto finer = strip(join, "[[ties]]\nnodes = [\"b.left\"]\nto = \"a.right\"\n", 6);
   EXPECT_NEAR(finer.compliance(0, 0) / whole.compliance(0, 0), 1, 0.15);
   EXPECT_NE(finer.compliance(0, 0), whole.compliance(0, 0));
@@ -120,8 +121,8 @@ TEST(InclinedSupport, AlongAnAxisIsReadAsARoller) {
   }
 }
 
-// Of a hexahedron and a tetrahedron of 20 and 10 nodes at random places: those in the middle of a
-// side are between its ends.
+// Hexahedra and tetrahedra of 20 and 10 nodes at random places: midpoint nodes are between the
+// vertices of their edges.
 TEST(SurfacePlace, KnowsTheFacesOfElements) {
   Structure structure;
   structure.dimension = 3;
@@ -147,7 +148,7 @@ TEST(SurfacePlace, KnowsTheFacesOfElements) {
             (places.col(face[side]) + places.col(face[(side + 1) % corners])) / 2;
         EXPECT_EQ(middle, places.col(face[corners + side]));
       }
-      // The node of each corner is the place of that corner alone.
+      // The node of each vertex is the place of that vertex alone.
       const auto place = nearest_place(places, {face}, places.col(face[1]));
       EXPECT_LE(place->distance, 1e-12);
       const auto between = nearest_place(places, {face}, places.col(face[corners + 1]));
@@ -183,7 +184,7 @@ TEST(SurfacePlace, IsTheNearest) {
   const auto on_triangle = nearest_place(faces, {{4, 5, 6}}, Eigen::Vector3d(0.25, 0.5, 6));
   EXPECT_DOUBLE_EQ(on_triangle->distance, 1);
   EXPECT_EQ(on_triangle->shares[0].weight, 0.25);
-  // Weights sum to one exactly, whatever they are.
+  // Weights sum to one exactly in all cases.
   for (const double x : {0.1, 0.3, 0.7}) {
     double sum = 0;
     const auto place = nearest_place(faces, {{4, 5, 6}}, Eigen::Vector3d(x, 0.21, 5));

@@ -1,4 +1,4 @@
-// The buckling resistance against worked examples and a table of the reduction factor, which
+// The buckling resistance compared with worked examples and a table of the reduction factor, which
 // another program computed from EN 1993-1-1, 6.3.1.
 #include "problems/structure/model/buckling.hpp"
 

@@ -1,4 +1,4 @@
-// Contact frames: orthonormal, right-handed in space, and what the user wished for.
+// Contact frames: orthonormal, right-handed in space, and along given tangents.
 #include "problems/structure/assembly/contact_frame.hpp"
 
 #include <cmath>

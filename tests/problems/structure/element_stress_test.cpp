@@ -1,4 +1,5 @@
-// Stresses against Hooke's law in its inverse form, and against the forces of the stiffness matrix.
+// Stresses compared with Hooke's law in its inverse form, and with the forces of the stiffness
+// matrix.
 #include "problems/structure/assembly/element_stress.hpp"
 
 #include <cmath>
@@ -35,8 +36,9 @@ Eigen::Matrix3d tensor_of(const Eigen::VectorXd& stress) {
   return tensor;
 }
 
-// The strain that the books give for a stress must be that of the displacements: in the plane the
-// part of it there, with nothing across in plane strain, and no stress across in plane stress.
+// The strain of a stress by Hooke's law must be that of the displacements: in the plane its
+// in-plane part, with zero strain in the third direction in plane strain, and zero stress in plane
+// stress.
 void expect_strain(const Element& element, const Eigen::VectorXd& stress,
                    const Eigen::MatrixXd& gradient) {
   const Eigen::Matrix3d tensor = tensor_of(stress);
@@ -71,7 +73,7 @@ TEST_P(ElementStress, PassesThePatchTest) {
   }
 }
 
-// u_k = x^T A_k x: the gradient at the centre, the mean of the corners, is 2 x^T A_k.
+// u_k = x^T A_k x: the gradient at the centre, the mean of the vertices, is 2 x^T A_k.
 TEST_P(ElementStress, OfAQuadraticElementIsThatAtItsCentre) {
   if (!test::is_quadratic(GetParam())) GTEST_SKIP();
   const auto body = test::patch(GetParam(), 0, bits);
@@ -101,8 +103,8 @@ TEST_P(ElementStress, OfAQuadraticElementIsThatAtItsCentre) {
   }
 }
 
-// In a simplex with nodes at its corners alone the stress is the same everywhere, so that it pulls
-// at node a with V sigma grad N_a; all of them together are K u.
+// In a simplex without midpoint nodes the stress is constant, with a force V sigma grad N_a on node
+// a; all forces together are K u.
 TEST_P(ElementStress, PullsAtTheNodesAsTheStiffnessDoes) {
   const int d = test::dimension_of(GetParam());
   if (test::is_quadratic(GetParam()) || test::corners_of(GetParam()) != d + 1) GTEST_SKIP();

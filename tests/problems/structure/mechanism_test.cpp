@@ -1,5 +1,4 @@
-// Mechanisms are found and named; slender, stiff, soft and mixed stable trusses are not taken for
-// one.
+// Mechanisms are found and named; slender, stiff, soft and mixed stable trusses are accepted.
 #include "problems/structure/bodies/mechanism.hpp"
 
 #include <cmath>
@@ -25,7 +24,7 @@ TEST_P(StableCantilever, IsNotAMechanism) {
 INSTANTIATE_TEST_SUITE_P(Bays, StableCantilever, testing::Values(1, 3, 30, 300, 1000));
 
 TEST(Mechanism, OfABayWithoutADiagonalMovesEveryNodeBeyondIt) {
-  // The parallelogram shears: what hangs on its far side goes up, what is before it stays.
+  // The parallelogram shears: nodes on its far side move up, those before it do not move.
   EXPECT_THAT(moving(test::cantilever(5, 2)), testing::ElementsAre(6, 7, 8, 9, 10, 11));
   EXPECT_THAT(moving(test::cantilever(30, 29)), testing::ElementsAre(60, 61));
 }
@@ -58,7 +57,7 @@ TEST(Mechanism, IsFoundInCoordinatesTypedWithEightDigits) {
   EXPECT_THAT(moving(structure), testing::ElementsAre(2));
 }
 
-TEST(Mechanism, IsToldFromTheSoftBendingOfASlenderTruss) {
+TEST(Mechanism, IsDistinguishedFromTheSoftBendingOfASlenderTruss) {
   EXPECT_THAT(moving(test::cantilever(300, 299)), testing::ElementsAre(600, 601));
 }
 

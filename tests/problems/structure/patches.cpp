@@ -1,4 +1,4 @@
-// Corners on a grid, simplices by permutations of the axes, middles by the edges of each shape.
+// Vertices on a grid, simplices by permutations of the axes, midpoints by the edges of each shape.
 #include "patches.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool is_simplex(ElementShape shape) {
   return corners_of(shape) == dimension_of(shape) + 1;
 }
 
-/// Corners of the elements of one cell, as places on the grid.
+/// Vertices of the elements of one cell, as places on the grid.
 std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell) {
   const int d = dimension_of(shape);
   std::vector<std::vector<Cell>> elements;
@@ -39,7 +39,7 @@ std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell)
   }
   std::vector<int> axes(static_cast<std::size_t>(d));
   std::iota(axes.begin(), axes.end(), 0);
-  do {  // from one corner of the cell to the opposite one, axis by axis
+  do {  // from one vertex of the cell to the opposite one, axis by axis
     auto& own = elements.emplace_back();
     Cell place = cell;
     own.push_back(place);

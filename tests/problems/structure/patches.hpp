@@ -1,5 +1,5 @@
-// Bodies cut into elements of each shape, for tests: the unit square or cube, in general with the
-// nodes within it moved at random.
+// Bodies divided into elements of each shape, for tests: the unit square or cube, in general with
+// its interior nodes moved at random.
 #pragma once
 
 #include <random>
@@ -20,18 +20,19 @@ int dimension_of(ElementShape shape);
 bool is_quadratic(ElementShape shape);
 int corners_of(ElementShape shape);
 
-/// The edges with a node in the middle, as pairs of corners, in the order of these nodes.
+/// The edges with a midpoint node, as pairs of vertices, in the order of these nodes.
 const std::vector<std::array<int, 2>>& edges_of(ElementShape shape);
 
 /// Three cells along each axis. E = 200, nu = 0.3, thickness 0.5, plane stress.
-/// @param moved corners within move by up to so much of a cell, each way; middles of edges follow,
-///        and move on by a third of that, but for tetrahedra, whose rule is not exact for curves
+/// @param moved largest random displacement of interior vertices as a share of a cell; midpoints of
+///        edges follow, with a further third of that, except for tetrahedra, whose rule is not
+///        exact for curves
 Structure patch(ElementShape shape, double moved, std::mt19937& bits);
 
-/// One element of that, the one in the middle of the patch, by itself.
+/// The middle element of the patch by itself.
 Structure one_element(ElementShape shape, double moved, std::mt19937& bits);
 
-/// Whether a node is on the surface of the unit square or cube.
+/// True if a node is on the surface of the unit square or cube.
 bool on_surface(const Structure& structure, int node);
 
 }  // namespace kusabi::problems::test

@@ -48,8 +48,8 @@ TEST(Element, IsStrainedByAllButTheThreeRigidMotions) {
   }
 }
 
-// The patch test: a displacement linear in the position has one strain e everywhere, and the energy
-// e^T D e t A / 2, whatever the shape of the element.
+// Patch test: a displacement linear in the position has one strain e everywhere, and the energy e^T
+// D e t A / 2, for any shape of the element.
 TEST(Element, HasTheEnergyOfAUniformStrain) {
   const Eigen::Vector3d strain(0.3, -0.2, 0.5);  // xx, yy, and the shear angle xy
   Eigen::VectorXd motion(8);
@@ -87,7 +87,7 @@ TEST(Element, MayHaveItsCornersInEitherSense) {
   EXPECT_LT((there - back(order, order)).cwiseAbs().maxCoeff(), 1e-12 * there.maxCoeff());
 }
 
-// A bar of unit width that is pulled: u = P L / (E A), and it becomes thinner by nu.
+// A bar of unit width under tension: u = P L / (E A), and its width decreases by nu.
 TEST(Element, StretchesABarByTheTextbookAmount) {
   const auto structure = read_structure(R"(
 name = "bar"
@@ -165,12 +165,13 @@ normal = [-1, 0]
 )";
   };
   const auto joined = read_structure(text("[[1, 0], [2, 0], [2, 1], [1, 1]]"), "joined");
-  // 9 of the first, the corner being one of them; 3 of the second's 12 lie on the first.
+  // 9 of the first, one of which is the common vertex; 3 of the second's 12 lie on the first.
   EXPECT_EQ(joined.node_names.size(), 1U + 9 + 9);
   EXPECT_EQ(joined.elements.size(), 4U + 6);
   EXPECT_NO_THROW(wedged_problem(joined));
   const auto apart = read_structure(text("[[1.1, 0], [2, 0], [2, 1], [1.1, 1]]"), "apart");
-  EXPECT_EQ(wedged_problem(apart).loose_bodies.size(), 1U);  // the second block falls off
+  EXPECT_EQ(wedged_problem(apart).unconstrained_bodies.size(),
+            1U);  // the second block is disconnected
 }
 
 TEST(Mesh, IsWrittenAsElementsAndReadBack) {

@@ -1,5 +1,5 @@
-// Single distorted elements against other programs: in space CalculiX, in the plane mpmath with 40
-// digits.
+// Single distorted elements compared with other programs: in space CalculiX, in the plane mpmath
+// with 40 digits.
 #include <cmath>
 #include <fstream>
 #include <string>

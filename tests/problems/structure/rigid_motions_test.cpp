@@ -1,11 +1,11 @@
-// Which motions supports leave a body: by hand, in any place and any unit.
+// Rigid-body modes that supports leave a body: by hand, at any place and in any unit.
 #include "problems/structure/bodies/rigid_motions.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/structure/bodies/grounding_springs.hpp"
 #include "problems/structure/bodies/mechanism.hpp"
-#include "problems/structure/bodies/temporary_springs.hpp"
 #include "support/input_error.hpp"
 #include "tests/problems/trusses.hpp"
 
@@ -25,7 +25,7 @@ Structure square(double unit = 1, const Eigen::Vector2d& place = {0, 0}) {
 }
 
 std::string motions(const Structure& structure) {
-  const auto bodies = loose_bodies(structure);
+  const auto bodies = unconstrained_bodies(structure);
   return bodies.empty() ? "held" : described(bodies.front());
 }
 
@@ -45,13 +45,13 @@ TEST(RigidMotions, AreWhatSupportsLeave) {
   Structure pinned = square();
   test::fix(pinned, 2);
   EXPECT_EQ(motions(pinned), "can turn");
-  const auto body_of_pin = loose_bodies(pinned).front();
+  const auto body_of_pin = unconstrained_bodies(pinned).front();
   EXPECT_TRUE(displacements(body_of_pin, pinned.coordinates.col(2)).cast<double>().isZero(0.0));
 }
 
 TEST(RigidMotions, TwoRollersThatPassThroughOnePointLeaveATurnAboutIt) {
   Structure body = square();
-  hold(body, 0, 0);  // passes through (0, 0) horizontally
+  hold(body, 0, 0);  // through (0, 0) horizontally
   hold(body, 3, 1);  // and through (0, 1) vertically: they meet in (0, 0)
   EXPECT_EQ(motions(body), "can turn");
   hold(body, 1, 0);  // on the line of the first
@@ -68,8 +68,8 @@ TEST(RigidMotions, DoNotDependOnTheUnitNorOnThePlace) {
       hold(body, 0, 1);
       hold(body, 1, 1);
       EXPECT_EQ(motions(body), "can move along x");
-      const auto bodies = loose_bodies(body);
-      const auto held = held_structure(body, bodies);
+      const auto bodies = unconstrained_bodies(body);
+      const auto held = grounded_structure(body, bodies);
       EXPECT_THAT(moving_nodes(held, free_degrees(held)), testing::IsEmpty());
     }
   }
@@ -91,7 +91,7 @@ TEST(RigidMotions, InSpaceIncludeTurnsAboutTheLineOfTwoHinges) {
   EXPECT_EQ(motions(cluster), "can turn about x, y and z");
   test::fix(cluster, 1);
   EXPECT_EQ(motions(cluster), "can turn about (0.6, 0.8, 0)");
-  EXPECT_EQ(loose_bodies(cluster).front().nodes, (std::vector<int>{2, 3, 4, 5}));
+  EXPECT_EQ(unconstrained_bodies(cluster).front().nodes, (std::vector<int>{2, 3, 4, 5}));
 }
 
 TEST(RigidMotions, OfABarInSpaceAreFive) {
@@ -104,7 +104,7 @@ TEST(RigidMotions, OfABarInSpaceAreFive) {
 
 TEST(RigidMotions, AreNoneOfStructuresThatAreHeldOrHaveAHingeMore) {
   EXPECT_EQ(motions(test::cantilever(4)), "held");
-  EXPECT_EQ(motions(test::cantilever(4, 2)), "held");  // a mechanism, but of no rigid body
+  EXPECT_EQ(motions(test::cantilever(4, 2)), "held");  // a mechanism, but not of a rigid body
 }
 
 TEST(RigidMotions, OfPiecesThatMeetOnTheGroundAreTheirOwn) {
@@ -112,8 +112,8 @@ TEST(RigidMotions, OfPiecesThatMeetOnTheGroundAreTheirOwn) {
   test::fix(body, 0);
   const int tip = test::add_node(body, Eigen::Vector2d(-1, 0));
   body.members.push_back({0, tip, 1.0});
-  ASSERT_EQ(loose_bodies(body).size(), 2U);
-  EXPECT_EQ(loose_bodies(body).back().nodes, std::vector<int>{tip});
+  ASSERT_EQ(unconstrained_bodies(body).size(), 2U);
+  EXPECT_EQ(unconstrained_bodies(body).back().nodes, std::vector<int>{tip});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Elements of every shape: rigid motions, patch tests, symmetries of the numbering, bending.
+// Elements of every shape: rigid-body modes, patch tests, symmetries of the numbering, bending.
 #include "problems/structure/assembly/solid_element.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@ class SolidElement : public testing::TestWithParam<ElementShape> {
 INSTANTIATE_TEST_SUITE_P(Each, SolidElement, testing::ValuesIn(test::all_shapes),
                          [](const auto& each) { return test::name_of(each.param); });
 
-/// A motion of all nodes, from one of places.
+/// Displacement of all nodes, from a function of places.
 Eigen::VectorXd motion_of(const Structure& body,
                           const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& field) {
   Eigen::MatrixXd motion(body.dimension, body.coordinates.cols());
@@ -34,7 +34,7 @@ Eigen::VectorXd motion_of(const Structure& body,
   return motion.reshaped();
 }
 
-/// d x (number of nodes), columns: all rigid motions.
+/// d x (number of nodes) columns: all rigid-body modes.
 Eigen::MatrixXd rigid_motions(const Structure& body) {
   const Eigen::Index d = body.dimension;
   Eigen::MatrixXd motions(body.coordinates.size(), d * (d + 1) / 2);
@@ -71,8 +71,8 @@ TEST_P(SolidElement, IsStrainedByAllButTheRigidMotions) {
   }
 }
 
-/// Hooke's law, in the inverse form of the books: strain of a stress, with s_zz = 0 or e_zz = 0 in
-/// the plane. Twice the energy of a uniform strain (d x d, symmetric) per volume.
+/// Hooke's law in inverse form: strain of a stress, with s_zz = 0 or e_zz = 0 in the plane. Twice
+/// the energy of a uniform strain (d x d, symmetric) per volume.
 double twice_energy(const Element& material, const Eigen::MatrixXd& strain) {
   const Eigen::Index d = strain.rows();
   const bool thick = d == 2 && material.state == PlaneState::strain;
@@ -89,7 +89,7 @@ double twice_energy(const Element& material, const Eigen::MatrixXd& strain) {
 }
 
 // A displacement linear in the position has one strain everywhere, hence the energy of the whole
-// square or cube, and no forces on the nodes within, whatever the shapes of the elements there.
+// square or cube, and no forces on the interior nodes, for any shapes of the elements.
 TEST_P(SolidElement, PassesThePatchTest) {
   for (const auto state : {PlaneState::stress, PlaneState::strain}) {
     auto body = test::patch(GetParam(), 0.25, bits);
@@ -114,7 +114,7 @@ TEST_P(SolidElement, PassesThePatchTest) {
   }
 }
 
-// Pure bending, u = x y, v = -x^2 / 2 with nu = 0: quadratic elements have it exactly.
+// Pure bending, u = x y, v = -x^2 / 2 with nu = 0: quadratic elements represent it exactly.
 TEST_P(SolidElement, BendsAsABeamIfItIsQuadratic) {
   if (!test::is_quadratic(GetParam())) GTEST_SKIP();
   auto body = test::patch(GetParam(), 0, bits);
@@ -134,11 +134,11 @@ TEST_P(SolidElement, BendsAsABeamIfItIsQuadratic) {
   }
 }
 
-/// Turns of the corners that leave an element the same; enough to make all of them.
+/// Permutations of the vertices that do not change the element; they generate all others.
 std::vector<std::vector<int>> turns_of(ElementShape shape) {
   switch (test::corners_of(shape)) {
     case 3:
-      return {{1, 2, 0}, {0, 2, 1}};  // the second goes round the other way
+      return {{1, 2, 0}, {0, 2, 1}};  // the second reverses the orientation
     case 8:
       return {{1, 2, 3, 0, 5, 6, 7, 4}, {4, 5, 1, 0, 7, 6, 2, 3}, {4, 5, 6, 7, 0, 1, 2, 3}};
     default:

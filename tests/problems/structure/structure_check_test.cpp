@@ -1,5 +1,5 @@
-// The rules for a structure that a program made. Those that a file can break too have a malformed
-// file each in tests/bad-input; here are the ones that a file cannot break.
+// Rules for structures made by programs. Rules that a file can violate have a malformed file each
+// in tests/bad-input; here are the others.
 #include "problems/structure/checks/structure_check.hpp"
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Faces of elements, the surface that they make up, and its normals.
+// Faces of elements, the surface of bodies, and its normals.
 #include "problems/structure/geometry/surface.hpp"
 
 #include <array>
@@ -19,7 +19,7 @@ constexpr std::array shapes{ElementShape::triangle3,      ElementShape::triangle
                             ElementShape::tetrahedron4,   ElementShape::tetrahedron10,
                             ElementShape::hexahedron8,    ElementShape::hexahedron20};
 
-/// A structure of the one element that every other is the image of.
+/// A structure of the element of which all others are images.
 Structure reference_element(ElementShape shape) {
   const ShapeTraits& traits = shape_traits(shape);
   Structure structure;
@@ -48,8 +48,8 @@ Eigen::MatrixXd places(const Structure& structure, const std::vector<int>& nodes
 
 class Faces : public testing::TestWithParam<ElementShape> {};
 
-// By the divergence theorem, from the faces alone: no part of the element is left out, none is
-// inside out.
+// By the divergence theorem, from the faces alone: no part of the element is missing, no face has
+// the opposite orientation.
 TEST_P(Faces, EncloseTheElement) {
   const Structure structure = reference_element(GetParam());
   const int dimension = structure.dimension;
@@ -79,7 +79,7 @@ TEST_P(Faces, HaveTheMiddleOfEachSideAfterTheirCorners) {
   }
 }
 
-// Whichever way the nodes go round, and at every node of a face.
+// For either orientation of the nodes, and at every node of a face.
 TEST_P(Faces, LookOutOfTheBodyEvenIfItIsMirrored) {
   for (const double mirror : {1.0, -1.0}) {
     Structure structure = reference_element(GetParam());
@@ -99,7 +99,7 @@ TEST_P(Faces, LookOutOfTheBodyEvenIfItIsMirrored) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Faces, testing::ValuesIn(shapes));
 
-// A quadratic edge is a parabola: y = x^2 here, with the slope 2x and a length that is known.
+// A quadratic edge is a parabola: y = x^2 here, with the slope 2x and a known length.
 TEST(FaceGeometry, OfACurvedEdgeIsThatOfTheCurve) {
   Eigen::MatrixXd edge(2, 3);
   edge << -1, 1, 0, 1, 1, 0;
@@ -146,7 +146,7 @@ TEST(AngleFromCone, InSpaceMayBeToAFaceAnEdgeOrTheInsideOfTheCone) {
               std::acos(1 / std::sqrt(3)) * 180 / std::acos(-1.0), 1e-6);
 }
 
-// Two squares side by side: what they share is inside, however its ends are listed.
+// Two adjacent squares: their common face is inside, for any order of its nodes.
 TEST(Surface, HasNoFacesThatTwoElementsShare) {
   Structure structure;
   structure.dimension = 2;

@@ -1,4 +1,4 @@
-// The fingerprint: changes with every ingredient of a problem, and with nothing else.
+// The fingerprint depends on all data of a problem, and on nothing else.
 #include "support/fingerprint.hpp"
 
 #include <functional>

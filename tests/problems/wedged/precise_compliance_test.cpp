@@ -1,4 +1,5 @@
-// F in 104 bits against 60-digit arithmetic, and whether its error bound holds and says something.
+// F in 104 bits compared with 60-digit arithmetic, and its error bound, which must be valid and
+// useful.
 #include "problems/wedged/precise_compliance.hpp"
 
 #include <cmath>
@@ -59,7 +60,8 @@ TEST(PreciseCompliance, IsWithinItsErrorOfSixtyDigits) {
   for (std::size_t number = 0; number < cases.size(); ++number) {
     SCOPED_TRACE(::testing::Message() << "case " << number);
     const auto& data = cases[number];
-    // Of any normals, also of such as point out of the body, which a problem file may not have.
+    // For any normals, including those that point out of the body, which problem files must not
+    // have.
     const auto enclosed = enclosed_compliance(structure_of(data));
     const auto& rows = data.at("compliance");
     ASSERT_EQ(enclosed.matrix.rows(), static_cast<Eigen::Index>(rows.size()));
@@ -73,7 +75,7 @@ TEST(PreciseCompliance, IsWithinItsErrorOfSixtyDigits) {
         const auto column = static_cast<Eigen::Index>(j);
         const double size = to_double(sqrt(truth(i, i) * truth(j, j)));
         const Precise off = enclosed.matrix(row, column) - truth(i, j);
-        // The truth itself is rounded to 104 bits here.
+        // The true value itself is rounded to 104 bits here.
         EXPECT_LE(std::abs(to_double(off)), (enclosed.error + 1e-31) * size);
       }
     }
@@ -121,8 +123,8 @@ TEST(PreciseCompliance, OfTwoCrossingBarsOfAnyContrastIsAccepted) {
   }
 }
 
-// 5000 bars in a row, of which only the last end moves across as well: F = sum of L / EA, exactly.
-// So many displacements are solved for in doubles first.
+// 5000 bars in a row, of which only the last end also moves transversely: F = sum of L / EA,
+// exactly. Systems of this size are solved in doubles first.
 TEST(PreciseCompliance, OfALongChainIsTheSumOfItsBars) {
   constexpr int bars = 5000;
   Structure structure;

@@ -1,5 +1,5 @@
-// Bodies whose stiffness is given: beams by closed forms, and the same structure with its bars and
-// elements put into a matrix.
+// Bodies with given stiffness: beams by closed forms, and the same structure with its bars and
+// elements replaced by a matrix.
 #include <cmath>
 #include <random>
 
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Sums in doubles on the way into the matrix; the structures have conditions of 1e6 at most.
+/// Rounding of sums in doubles in the matrix; the structures have condition numbers of at most 1e6.
 constexpr double matrix_rounding = 1e-9;
 
 Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& matrix) {
@@ -70,7 +70,7 @@ TEST(Superelement, OfABeamBendsAsByHand) {
   }
 }
 
-// The clamp takes the force; its moment is of a rotation that no support knows.
+// The clamp takes the force; its moment acts on a rotation without support reaction.
 TEST(Superelement, HandsForcesToTheSupports) {
   const Structure structure = cantilever(3);
   const WholeStructure whole(structure, wedged_problem(structure));
@@ -80,7 +80,7 @@ TEST(Superelement, HandsForcesToTheSupports) {
   EXPECT_NEAR(state.displacements(1, 3), 18, 1e-7);
 }
 
-// With pairs, ties, inclined supports and rollers, some of which are in the matrix as well.
+// With pairs, constraints, inclined supports and rollers, some of which are in the matrix as well.
 TEST(Superelement, IsAsGoodAsTheBarsAndElementsInIt) {
   std::mt19937 bits(5);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   for (int round = 0; round < 6; ++round) {
@@ -115,15 +115,15 @@ std::string error_of(const Structure& structure) {
   return "no error";
 }
 
-TEST(Superelement, IsRefusedIfNothingHoldsIt) {
+TEST(Superelement, IsRefusedIfItIsUnconstrained) {
   Structure structure = cantilever(2);
   structure.fixed[0] = {true, false, false};
-  EXPECT_THAT(error_of(structure), HasSubstr("can move: a [[stiffness]] resists it by no more"));
-  // What rounding adds holds nothing.
+  EXPECT_THAT(error_of(structure), HasSubstr("can move: a [[stiffness]] resists it only by"));
+  // A stiffness due to rounding does not constrain a body.
   structure.superelements[0].stiffness *= 1 + 1e-13;
   structure.superelements[0].stiffness.coeffRef(1, 1) *= 1 + 1e-13;
   structure.superelements[0].rounding = 1e-12;
-  EXPECT_THAT(error_of(structure), HasSubstr("can move: a [[stiffness]] resists it by no more"));
+  EXPECT_THAT(error_of(structure), HasSubstr("can move: a [[stiffness]] resists it only by"));
   structure.superelements[0].rounding = 0;
   structure.springs.push_back({2, 1, 1e-3});
   structure.springs.push_back({1, 1, 1e-3});

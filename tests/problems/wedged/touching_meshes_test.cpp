@@ -1,5 +1,5 @@
-// Meshes that touch each other, are tied, or stand on inclined rollers, held or not: against a
-// system of all displacements with multipliers for everything that holds them.
+// Meshes in contact, with multi-point constraints, or on inclined rollers, constrained or not:
+// compared with a system of all displacements with multipliers for all constraints.
 #include <random>
 #include <string>
 #include <vector>
@@ -19,12 +19,12 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Unit squares or cubes beside each other, along x, by the nodes of each.
+/// Unit squares or cubes side by side along x, with the nodes of each.
 struct Row {
   Structure structure;
   std::vector<std::vector<int>> nodes;
 
-  /// The nodes of one where x is so much, counted from its own left side.
+  /// The nodes of a body at a distance x from its own left side.
   [[nodiscard]] std::vector<int> at(std::size_t body, double x) const {
     std::vector<int> result;
     for (const int node : nodes[body]) {
@@ -34,7 +34,7 @@ struct Row {
   }
 };
 
-// Places are multiples of 1/4: so those that meet are the same to the last bit.
+// Coordinates are multiples of 1/4, such that coincident nodes are exactly equal.
 Row row_of(ElementShape shape, int bodies) {
   std::mt19937 bits(1);
   Structure patch = test::patch(shape, 0, bits);
@@ -83,8 +83,8 @@ Eigen::MatrixXd across(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& va
   return values - columns * columns.colPivHouseholderQr().solve(values);
 }
 
-// As many motions as the system says, the same, and displacements that differ by these alone; and
-// the whole structure as its candidates say.
+// The same rigid-body modes as the system, displacements that differ by these only; and the whole
+// structure consistent with its candidates.
 void expect_what_multipliers_say(const Structure& structure, Eigen::Index motions) {
   const auto problem = wedged_problem(structure);
   ASSERT_EQ(problem.motions.cols(), motions);
@@ -129,8 +129,8 @@ void expect_what_multipliers_say(const Structure& structure, Eigen::Index motion
   }
 }
 
-// Three for a body in the plane, six in space; two bodies that nothing holds see only how they
-// move past each other, unless an obstacle sees more.
+// Three for a body in the plane, six in space; candidates of two unconstrained bodies only have
+// relative modes, unless an obstacle touches one.
 TEST(TouchingMeshes, MoveAsMultipliersSay) {
   for (const auto shape : {ElementShape::triangle3, ElementShape::tetrahedron4}) {
     SCOPED_TRACE(test::name_of(shape));
@@ -149,8 +149,8 @@ TEST(TouchingMeshes, MoveAsMultipliersSay) {
   }
 }
 
-// Two meshes as one body: held, and not. With a spring on a tied node, which is one on the node
-// that it is tied to.
+// Two meshes as one body: constrained, and not. With a spring on a dependent node, which acts on
+// its master.
 TEST(TiedMeshes, MoveAsMultipliersSay) {
   for (const auto shape : {ElementShape::triangle6, ElementShape::tetrahedron4}) {
     SCOPED_TRACE(test::name_of(shape));
@@ -159,7 +159,7 @@ TEST(TiedMeshes, MoveAsMultipliersSay) {
     ASSERT_FALSE(row.structure.ties.empty());
     const auto normal = Eigen::VectorXd::Unit(row.structure.dimension, 0);
     for (const int node : row.at(1, 1)) touch(row.structure, node, -normal);
-    ASSERT_EQ(loose_bodies(row.structure).size(), 1U);
+    ASSERT_EQ(unconstrained_bodies(row.structure).size(), 1U);
     expect_what_multipliers_say(row.structure, row.structure.dimension == 2 ? 3 : 6);
     Row sprung = row;
     sprung.structure.springs.push_back({row.structure.ties[1].node, 0, 30});
@@ -171,7 +171,7 @@ TEST(TiedMeshes, MoveAsMultipliersSay) {
   }
 }
 
-// A tied node that is not where it is tied to would hold a turn by the gap alone.
+// A dependent node at a distance from its place would prevent a rotation by the gap alone.
 TEST(TiedMeshes, OfALooseBodyAreInPlace) {
   Row row = row_of(ElementShape::triangle6, 2);
   tie_up(row, 0, 1);
@@ -183,14 +183,14 @@ TEST(TiedMeshes, OfALooseBodyAreInPlace) {
       wedged_problem(off);
       ADD_FAILURE() << gap;
     } catch (const support::InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("not exactly its own"));
+      EXPECT_THAT(error.what(), HasSubstr("differs from its own"));
     }
     for (const int node : row.at(0, 0)) test::fix(off, node);
     EXPECT_EQ(wedged_problem(off).motions.cols(), 0);
   }
 }
 
-// On a roller that leaves (4, -3) the body keeps one translation, and turns about the roller.
+// On a roller that admits (4, -3) the body has one translation, and the rotation about the roller.
 TEST(InclinedRoller, LeavesOneMotionLess) {
   for (const auto shape : {ElementShape::triangle3, ElementShape::tetrahedron4}) {
     SCOPED_TRACE(test::name_of(shape));
@@ -202,7 +202,7 @@ TEST(InclinedRoller, LeavesOneMotionLess) {
     const int roller = row.at(0, 0).front();
     structure.inclined.push_back({roller, direction});
     for (const int node : row.at(0, 1)) touch(structure, node, -Eigen::VectorXd::Unit(d, 0));
-    const auto bodies = loose_bodies(structure);
+    const auto bodies = unconstrained_bodies(structure);
     ASSERT_EQ(bodies.size(), 1U);
     EXPECT_EQ(bodies[0].translations(), d - 1);
     const Eigen::MatrixXd moves =

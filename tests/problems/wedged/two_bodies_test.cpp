@@ -1,5 +1,5 @@
-// Pairs of bodies, ties, inclined supports and rollers at candidates: by hand, by multipliers, and
-// against the same structure said in another way.
+// Pairs of bodies, multi-point constraints, inclined supports and rollers at candidates: by hand,
+// by multipliers, and compared with equivalent structures.
 #include <random>
 #include <string>
 
@@ -37,7 +37,8 @@ TEST(TwoBodies, AreAsSoftAsBothTogether) {
   EXPECT_DOUBLE_EQ(problem.compliance(1, 1), 1.0 / 8 + 1.0);
   EXPECT_DOUBLE_EQ(problem.compliance(0, 1), 0);
 
-  // The other node half-way between two: u_b = (u_1 + u_2)/2, and each takes half of the force.
+  // The opposite place half-way between two nodes: u_b = (u_1 + u_2)/2, and each takes half of the
+  // force.
   const int c = crossing_bars(structure, 16, 5);
   structure.contact[0].against = {{b, 0.5}, {c, 0.5}};
   const auto between = wedged_problem(structure);
@@ -53,7 +54,7 @@ TEST(TwoBodies, AreWhatMultipliersSay) {
     SCOPED_TRACE(draw);
     const auto problem = wedged_problem(structure);
     Eigen::MatrixXd expected = test::compliance_by_multipliers(structure);
-    // What the roller holds: nothing else knows of it.
+    // The direction of the roller is independent of all others.
     const Eigen::Index held = expected.rows() - structure.dimension + 1;
     EXPECT_LE(expected.row(held).norm(), 1e-12 * expected.norm());
     EXPECT_GT(problem.compliance(held, held), 0);
@@ -74,7 +75,7 @@ TEST(TwoBodies, AreInEquilibrium) {
     const Eigen::VectorXd reactions = test::random_vector(problem.compliance.rows(), bits);
     const auto state = whole.under(
         std::span<const double>(reactions.data(), static_cast<std::size_t>(reactions.size())));
-    // No moments: the places of random pairs and ties are not where their shares would have them.
+    // No moments: the places of random pairs and constraints do not match their weights.
     Eigen::VectorXd sum = state.reactions.rowwise().sum();
     for (std::size_t i = 0; i < structure.contact.size(); ++i) {
       double left = 1;
@@ -99,7 +100,7 @@ TEST(TwoBodies, AreInEquilibrium) {
   }
 }
 
-// A cantilever cut in two, its halves tied where they were one.
+// A cantilever divided into two halves, which constraints connect.
 TEST(TwoBodies, TiedWhereTheirNodesMeetAreOne) {
   const Structure whole = test::cantilever(4);
   Structure tied = whole;
@@ -111,7 +112,7 @@ TEST(TwoBodies, TiedWhereTheirNodesMeetAreOne) {
     }
     tied.ties.push_back({twin, {{node, 1}}});
   }
-  // The upright at x = 2 hangs on both of the second half.
+  // The upright at x = 2 is connected to both of the second half.
   const auto one = wedged_problem(whole);
   const auto two = wedged_problem(tied);
   EXPECT_EQ(one.compliance, two.compliance);
@@ -128,8 +129,8 @@ TEST(InclinedSupport, AlongAnAxisIsARoller) {
   }
 }
 
-// A node on a bar along x, held along (3, 4) / 5: it moves along (4, -3) / 5, and the bar gives way
-// by 4/5 of that.
+// A node on a bar along x, supported along (3, 4) / 5: it moves along (4, -3) / 5, and the
+// elongation of the bar is 4/5 of that.
 TEST(InclinedSupport, LetsItsNodeMoveAcross) {
   Structure structure = test::empty_structure(2);
   const int tip = crossing_bars(structure, 10, 1e-9);

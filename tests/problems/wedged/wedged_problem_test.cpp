@@ -1,5 +1,5 @@
-// The wedged problem: numbers known by hand, identities of K and F, independence of units and of
-// the choice of tangents, and the refusal of what cannot be computed.
+// Wedged problem: numbers known by hand, identities of K and F, independence of units and of the
+// choice of tangents, and refusals of ill-conditioned structures.
 #include "problems/wedged/wedged_problem.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 /// A few roundings of numbers of the order of one.
 constexpr double rounding = 1e-13;
 
-/// K and F come from two factorisations; the example trusses have a condition of 1e4 at most.
+/// K and F come from two factorisations; the example trusses have condition numbers of at most 1e4.
 constexpr double condensed_rounding = 1e-10;
 
 TEST(WedgedProblem, OfTwoBarsIsAsByHand) {
@@ -99,7 +99,7 @@ TEST(WedgedProblem, EigenvaluesAndNormalPartsDoNotDependOnTheTangents) {
     candidate.tangent = test::random_vector(3, bits);
   }
   const WedgedProblem turned = wedged_problem(structure);
-  ASSERT_FALSE(turned.stiffness.isApprox(problem.stiffness, 1e-3));  // the tangents did turn
+  ASSERT_FALSE(turned.stiffness.isApprox(problem.stiffness, 1e-3));  // the tangents differ
   EXPECT_TRUE(turned.stiffness.selfadjointView<Eigen::Lower>().eigenvalues().isApprox(
       problem.stiffness.selfadjointView<Eigen::Lower>().eigenvalues(), condensed_rounding));
   const auto normals = Eigen::seq(0, Eigen::last, 3);
@@ -108,10 +108,10 @@ TEST(WedgedProblem, EigenvaluesAndNormalPartsDoNotDependOnTheTangents) {
 }
 
 TEST(WedgedProblem, OfASlenderTrussIsSolved) {
-  // The truss is statically determinate, so its compliance at the loaded corner is sum N^2 L / EA.
+  // The truss is statically determinate, so its compliance at the loaded node is sum N^2 L / EA.
   // Under a unit load upwards, the cut through bay i of n has the upper chord with the moment about
-  // the lower left corner of the bay, arm n - i, the lower chord with the moment about its upper
-  // right corner, arm n - i - 1, and the diagonal with sqrt 2; each vertical carries 1.
+  // the lower left node of the bay, arm n - i, the lower chord with the moment about its upper
+  // right node, arm n - i - 1, and the diagonal with sqrt 2; each vertical has 1.
   const int bays = 30;
   const WedgedProblem problem = wedged_problem(test::cantilever(bays));
   double compliance = 0.0;
@@ -139,7 +139,7 @@ std::string error_of(Action action) {
 TEST(WedgedProblem, RefusesAMechanismAndNamesWhatMoves) {
   EXPECT_EQ(error_of([] { wedged_problem(test::cantilever(3, 2)); }),
             "test: the structure is a mechanism: \"node 6\", \"node 7\" move without straining any "
-            "member; expected supports and members that hold every node");
+            "member; expected supports and members that prevent this");
 }
 
 TEST(WedgedProblem, NamesOnlyTheFirstOfManyMovingNodes) {
@@ -160,7 +160,7 @@ TEST(WedgedProblem, RefusesAStiffnessThatLeavesNoDigits) {
     EXPECT_THAT(error_with(axial_stiffness),
                 testing::StartsWith("test: the stiffness is too ill-conditioned"));
   }
-  // Doubles have lost six digits and more here, but F is computed with more.
+  // Doubles have lost at least six digits here, but F is computed in higher precision.
   for (const double axial_stiffness : {1e-9, 1e11})
     EXPECT_EQ(error_with(axial_stiffness), "no error");
 }

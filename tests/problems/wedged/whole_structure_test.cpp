@@ -29,7 +29,7 @@ std::vector<double> list(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-// A load along one of two bars at a right angle: the other has nothing to do.
+// A load along one of two orthogonal bars causes no force in the other.
 TEST(WholeStructure, CarriesALoadAlongABarToItsSupport) {
   const auto structure = read_structure(R"(
 name = "corner"
@@ -64,7 +64,7 @@ normal = [0, 1]
   EXPECT_LE(state.imbalance, 1e-15);
 }
 
-// K^0 u is what acts on each node: the obstacle, the supports, nothing else. K^0 is assembled anew,
+// K^0 u are the forces on each node, of the obstacle and the supports only. K^0 is assembled anew,
 // of the truss without its supports.
 TEST(WholeStructure, IsInEquilibriumAtEveryNode) {
   for (const char* const name : {"space-truss", "plane-truss"}) {
@@ -91,8 +91,8 @@ TEST(WholeStructure, IsInEquilibriumAtEveryNode) {
   }
 }
 
-// Where nothing is fixed, nothing is held; where a candidate is, it moves as F says. Of elements,
-// too, and of structures that come apart.
+// Reactions act only at supports; candidates move as F predicts. For elements, too, and for
+// structures with several blocks.
 TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
   for (const char* const name : {"space-truss", "plane-truss", "elastic-body"}) {
     const auto structure = example(name);
@@ -123,8 +123,7 @@ TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
   }
 }
 
-// At every node of a truss, what its bars pull with, what the obstacle presses with and what the
-// support does are in equilibrium.
+// At every node of a truss, bar forces, contact forces and support reactions are in equilibrium.
 TEST(WholeStructure, KnowsTheForcesInTheBars) {
   const auto structure = example("space-truss");
   const auto problem = wedged_problem(structure);

@@ -1,5 +1,5 @@
-// Rays of bodies that nothing holds: the ways to find them agree with each other, with the tree of
-// sign patterns, and with statics.
+// Rays of unconstrained bodies: the methods agree with each other, with the tree of sign patterns,
+// and with statics.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,7 +19,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// (S, G): what a cone loads and what it moves.
+/// (S, G): candidates with reactions and with gaps in a cone.
 using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
 
 RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod method) {
@@ -31,7 +31,7 @@ RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod m
   return find_rays(analysis, problem, friction, cone, method);
 }
 
-// A truss without supports, its obstacles around it.
+// A truss without supports, surrounded by obstacles.
 problems::Structure loose_truss(int candidates, std::mt19937_64& bits) {
   auto truss = testing::random_truss(
       {.candidates = candidates, .free_nodes = candidates + 1, .density = 1}, bits);
@@ -49,7 +49,7 @@ problems::Structure loose_truss(int candidates, std::mt19937_64& bits) {
   return truss;
 }
 
-TEST(LooseRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
+TEST(UnconstrainedRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
   std::mt19937_64 bits(3);
   std::size_t rays = 0;
   std::size_t cones = 0;
@@ -83,7 +83,7 @@ TEST(LooseRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
 }
 
 // A bar between walls that lean by 20 degrees to either side: two opposite forces along it.
-TEST(LooseRays, OfABarInAGrooveBeginAtTheTangentOfItsHalfAngle) {
+TEST(UnconstrainedRays, OfABarInAGrooveBeginAtTheTangentOfItsHalfAngle) {
   const double angle = 20 * std::acos(-1.0) / 180;
   problems::Structure bar;
   bar.dimension = 2;

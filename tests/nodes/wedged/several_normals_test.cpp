@@ -1,5 +1,5 @@
-// Nodes that are several candidates, searched: against all sign patterns by linear programs,
-// against the same structure with two nodes in a stiff tie, against rays, and against statics.
+// Searches with several contact normals at a node: compared with all sign patterns by linear
+// programs, with two nodes connected by a stiff matrix, with rays, and with statics.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,7 @@ namespace kusabi::wedged {
 namespace {
 
 using Contacts = std::set<support::IndexSet>;
-/// (S, G): what a cone loads and what it moves.
+/// (S, G): candidates with reactions and with gaps in a cone.
 using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
 
 std::vector<double> everywhere(const problems::WedgedProblem& problem, double mu) {
@@ -46,7 +46,7 @@ std::vector<Configuration> leaves_of(problems::WedgedProblem problem, double mu)
   return maximal_cones(std::move(leaves));
 }
 
-/// @param least of t*  @param open counts what could not be told
+/// @param least of t*  @param open counts undecided leaves
 Contacts alive(const problems::WedgedProblem& problem, double mu, double least, int& open) {
   Contacts result;
   for (const auto& leaf : leaves_of(problem, mu)) {
@@ -56,7 +56,7 @@ Contacts alive(const problems::WedgedProblem& problem, double mu, double least, 
   return result;
 }
 
-/// A truss in the plane whose first candidates stand in corners.
+/// A truss in the plane whose first candidates are at nodes with several contact normals.
 problems::Structure truss_in_corners(int candidates, int corners, std::mt19937_64& bits) {
   const auto [held, problem] = testing::random_problem(
       {.dimension = 2, .candidates = candidates, .free_nodes = candidates + 2}, bits);
@@ -71,8 +71,8 @@ problems::Structure truss_in_corners(int candidates, int corners, std::mt19937_6
   return structure;
 }
 
-/// t* of (P) at a leaf, by the simplex method, from an F that knows nothing of corners: nothing if
-/// no reactions do. The plane.
+/// t* of (P) at a leaf, by the simplex method, from an F of independent origin: nothing if no
+/// reactions are possible. In the plane.
 std::optional<double> margin(const Eigen::MatrixXd& f, const support::IndexSet& contact,
                              double mu) {
   const int m = static_cast<int>(f.rows()) / 2;
@@ -111,7 +111,7 @@ std::optional<double> margin(const Eigen::MatrixXd& f, const support::IndexSet& 
 }
 
 TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
-  constexpr double told = 1e-6;  // of what the simplex method in doubles says
+  constexpr double accuracy = 1e-6;  // accuracy of the simplex method in doubles
   std::mt19937_64 bits(5);
   int open = 0;
   std::size_t patterns = 0;
@@ -121,7 +121,8 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
     const auto structure = truss_in_corners(3, 1 + trial % 3, bits);
     Eigen::MatrixXd f = problems::test::compliance_by_multipliers(structure);
     f /= f.diagonal().mean();
-    // Where nothing connects two candidates; the simplex method would scale the rounding up.
+    // Entries between unconnected candidates are set to zero; the simplex method would scale
+    // rounding errors up.
     f = (f.array().abs() < 1e-13).select(Eigen::MatrixXd::Zero(f.rows(), f.cols()), f).eval();
     const int m = static_cast<int>(structure.contact.size());
     for (const double mu : {0.4, 1.2}) {
@@ -129,7 +130,7 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
       for (std::uint64_t ones = 1; ones < std::uint64_t{1} << static_cast<unsigned>(m); ++ones) {
         const support::IndexSet contact = ones;
         const double most = margin(f, contact, mu).value_or(-1);
-        if (std::abs(most) <= told) continue;
+        if (std::abs(most) <= accuracy) continue;
         EXPECT_EQ(found.contains(contact), most > 0) << mu << ' ' << most << ' ' << ones;
         patterns += most > 0;
         of_corners += most > 0 && contact.contains(0) && contact.contains(3);
@@ -141,7 +142,7 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
   EXPECT_GT(of_corners, 10U);
 }
 
-/// The second candidates of corners at nodes of their own, which a very stiff matrix ties.
+/// The second candidates at nodes of their own, connected by a very stiff matrix.
 problems::Structure tied_apart(problems::Structure structure, double stiffness) {
   std::set<int> seen;
   for (auto& candidate : structure.contact) {
@@ -166,8 +167,8 @@ problems::Structure tied_apart(problems::Structure structure, double stiffness) 
   return structure;
 }
 
-// Squeezed between its walls the tie gives way by 1e-8, and lets what would be at rest move by
-// that: patterns that live by no more are those of the tie.
+// Between its walls the stiff connection deforms by 1e-8, which lets inactive candidates move by
+// that much: patterns feasible by no more are due to the connection.
 TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
   constexpr double of_the_tie = 1e-6;
   int open = 0;
@@ -225,7 +226,7 @@ problems::Structure read(const std::string& text) {
       "name = \"g\"\ndimension = 2\nunits = { length = \"m\", force = \"N\" }\n" + text, "g");
 }
 
-/// A triangle of bars in a groove whose walls are `theta` off the vertical, its point at the
+/// A triangle of bars in a groove whose walls are at `theta` to the vertical, its point at the
 /// bottom.
 problems::Structure wedge_in_groove(double theta) {
   const double c = std::cos(theta), s = std::sin(theta), w = std::tan(theta);
@@ -238,8 +239,8 @@ problems::Structure wedge_in_groove(double theta) {
       -w, w, c, s, -c, s));
 }
 
-/// A tip on two equal bars at right angles, in the same groove: it moves as far as it is pushed,
-/// whichever way, so neither wall alone can catch it.
+/// A tip on two equal bars at right angles, in the same groove: its displacement is parallel to the
+/// force, so neither wall alone can wedge it.
 problems::Structure tip_in_groove(double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   return read(
@@ -270,8 +271,8 @@ TEST(Corner, OfAGrooveHoldsFromTheTangentOfItsHalfAngle) {
   }
 }
 
-// The point cannot sink any farther, so the wedge is never squeezed: its point alone is caught, and
-// the other candidates are at rest.
+// The point touches the bottom, so the wedge cannot be squeezed: only its point is wedged, and the
+// other candidates are inactive.
 TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
   for (const double degrees : {10.0, 30.0}) {
     const double theta = degrees * std::numbers::pi / 180;
@@ -294,7 +295,7 @@ TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
   }
 }
 
-// Left and right change places, and so do the patterns.
+// Exchange of left and right exchanges the patterns.
 TEST(Corner, OfASymmetricStructureHasSymmetricPatterns) {
   const auto structure = read(
       "[nodes]\ntip = [0, 0]\na = [-1, 1]\nb = [1, 1]\nc = [-1, 2]\nd = [1, 2]\n"

@@ -5,7 +5,7 @@
 // its error, and u = G B'u + E u. With the scaled motion v_e = Y_e |u_e| and |E| <= 1/2 in the
 // corresponding norm, max v <= 2 sum_i max_e Y_e |G_ei| |b_i'u|, and therefore
 //   |u_e| <= sum_i |G_ei| |b_i'u| + (sum_k |E_ek| / Y_k) max v.
-#include "verify/limit/limit_reach.hpp"
+#include "verify/limit/equilibrium_correction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,16 +149,16 @@ bool Reach::row(std::size_t e, double defect) {
   // displacement.
   const double rounded_off = 0x1p-52 * static_cast<double>(part_.members.size() + 4);
   for (const auto i : part_.members) {
-    double guess = 0;  // G_ei
-    for (const auto& [k, value] : members_.columns[i]) guess += solution_[gram_.place(k)] * value;
-    guess *= weight_[i];
-    if (!std::isfinite(guess)) return false;
-    const double size = std::abs(guess);
+    double inverse = 0;  // G_ei
+    for (const auto& [k, value] : members_.columns[i]) inverse += solution_[gram_.place(k)] * value;
+    inverse *= weight_[i];
+    if (!std::isfinite(inverse)) return false;
+    const double size = std::abs(inverse);
     direct_[i] += defect * size;
     largest_[i] = std::max(largest_[i], size_[here] * size);
     for (const auto& [k, value] : members_.columns[i]) {
-      missed_[gram_.place(k)] -= guess * value;
-      doubt_[gram_.place(k)] += std::abs(guess * value) * rounded_off;
+      missed_[gram_.place(k)] -= inverse * value;
+      doubt_[gram_.place(k)] += std::abs(inverse * value) * rounded_off;
     }
     if (members_.errors.empty()) continue;
     for (const auto& [k, error] : members_.errors[i]) {
@@ -205,7 +205,7 @@ std::variant<std::vector<double>, std::string> forces_against_defects(
     const std::vector<double>& defect) {
   const auto slack = slack_of_use(members, slack_of_all, defect);
   const auto part = part_with_defects(members, slack, defect);
-  if (!part) return "forces are not in equilibrium where no member has anything left";
+  if (!part) return "forces are not in equilibrium where no member has slack";
   if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);
   double most = 0;
   for (const auto i : part->members) most = std::max(most, slack[i]);

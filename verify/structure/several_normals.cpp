@@ -1,6 +1,6 @@
 // Normal coordinates of one node after another; nodes opposite to other bodies come first, since
 // their opposite place may depend on a node with several contact normals.
-#include "verify/structure/corner.hpp"
+#include "verify/structure/several_normals.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -65,7 +65,7 @@ class Corner {
     spring_ = sum / Enclosure(static_cast<double>(own_.size()));
   }
 
-  void turn(SparseEnclosure& stiffness, CornerNumbers& numbers) const {
+  void turn(SparseEnclosure& stiffness, CandidateNumbers& numbers) const {
     const auto made = displacements();
     substitute(made, stiffness);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -163,13 +163,13 @@ class Corner {
 
 }  // namespace
 
-CornerNumbers turn_corners(const Structure& structure, Freedom& freedom,
-                           SparseEnclosure& stiffness) {
+CandidateNumbers use_normal_coordinates(const Structure& structure, Freedom& freedom,
+                                        SparseEnclosure& stiffness) {
   std::vector<Corner> all;
   for (const auto& [node, candidates] : corners(structure))
     all.emplace_back(structure, freedom, node, candidates);
   for (auto& corner : all) corner.read_spring(stiffness);
-  CornerNumbers numbers;
+  CandidateNumbers numbers;
   for (const bool follows : {true, false}) {
     for (const auto& corner : all) {
       if (corner.follows() == follows) corner.turn(stiffness, numbers);

@@ -20,7 +20,7 @@ inline constexpr double stiffness_tolerance = 1e-6;
 inline constexpr double motion_tolerance = 1e-6;
 
 /// Data of the structure for the proofs.
-struct Agreement {
+struct ConsistentStructure {
   EnclosedMatrix stiffness;  ///< of the structure
   ContactMotions motions;    ///< of its unconstrained bodies
   double friction = 0;       ///< the coefficient to which those of the candidates are relative
@@ -28,8 +28,8 @@ struct Agreement {
 
 /// Computes K of the structure and compares.
 /// @return otherwise a sentence with the first difference
-std::variant<Agreement, std::string> agreement(const Certificate& certificate,
-                                               const Structure& structure);
+std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
+                                                           const Structure& structure);
 
 /// A name on one line, as in the file: control characters as \x0a.
 std::string on_one_line(const std::string& name);

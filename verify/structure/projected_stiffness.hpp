@@ -8,6 +8,6 @@ namespace kusabi::verify {
 
 /// P'K P with P = I - G (G'G)^-1 G'; zero if the columns of G are dependent.
 /// @param stiffness K, exact  @param motions G, with lengths that are exactly one
-EnclosedMatrix freed(const EnclosedMatrix& stiffness, const ContactMotions& motions);
+EnclosedMatrix projected(const EnclosedMatrix& stiffness, const ContactMotions& motions);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,5 @@
 // Comparisons of a certificate with a structure, the inexpensive ones first.
-#include "verify/wedged/agreement.hpp"
+#include "verify/wedged/consistency.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "verify/arithmetic/least_squares.hpp"
 #include "verify/structure/assembly.hpp"
-#include "verify/structure/loose_stiffness.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -85,7 +85,7 @@ std::optional<std::string> other_bodies(const Certificate& certificate,
     for (const auto& block : certificate.blocks) {
       if (block.meets(moving) && !block.includes(moving)) {
         return certificate.names_of(moving) +
-               " are not in one block, but of one body that nothing holds";
+               " are not in one block, but on one unconstrained body";
       }
     }
   }
@@ -99,7 +99,7 @@ std::optional<std::string> other_motions(const Certificate& certificate,
   const auto p = motions.count;
   if (certificate.motions != p) {
     return "it has " + std::to_string(certificate.motions) +
-           " motions of bodies that nothing holds, the structure has " + std::to_string(p);
+           " rigid-body modes of unconstrained bodies, the structure has " + std::to_string(p);
   }
   const auto own = motions.nearest();
   for (std::size_t k = 0; k < p; ++k) {
@@ -186,8 +186,8 @@ std::string on_one_line(const std::string& name) {
   return text;
 }
 
-std::variant<Agreement, std::string> agreement(const Certificate& certificate,
-                                               const Structure& structure) {
+std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
+                                                           const Structure& structure) {
   if (auto why = other_candidates(certificate, structure)) return *why;
   auto friction = common_friction(certificate, structure);
   if (auto* why = std::get_if<std::string>(&friction)) return *why;
@@ -201,7 +201,7 @@ std::variant<Agreement, std::string> agreement(const Certificate& certificate,
   if (auto why = other_motions(certificate, motions)) return *why;
   if (auto why = other_stiffness(certificate, enclosed, least_scales(structure, motions)))
     return *why;
-  return Agreement{std::move(enclosed), std::move(motions), std::get<double>(friction)};
+  return ConsistentStructure{std::move(enclosed), std::move(motions), std::get<double>(friction)};
 }
 
 }  // namespace kusabi::verify

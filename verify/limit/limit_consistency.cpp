@@ -1,5 +1,5 @@
 // Members are compared first, then loads.
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 
 #include <algorithm>
 #include <map>
@@ -188,8 +188,8 @@ std::optional<std::string> other_bars(const LimitCertificate& certificate,
 
 }  // namespace
 
-std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
-                                                      const Structure& structure) {
+std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& certificate,
+                                                        const Structure& structure) {
   const Freedom freedom(structure);
   if (!freedom.others.empty() || !structure.ties.empty())
     return "the structure has ties, inclined supports or pairs of bodies, which limit loads do not";

@@ -15,10 +15,10 @@
 
 namespace kusabi::verify {
 
-class HeldStiffness {
+class RegularisedStiffness {
  public:
   /// @param springs displacements with a grounding spring, about as stiff as K is there
-  HeldStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> springs);
+  RegularisedStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> springs);
 
   /// A lower bound s > 0 of the least eigenvalue of every regularised K; nothing if none was
   /// proved.
@@ -39,7 +39,7 @@ class HeldStiffness {
   /// approximation is checked with a coarse K. Each refinement adds digits, as many as a badly
   /// scaled K requires.
   /// @return the fault that the last check found, or the reason why there is no approximation
-  [[nodiscard]] std::optional<std::string> guess(std::span<const std::size_t> unknowns,
+  [[nodiscard]] std::optional<std::string> solve(std::span<const std::size_t> unknowns,
                                                  const DyadicList& right, const Check& check) const;
 
  private:

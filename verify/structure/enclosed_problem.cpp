@@ -1,6 +1,6 @@
 // A spring of equal stiffness along each axis of an orthonormal frame is a multiple of the unit
 // matrix.
-#include "verify/structure/loose_stiffness.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ double typical_stiffness(const Structure& structure) {
 
 std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
                                                             const support::LongWork& work) {
-  auto loose = loose_motions(structure);
+  auto loose = unconstrained_modes(structure);
   const bool all_held = loose.seen.count == 0 && loose.unseen.empty();
   auto sprung = structure;
   const double stiffness = typical_stiffness(structure);

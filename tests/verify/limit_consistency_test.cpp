@@ -1,5 +1,5 @@
-// Certificates of limit loads and the truss in a file; and what harms no reader.
-#include "verify/limit/limit_agreement.hpp"
+// Consistency of limit-load certificates with the truss of a file; harmless faulty certificates.
+#include "verify/limit/limit_consistency.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ Structure truss() {
   return structure;
 }
 
-// What proves the factor 1/2 for alpha = 1/2, from below up to 1e-9.
+// Proof of the factor 1/2 for alpha = 1/2, from below up to 1e-9.
 LimitCertificate evidence() {
   const double half_root = std::sqrt(0.5);
   LimitCertificate certificate;
@@ -56,7 +56,7 @@ LimitCertificate evidence() {
 }
 
 LimitTruss agreed(const LimitCertificate& certificate, const Structure& structure) {
-  auto found = limit_agreement(certificate, structure);
+  auto found = limit_consistency(certificate, structure);
   if (const auto* why = std::get_if<std::string>(&found)) {
     ADD_FAILURE() << *why;
     return {};
@@ -64,7 +64,7 @@ LimitTruss agreed(const LimitCertificate& certificate, const Structure& structur
   return std::get<LimitTruss>(found);
 }
 
-TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
+TEST(LimitConsistency, TheEndsAreProvedOfTheTruss) {
   const auto certificate = evidence();
   const auto meant = agreed(certificate, truss());
   ASSERT_EQ(meant.columns.size(), 2U);
@@ -79,13 +79,13 @@ TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
   }
   const LimitProof proof(certificate, meant);
   const auto upper = std::get<mpq_class>(proof.upper());
-  EXPECT_GT(upper, mpq_class(0.5));  // the motion stretches the rising bar by a rounding
+  EXPECT_GT(upper, mpq_class(0.5));  // the motion stretches the rising bar by a rounding error
   EXPECT_LT(upper.get_d(), 0.5 + 1e-14);
   EXPECT_EQ(std::get<mpq_class>(proof.lower(certificate.nodes[0])), mpq_class(0.5 - 1e-9));
 }
 
-// The proof takes the errors into account: with larger ones the same evidence is worth less.
-TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
+// The proof includes the errors: with larger ones the same evidence proves less.
+TEST(LimitConsistency, ErrorsMoveTheUpperEndAndForbidTheLower) {
   const auto certificate = evidence();
   const Dyadic error(0x1p-20);
   auto coarse = agreed(certificate, truss());
@@ -109,11 +109,11 @@ TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
               HasSubstr("no bound of motions"));
 }
 
-TEST(LimitAgreement, AnotherTrussIsRefused) {
+TEST(LimitConsistency, AnotherTrussIsRefused) {
   const auto refusal = [&](const auto& change) {
     auto other = truss();
     change(other);
-    const auto found = limit_agreement(evidence(), other);
+    const auto found = limit_consistency(evidence(), other);
     const auto* const why = std::get_if<std::string>(&found);
     return why == nullptr ? std::string() : *why;
   };
@@ -137,13 +137,13 @@ TEST(LimitAgreement, AnotherTrussIsRefused) {
   EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
 }
 
-TEST(LimitAgreement, AnEntryMayBeThereOnceOnly) {
+TEST(LimitConsistency, AnEntryMayBeThereOnceOnly) {
   auto certificate = evidence();
   certificate.columns[0] = {{0, 0.5}, {0, 0.5}};
-  EXPECT_TRUE(std::holds_alternative<std::string>(limit_agreement(certificate, truss())));
+  EXPECT_TRUE(std::holds_alternative<std::string>(limit_consistency(certificate, truss())));
   certificate = evidence();
   certificate.columns[0].clear();
-  EXPECT_TRUE(std::holds_alternative<std::string>(limit_agreement(certificate, truss())));
+  EXPECT_TRUE(std::holds_alternative<std::string>(limit_consistency(certificate, truss())));
   certificate = evidence();
   certificate.columns[0].emplace_back(1, 0x1p-60);
   const auto meant = agreed(certificate, truss());  // a rounding of 0
@@ -197,7 +197,7 @@ TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
   }
 }
 
-// More columns of T than displacements are no harm; nodes that say nothing of them would be.
+// More columns of T than displacements are harmless; nodes without signs for them would not be.
 TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
   auto certificate = evidence();
   certificate.uncertain.assign(5000, {{0, 1.0}});
@@ -208,7 +208,7 @@ TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
               HasSubstr("expected a sign or a share for each column of T"));
 }
 
-// A motion on which the reference load does 2^-1060 of work: the upper end is beyond all doubles.
+// A motion with work 2^-1060 of the reference load: the upper bound is beyond all doubles.
 TEST(LimitCertificate, AnEndBeyondAllDoublesIsRoundedToInfinity) {
   const mpq_class far = Dyadic(mpz_class(3), 1060).rational();
   const double largest = std::numeric_limits<double>::max();

@@ -14,10 +14,10 @@ namespace kusabi::problems {
 /// One spring for each mode, at nodes and axes far apart, each with a power of two near the
 /// stiffness of its node.
 /// @param bodies those of the structure
-std::vector<Spring> temporary_springs(const Structure& structure,
-                                      std::span<const LooseBody> bodies);
+std::vector<Spring> grounding_springs(const Structure& structure,
+                                      std::span<const UnconstrainedBody> bodies);
 
 /// The structure with grounding springs: it has no rigid-body modes.
-Structure held_structure(Structure structure, std::span<const LooseBody> bodies);
+Structure grounded_structure(Structure structure, std::span<const UnconstrainedBody> bodies);
 
 }  // namespace kusabi::problems

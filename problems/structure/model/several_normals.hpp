@@ -19,10 +19,10 @@ namespace kusabi::problems {
 /// Least angle, in degrees, between a normal of a node and the span of its others: closer normals
 /// belong to one face, or to two sides of a gap. F_nn loses the square of it, three parts in a
 /// million, by cancellation.
-inline constexpr double smallest_corner_angle = 0.1;
+inline constexpr double smallest_angle_of_normals = 0.1;
 
 /// The nodes with more than one candidate.
-std::set<int> corner_nodes(const Structure& structure);
+std::set<int> nodes_with_several_normals(const Structure& structure);
 
 /// Weights of the free displacements in the displacement of a candidate along an axis: that of its
 /// node; at a node with several normals minus that of the opposite place.
@@ -45,6 +45,6 @@ StrainVector<Scalar> seen_along(const FreeDegrees& degrees, const ContactCandida
 /// the same name.
 /// @pre nodes and normals of the candidates are valid
 /// @throws InputError otherwise
-void check_corners(const Structure& structure);
+void check_several_normals(const Structure& structure);
 
 }  // namespace kusabi::problems

@@ -1,5 +1,5 @@
 // Angles between the normals of a node.
-#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/several_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,14 +62,14 @@ void check_corner(const Structure& structure, const std::vector<std::size_t>& ca
                     name, candidates.size(), most, most == 2 ? "the plane" : "space"));
   }
   const auto angle = least_angle(normals_of(structure, candidates));
-  if (angle >= smallest_corner_angle) return;
+  if (angle >= smallest_angle_of_normals) return;
   refuse_corner(
       structure, candidates.back(),
       fmt::format("node {} is a contact candidate {} with normals that are {:.2f} degrees from "
-                  "depending on each other; expected once, or the normals of a corner, {:g} "
-                  "degrees or more from that",
+                  "linear dependence; expected one normal, or normals at least {:g} degrees from "
+                  "it",
                   name, candidates.size() == 2 ? "twice" : "three times", angle,
-                  smallest_corner_angle));
+                  smallest_angle_of_normals));
 }
 
 void check_names(const Structure& structure) {
@@ -88,7 +88,7 @@ void check_names(const Structure& structure) {
 
 }  // namespace
 
-std::set<int> corner_nodes(const Structure& structure) {
+std::set<int> nodes_with_several_normals(const Structure& structure) {
   std::set<int> seen;
   std::set<int> corners;
   for (const ContactCandidate& candidate : structure.contact) {
@@ -97,7 +97,7 @@ std::set<int> corner_nodes(const Structure& structure) {
   return corners;
 }
 
-void check_corners(const Structure& structure) {
+void check_several_normals(const Structure& structure) {
   std::map<int, std::vector<std::size_t>> at_node;
   for (std::size_t i = 0; i < structure.contact.size(); ++i)
     at_node[structure.contact[i].node].push_back(i);

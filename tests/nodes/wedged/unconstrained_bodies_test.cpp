@@ -1,6 +1,5 @@
-// Bodies that nothing holds, from the problem file to the proved critical coefficient, where
-// statics says what must come out: a block in a groove, a peg at two points, a bar across a corner,
-// a plug.
+// Unconstrained bodies, from the problem file to the proved critical coefficient, compared with
+// statics: a block in a groove, a peg at two points, a bar across a corner, a plug.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -47,7 +46,7 @@ void expect_from(const CriticalFindings& found, double mu) {
   EXPECT_LE(*found.upper - found.lower, 2.5e-8);
 }
 
-TEST(LooseBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
+TEST(UnconstrainedBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
   for (const double theta : {5 * degree, 15 * degree, 30 * degree}) {
     for (const int elements : {1, 2, 4}) {
       const auto found = critical(in_groove(theta, elements, elements));
@@ -55,13 +54,13 @@ TEST(LooseBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
       EXPECT_TRUE(found.lower_proved && found.upper_proved) << theta << " " << elements;
     }
   }
-  // Of any material, and in any proportion.
+  // For any material and proportions.
   expect_from(critical(in_groove(20 * degree, 2, 5, 0.45)), std::tan(20 * degree));
   expect_from(critical(in_groove(20 * degree, 5, 2, 0.0)), std::tan(20 * degree));
 }
 
 // Whitney's two points: the line through both must be in both friction cones.
-TEST(LooseBodies, PegJamsAtTwoPoints) {
+TEST(UnconstrainedBodies, PegJamsAtTwoPoints) {
   const auto found = critical(problems::read_structure(
       "name = \"peg\"\ndimension = 2\nunits = { length = \"mm\", force = \"N\" }\n"
       "[[mesh]]\nname = \"p\"\ncorners = [[0, 0], [1, 0], [1, 2], [0, 2]]\ndivisions = [2, 8]\n"
@@ -72,7 +71,7 @@ TEST(LooseBodies, PegJamsAtTwoPoints) {
   expect_from(found, 0.75);
 }
 
-TEST(LooseBodies, BarStandsAcrossACorner) {
+TEST(UnconstrainedBodies, BarStandsAcrossACorner) {
   const auto found = critical(problems::read_structure(
       "name = \"bar\"\ndimension = 2\nunits = { length = \"m\", force = \"kN\" }\n"
       "[nodes]\nfloor = [0.8, 0]\nwall = [0, 0.6]\n"
@@ -83,14 +82,14 @@ TEST(LooseBodies, BarStandsAcrossACorner) {
   expect_from(found, 4.0 / 3);
 }
 
-TEST(LooseBodies, PlugStaysInAConeFromTheTangentOfItsHalfAngle) {
+TEST(UnconstrainedBodies, PlugStaysInAConeFromTheTangentOfItsHalfAngle) {
   const std::string file = std::string(KUSABI_SOURCE_DIR) + "/examples/morse-taper.toml";
   const auto structure = problems::read_structure(problems::problem_text(file), file);
   expect_from(critical(structure), std::tan(1.5 * degree));
 }
 
-// What no friction holds is not wedged, however far it can move.
-TEST(LooseBodies, ThatRestOnAFloorDoNotWedge) {
+// Bodies supported from one side only are not wedged, however far they can move.
+TEST(UnconstrainedBodies, ThatRestOnAFloorDoNotWedge) {
   const auto structure = problems::read_structure(
       "name = \"floor\"\ndimension = 2\nunits = { length = \"mm\", force = \"N\" }\n"
       "[[mesh]]\nname = \"p\"\ncorners = [[0, 0], [1, 0], [1, 1], [0, 1]]\ndivisions = [3, 2]\n"

@@ -15,12 +15,12 @@
 namespace kusabi::verify {
 
 /// By candidate at a node with several normals: the numbers of its displacements n, t1[, t2].
-using CornerNumbers = std::map<std::size_t, std::vector<std::size_t>>;
+using CandidateNumbers = std::map<std::size_t, std::vector<std::size_t>>;
 
 /// Transforms the stiffness: the displacements of each node with several normals become those along
 /// its normals and, in space, along the third vector of two normals. Tangential displacements are
 /// appended. Entries are not finite where normals are dependent.
-CornerNumbers turn_corners(const Structure& structure, Freedom& freedom,
-                           SparseEnclosure& stiffness);
+CandidateNumbers use_normal_coordinates(const Structure& structure, Freedom& freedom,
+                                        SparseEnclosure& stiffness);
 
 }  // namespace kusabi::verify

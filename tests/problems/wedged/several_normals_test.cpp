@@ -1,6 +1,6 @@
-// Nodes that are several candidates: F by multipliers, which know nothing of corners; names; the
-// whole structure; what is refused.
-#include "problems/structure/model/corner.hpp"
+// Several contact normals at a node: F by multipliers, which are independent of them; names; the
+// whole structure; refusals.
+#include "problems/structure/model/several_normals.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -33,7 +33,7 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
     const Eigen::Index d = structure.dimension;
     const Eigen::MatrixXd expected = test::compliance_by_multipliers(structure);
     Eigen::MatrixXd added = problem.compliance - expected;
-    const auto corners = corner_nodes(structure);
+    const auto corners = nodes_with_several_normals(structure);
     EXPECT_EQ(corners.size(), d == 2 ? 4U : 5U);
     const double size = expected.norm();
     for (Eigen::Index i = 0; i < std::ssize(structure.contact); ++i) {
@@ -60,7 +60,7 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
   }
 }
 
-// The node moves once, and what its candidates see are sides of that.
+// The node has one displacement, and those of its candidates are its components.
 TEST(Corner, MovesOnceAndTakesTheSumOfItsReactions) {
   std::mt19937 bits(4);
   for (int draw = 0; draw < 20; ++draw) {
@@ -90,7 +90,7 @@ TEST(Corner, MovesOnceAndTakesTheSumOfItsReactions) {
   }
 }
 
-// A truss of its own behind each corner but one that sees both: they are one block.
+// A truss of its own behind each node except one that touches both: they are one block.
 TEST(Corner, ConnectsWhatItIsAgainst) {
   Structure structure = test::empty_structure(2);
   const auto hinge = [&](double x) {
@@ -141,7 +141,7 @@ TEST(Corner, IsNamedAfterWhatItTouches) {
               ElementsAre("b.0,0@1", "b.0,0@2", "b.1,0"));
 }
 
-// Of a list, each node of two edges has the normal of each.
+// In a list of edges, a node of two edges has the normal of each.
 TEST(Corner, OfASurfaceHasTheNormalsOfItsEdges) {
   const auto structure = read_structure(
       square("[[contact]]\nnodes = [\"b.left\", \"b.bottom\"]\nnormal = \"surface\"\n"), "s");

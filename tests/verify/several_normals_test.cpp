@@ -1,5 +1,5 @@
-// Nodes that are several candidates: K enclosed anew is that of the solver, what is found of them
-// is proved, and what is not theirs is refused.
+// Several contact normals at a node: the enclosed K is that of the solver, results are proved, and
+// faulty claims are refused.
 #include <random>
 #include <string>
 #include <utility>
@@ -79,7 +79,8 @@ problems::Structure hanging(const std::string& wall, const std::string& corner) 
       "h");
 }
 
-// A corner that holds by itself makes ties, of which nothing is claimed; what lives besides does.
+// A node that wedges by itself makes degenerate nodes, which have no claims; other feasible leaves
+// have.
 TEST(Corner, HasPatternsThatAreProved) {
   for (const std::string wall : {"1, 1", "4, -1"}) {
     for (const std::string corner : {"1, 4", "1, 1"}) {
@@ -110,8 +111,8 @@ TEST(Corner, IsNotTakenForAnother) {
   EXPECT_FALSE(refusals([](Structure& s) { std::swap(s.contact[0], s.contact[1]); }).empty());
 }
 
-// A dead node that is said to be alive, a living leaf that is said to be dead, and one whose
-// tangential reaction is the other way.
+// An infeasible node claimed feasible, a feasible leaf claimed infeasible, and a leaf with an
+// opposite tangential reaction.
 TEST(Corner, HasCertificatesThatAreRefusedWhenTheyAreSpoilt) {
   std::size_t leaves = 0;
   std::size_t dead_nodes = 0;
@@ -158,8 +159,8 @@ problems::Structure in_groove(const std::string& corners, const std::string& con
       "g");
 }
 
-// A square that stands on its corner in a groove, on a wall and the floor, and a brick in a corner
-// of three walls: none is held by anything else.
+// A square that stands on its vertex in a groove, on a wall and the floor, and a brick in a corner
+// of three walls: none has other supports.
 TEST(Corner, OfALooseBodyIsProved) {
   const auto diamond = in_groove("[[0, 0], [1, 1], [0, 2], [-1, 1]]",
                                  "[[contact]]\nname = \"right\"\nnodes = [\"b.bottom\"]\n"

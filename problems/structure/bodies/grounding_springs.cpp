@@ -1,5 +1,5 @@
 // Grounding springs: one mode after another is constrained where it is largest.
-#include "problems/structure/bodies/temporary_springs.hpp"
+#include "problems/structure/bodies/grounding_springs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "problems/structure/assembly/solid_element.hpp"
-#include "problems/structure/model/corner.hpp"
 #include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/truss.hpp"
 
 namespace kusabi::problems {
@@ -54,8 +54,8 @@ struct Hold {
 /// Nodes of a body for grounding springs. At candidates on rollers and at nodes with several
 /// contact normals a spring would change the compliance of tangential springs
 /// (problems/wedged/tangential_springs.cpp), so they are used only if there are no others.
-std::vector<int> places_to_hold(const Structure& structure, const LooseBody& body) {
-  std::set<int> others = corner_nodes(structure);
+std::vector<int> places_to_hold(const Structure& structure, const UnconstrainedBody& body) {
+  std::set<int> others = nodes_with_several_normals(structure);
   for (const ContactCandidate& candidate : structure.contact) {
     const auto& fixed = structure.fixed[static_cast<std::size_t>(candidate.node)];
     if (std::ranges::count(fixed, true) > 0) others.insert(candidate.node);
@@ -68,7 +68,8 @@ std::vector<int> places_to_hold(const Structure& structure, const LooseBody& bod
 
 /// The places of springs: repeatedly the node and axis of the largest displacement in the modes
 /// that leave the previous places fixed.
-std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees, LooseBody body) {
+std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees,
+                        UnconstrainedBody body) {
   std::vector<Hold> result;
   auto nodes = places_to_hold(structure, body);
   while (body.count() > 0) {
@@ -107,11 +108,11 @@ std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees, 
 
 }  // namespace
 
-std::vector<Spring> temporary_springs(const Structure& structure,
-                                      std::span<const LooseBody> bodies) {
+std::vector<Spring> grounding_springs(const Structure& structure,
+                                      std::span<const UnconstrainedBody> bodies) {
   const FreeDegrees degrees = free_degrees(structure);
   std::vector<Spring> springs;
-  for (const LooseBody& body : bodies) {
+  for (const UnconstrainedBody& body : bodies) {
     for (const auto& [node, axis] : holds(structure, degrees, body)) {
       const double stiffness = stiffness_at(structure, degrees, node);
       springs.push_back({node, axis, std::exp2(std::round(std::log2(stiffness)))});
@@ -120,8 +121,8 @@ std::vector<Spring> temporary_springs(const Structure& structure,
   return springs;
 }
 
-Structure held_structure(Structure structure, std::span<const LooseBody> bodies) {
-  for (const Spring& spring : temporary_springs(structure, bodies))
+Structure grounded_structure(Structure structure, std::span<const UnconstrainedBody> bodies) {
+  for (const Spring& spring : grounding_springs(structure, bodies))
     structure.springs.push_back(spring);
   return structure;
 }

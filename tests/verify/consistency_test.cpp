@@ -1,5 +1,6 @@
-// A certificate and a problem file: genuine ones are proved of the structure, all others refused.
-#include "verify/wedged/agreement.hpp"
+// Consistency of certificates with problem files: genuine ones are proved for the structure, all
+// others refused.
+#include "verify/wedged/consistency.hpp"
 
 #include <cmath>
 #include <string>
@@ -23,7 +24,7 @@ Structure structure_of(const std::string& name) {
   return evidence::verified_structure(example_structure(name));
 }
 
-TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
+TEST(Consistency, GenuineCertificatesAreProvedOfTheirStructures) {
   for (const auto* name :
        {"two-bars.toml", "plane-truss.toml", "space-truss.toml", "elastic-body.toml"}) {
     const auto structure = structure_of(name);
@@ -38,7 +39,7 @@ TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
   }
 }
 
-TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
+TEST(Consistency, TheCertificateOfAnotherProblemIsRefused) {
   const auto text = searched(example("plane-truss.toml"), 1.0).text();
   const auto structure = structure_of("plane-truss.toml");
   ASSERT_TRUE(verdict(text, &structure).proved());
@@ -64,25 +65,25 @@ TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
               HasSubstr("the friction at r2 is 1"));
   EXPECT_THAT(refusal([](Structure& s) { s.dimension = 3; }), HasSubstr("dimension"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars.clear(); }),
-              HasSubstr("it has 0 motions of bodies that nothing holds, the structure has 10"));
+              HasSubstr("it has 0 rigid-body modes of unconstrained bodies, the structure has 10"));
 }
 
-// What is smaller than the comparison notices is not proved of the wrong structure either: the
-// proof uses the structure's K alone.
-TEST(Agreement, TheKOfTheStructureIsWhatIsProved) {
+// Differences below the tolerance of the comparison do not lead to a proof for the wrong structure
+// either, since the proof uses the structure's K alone.
+TEST(Consistency, TheKOfTheStructureIsWhatIsProved) {
   const auto structure = structure_of("plane-truss.toml");
   const auto certificate = read_certificate(searched(example("plane-truss.toml"), 1.0).text(), "c");
   auto other = structure;
   for (auto& bar : other.bars) bar.axial_stiffness *= 1 + 1e-9;
-  const auto one = std::get<Agreement>(agreement(certificate, structure));
-  const auto two = std::get<Agreement>(agreement(certificate, other));
+  const auto one = std::get<ConsistentStructure>(consistency(certificate, structure));
+  const auto two = std::get<ConsistentStructure>(consistency(certificate, other));
   const double ratio =
       two.stiffness.middle.entries[0].nearest() / one.stiffness.middle.entries[0].nearest();
   EXPECT_NEAR(ratio - 1, 1e-9, 1e-15);
   EXPECT_EQ(one.friction, 1.0);
 }
 
-TEST(Agreement, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
+TEST(Consistency, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
   auto problem = example("plane-truss.toml");
   auto structure = structure_of("plane-truss.toml");
   auto draft = searched(problem, 1.0);
@@ -98,16 +99,16 @@ TEST(Agreement, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
     }
     line += "\n";
   }
-  const auto found = agreement(read_certificate(draft.text(), "c"), structure);
-  ASSERT_TRUE(std::holds_alternative<Agreement>(found)) << std::get<std::string>(found);
-  EXPECT_EQ(std::get<Agreement>(found).friction, 0.3);
+  const auto found = consistency(read_certificate(draft.text(), "c"), structure);
+  ASSERT_TRUE(std::holds_alternative<ConsistentStructure>(found)) << std::get<std::string>(found);
+  EXPECT_EQ(std::get<ConsistentStructure>(found).friction, 0.3);
   structure.contact[4].friction = 1e-3;
-  EXPECT_THAT(std::get<std::string>(agreement(read_certificate(draft.text(), "c"), structure)),
+  EXPECT_THAT(std::get<std::string>(consistency(read_certificate(draft.text(), "c"), structure)),
               HasSubstr("the friction at r5 is 0"));
 }
 
-// Two towers without a connection: they may be two blocks or one; what is one may not be two.
-TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
+// Two disconnected towers may be two blocks or one; connected ones may not be two.
+TEST(Consistency, BlocksMustBeUnconnectedInTheStructure) {
   auto structure = structure_of("two-bars.toml");
   const auto single = searched(example("two-bars.toml"), 3.0);
   const auto nodes = structure.names.size();
@@ -129,7 +130,7 @@ TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
   const auto said = verdict(text, &structure);
   EXPECT_THAT(said.refusals, IsEmpty());
   EXPECT_THAT(said.alive, ElementsAre(1U, 2U));
-  // A bar between the two, however weak.
+  // A bar between the two, of any stiffness.
   Bar weak;
   weak.first = structure.contact[0].node;
   weak.second = structure.contact[1].node;
@@ -140,9 +141,8 @@ TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
               ElementsAre(HasSubstr("in different blocks, but the structure connects them")));
 }
 
-// Stiffnesses from 1 to 1e9: K in double precision is known to a few digits only, and t* = 0 is
-// near.
-TEST(Agreement, HoldsForStiffnessesNineOrdersApart) {
+// Stiffnesses from 1 to 1e9: K in double precision has few correct digits, and t* = 0 is near.
+TEST(Consistency, HoldsForStiffnessesNineOrdersApart) {
   const auto file = problems::read_structure(R"(
 name = "contrast"
 dimension = 2
@@ -174,7 +174,7 @@ normal = [0.99, -0.1]
   }
 }
 
-TEST(Agreement, ANameIsComparedAsTheFileHoldsIt) {
+TEST(Consistency, ANameIsComparedAsTheFileHoldsIt) {
   EXPECT_EQ(on_one_line("a b"), "a b");
   EXPECT_EQ(on_one_line("a\nb\x7f"), "a\\x0ab\\x7f");
 }

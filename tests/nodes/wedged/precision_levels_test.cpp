@@ -1,4 +1,4 @@
-// Every node of a structure of whatever contrast is decided or a tie, by bounds that hold.
+// Decisions by valid bounds at every node of structures with any contrast of stiffness.
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -21,7 +21,7 @@ using numbers::PreciseVector;
 
 constexpr conic::Tolerances tight{};  // 1e-12
 
-// A problem whose doubles are meant.
+// A problem whose doubles are exact.
 problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dimension) {
   problems::WedgedProblem problem;
   problem.dimension = dimension;
@@ -35,11 +35,11 @@ problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dim
 }
 
 struct Count {
-  int nodes = 0, alive = 0, dead = 0, climbed = 0;
+  int nodes = 0, alive = 0, dead = 0, escalated = 0;
 };
 
-// All leaves and, as inner nodes, those with the last candidate open, against 104 bits from a cold
-// start; and the multipliers as they are handed over, as doubles, against the F of 104 bits.
+// All leaves and, as inner nodes, those with the last candidate undecided, compared with 104 bits
+// from a cold start; and the multipliers in doubles with the F of 104 bits.
 template <int D>
 void expect_decided(const testing::TrussKind& kind, double mu, double tolerance, Count& count,
                     std::mt19937_64& generator) {
@@ -68,7 +68,7 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
       ++count.nodes;
       count.alive += answer.sign == Sign::alive;
       count.dead += answer.sign == Sign::dead;
-      count.climbed += answer.precision_level > 0;
+      count.escalated += answer.precision_level > 0;
       EXPECT_LE(answer.lower, answer.upper);
       EXPECT_TRUE(answer.sign != Sign::marginal || conic::is_tie(answer, tolerances));
       if (answer.sign == Sign::alive && open == 0) {
@@ -131,7 +131,7 @@ TEST(Ladder, DecidesEveryNodeInSpaceWhateverTheContrast) {
 
 TEST(Ladder, DoublesDoForNearlyAllNodes) {
   const Count count = expect_all_decided<2>(1e4, 0.1, 10, 1e-9, 30, 21);
-  EXPECT_LT(count.climbed, count.nodes / 50);
+  EXPECT_LT(count.escalated, count.nodes / 50);
 }
 
 TEST(Ladder, NeedlesAndHalfSpacesAreRight) {
@@ -208,7 +208,7 @@ TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
   EXPECT_EQ(tie->moved, 0U);
 }
 
-// What is ignored might as well not be there.
+// Ignored candidates have no influence.
 TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
   std::mt19937_64 generator(61);
   for (int repetition = 0; repetition < 10; ++repetition) {
@@ -230,7 +230,7 @@ TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
                                     static_cast<std::uint64_t>(separated), never);
       EXPECT_EQ(one.sign, other.sign);
       for (const Eigen::Index row : {2, 3, 6, 7}) EXPECT_EQ(whole.reaction()[row], 0);
-      // Gaps are in other units, so the values agree where no gap holds t.
+      // Gaps have other units, so the values agree where no gap limits t.
       if (separated == 0 && contact == 3 && one.sign == Sign::alive) {
         EXPECT_NEAR(one.lower, other.lower, 1e-6);
       }

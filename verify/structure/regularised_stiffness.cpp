@@ -1,6 +1,6 @@
 // Grounding springs on the diagonal, and iterative refinement with Cholesky factors in double
 // precision.
-#include "verify/structure/held_stiffness.hpp"
+#include "verify/structure/regularised_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ namespace {
 // Corrections of the refinement are truncated this many bits below their largest number, which
 // loses no accuracy and saves multiplications. The first approximation is truncated as CoarseMatrix
 // requires.
-constexpr int guessed_bits = 64;
-constexpr int first_guessed_bits = 9;
+constexpr int refined_bits = 64;
+constexpr int first_bits = 9;
 
 bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
@@ -63,7 +63,8 @@ std::vector<std::size_t> first_numbers(std::size_t count) {
   return numbers;
 }
 
-HeldStiffness::HeldStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> springs)
+RegularisedStiffness::RegularisedStiffness(EnclosedMatrix stiffness,
+                                           std::vector<std::size_t> springs)
     : stiffness_(with_springs(std::move(stiffness), springs)),
       coarse_(stiffness_.middle),
       springs_(std::move(springs)) {
@@ -78,11 +79,11 @@ HeldStiffness::HeldStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> 
   if (whole_ && least && *least > radius) least_ = *least - radius;
 }
 
-Dyadic HeldStiffness::spread(const Dyadic& radius, const DyadicList& x) {
+Dyadic RegularisedStiffness::spread(const Dyadic& radius, const DyadicList& x) {
   return radius.sign() == 0 ? Dyadic() : radius * norm_above(x);
 }
 
-std::optional<Cholesky> HeldStiffness::factor(std::span<const std::size_t> unknowns) const {
+std::optional<Cholesky> RegularisedStiffness::factor(std::span<const std::size_t> unknowns) const {
   const auto size = stiffness_.middle.size;
   std::vector<double> lower;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
@@ -92,8 +93,9 @@ std::optional<Cholesky> HeldStiffness::factor(std::span<const std::size_t> unkno
   return Cholesky::of(Profile::full(unknowns.size()), lower);
 }
 
-std::optional<std::string> HeldStiffness::guess(std::span<const std::size_t> unknowns,
-                                                const DyadicList& right, const Check& check) const {
+std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size_t> unknowns,
+                                                       const DyadicList& right,
+                                                       const Check& check) const {
   constexpr int most_rounds = 10;
   const auto& middle = stiffness_.middle;
   const bool all = unknowns.size() == middle.size;
@@ -113,9 +115,9 @@ std::optional<std::string> HeldStiffness::guess(std::span<const std::size_t> unk
     if (!all_finite(step)) return "its numbers are too large to compute with";
     for (std::size_t k = 0; k < unknowns.size(); ++k) everywhere[unknowns[k]] = step[k];
     if (round > 0) {
-      x += DyadicList(everywhere, guessed_bits);
+      x += DyadicList(everywhere, refined_bits);
     } else {
-      x = DyadicList(everywhere, first_guessed_bits);
+      x = DyadicList(everywhere, first_bits);
       const auto coarse = coarse_ * x;
       if (coarse && !check(x, *coarse, spread(stiffness_.radius + coarse_.cut_off(), x))) return {};
     }

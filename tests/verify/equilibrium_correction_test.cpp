@@ -1,5 +1,5 @@
-// What may not carry a defect off: numbers beyond all doubles.
-#include "verify/limit/limit_reach.hpp"
+// Equilibrium defects beyond all doubles.
+#include "verify/limit/equilibrium_correction.hpp"
 
 #include <limits>
 #include <string>
@@ -31,7 +31,7 @@ TEST(ForcesAgainstDefects, CarryOffWhatMembersHaveSlackFor) {
   EXPECT_LE(forces[1], 3e-9);
 }
 
-// Infinity times zero is no number, and no number is larger than a slack.
+// Infinity times zero is not a number, and comparisons with it are false.
 TEST(ForcesAgainstDefects, AreNotFoundForDefectsBeyondAllDoubles) {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto columns = upright({0, 1});
@@ -40,8 +40,7 @@ TEST(ForcesAgainstDefects, AreNotFoundForDefectsBeyondAllDoubles) {
       forces_against_defects(members, {1, 1}, {infinity, infinity})));
 }
 
-// Three members at each of two displacements pull with 1e308 each: what is out of equilibrium there
-// is no double any more.
+// Three members at each of two displacements with forces of 1e308: the defect exceeds all doubles.
 TEST(LimitProof, RefusesForcesWhoseDefectIsBeyondAllDoubles) {
   LimitCertificate certificate;
   certificate.displacements = 2;

@@ -19,8 +19,8 @@ inline constexpr double cosine_tolerance = 0x1p-48;
 /// loads and direction cosines equal up to rounding; the differences and the half-width of each
 /// uncertain load are returned.
 /// @return otherwise a sentence with the first difference
-std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
-                                                      const Structure& structure);
+std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& certificate,
+                                                        const Structure& structure);
 
 /// The truss for claims on least factors: that of the largest ones with the opposite reference
 /// load.

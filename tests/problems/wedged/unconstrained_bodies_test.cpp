@@ -1,5 +1,5 @@
-// Loose bodies: u = F r + G alpha solves K^0 u = r for every reaction in equilibrium, and no
-// temporary spring shows.
+// Unconstrained bodies: u = F r + G alpha solves K^0 u = r for all reactions in equilibrium,
+// independently of the grounding springs.
 #include <random>
 #include <vector>
 
@@ -18,7 +18,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// A block of 4 x 3 elements in a groove: its lower corners touch two slopes.
+/// A block of 4 x 3 elements in a groove: its lower vertices touch two slopes.
 Structure block(const std::string& more = "") {
   return read_structure(R"(
 name = "block in a groove"
@@ -71,12 +71,12 @@ Eigen::VectorXd global_forces(const Structure& structure, const WedgedProblem& p
   return forces;
 }
 
-TEST(LooseBodies, MoveAsTheWholeStiffnessSays) {
+TEST(UnconstrainedBodies, MoveAsTheWholeStiffnessSays) {
   const Structure structure = block();
   const auto problem = wedged_problem(structure);
   ASSERT_EQ(problem.motions.cols(), 3);
-  ASSERT_EQ(problem.loose_bodies.size(), 1U);
-  EXPECT_EQ(problem.loose_bodies[0].motions, "can move along x and y and turn");
+  ASSERT_EQ(problem.unconstrained_bodies.size(), 1U);
+  EXPECT_EQ(problem.unconstrained_bodies[0].motions, "can move along x and y and turn");
   const WholeStructure whole(structure, problem);
   std::mt19937 random(1);
   const Eigen::MatrixXd stiffness = whole_stiffness(structure);
@@ -97,7 +97,7 @@ TEST(LooseBodies, MoveAsTheWholeStiffnessSays) {
   }
 }
 
-TEST(LooseBodies, HaveMotionsThatAreIndependentAndStrainNothing) {
+TEST(UnconstrainedBodies, HaveIndependentRigidBodyModes) {
   const Structure structure = block();
   const auto problem = wedged_problem(structure);
   const Eigen::MatrixXd gram = problem.motions.transpose() * problem.motions;
@@ -110,8 +110,8 @@ TEST(LooseBodies, HaveMotionsThatAreIndependentAndStrainNothing) {
     EXPECT_THAT(size, testing::AllOf(testing::Gt(0.4), testing::Le(1)));
 }
 
-// The same body with other springs: what differs is a rigid motion.
-TEST(LooseBodies, DoNotFeelTheTemporarySprings) {
+// The same body with other springs: the difference is a rigid-body mode.
+TEST(UnconstrainedBodies, DoNotDependOnTheGroundingSprings) {
   const auto problem = wedged_problem(block());
   const auto sprung = wedged_problem(block(R"(
 [[springs]]
@@ -124,7 +124,7 @@ axes = ["x"]
 stiffness = 7
 )"));
   EXPECT_EQ(sprung.motions.cols(), 0);
-  EXPECT_TRUE(sprung.loose_bodies.empty());
+  EXPECT_TRUE(sprung.unconstrained_bodies.empty());
   EXPECT_NE(problem.fingerprint, sprung.fingerprint);
   std::mt19937 random(2);
   const Eigen::VectorXd r = in_equilibrium(problem, random);
@@ -176,7 +176,7 @@ normal = [-1, 0]
   EXPECT_TRUE(whole.is_supported(1));
 }
 
-TEST(LooseBodies, BesideEachOtherAreBlocksWithTheirOwnMotions) {
+TEST(UnconstrainedBodies, BesideEachOtherAreBlocksWithTheirOwnMotions) {
   const auto problem = wedged_problem(read_structure(R"(
 name = "two bars in the air"
 dimension = 2
@@ -207,8 +207,9 @@ normal = [-1, 0]
   }
 }
 
-// A pendulum whose only candidate is its tip sees its turn; a bar with one candidate sees no turn.
-TEST(LooseBodies, KeepOnlyTheMotionsThatCandidatesSee) {
+// A pendulum with its tip as the only candidate has the rotation as a mode; a bar with one
+// candidate has no rotation among its modes.
+TEST(UnconstrainedBodies, KeepOnlyTheMotionsThatCandidatesSee) {
   const auto one = wedged_problem(read_structure(R"(
 name = "a bar"
 dimension = 2
@@ -225,7 +226,7 @@ normal = [-1, 0]
 )",
                                                  "bar"));
   EXPECT_EQ(one.motions.cols(), 2);
-  EXPECT_EQ(one.loose_bodies[0].motions, "can move along x and y and turn");
+  EXPECT_EQ(one.unconstrained_bodies[0].motions, "can move along x and y and turn");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Certificates of bodies that nothing holds: by hand, as a search writes them, and spoilt.
+// Certificates of unconstrained bodies: by hand, written by a search, and falsified.
 #include <array>
 #include <random>
 #include <string>
@@ -18,9 +18,9 @@
 #include "searched.hpp"
 #include "verify/arithmetic/elimination.hpp"
 #include "verify/structure/contact_motions.hpp"
-#include "verify/structure/loose_stiffness.hpp"
-#include "verify/wedged/agreement.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/consistency.hpp"
 #include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
@@ -51,8 +51,8 @@ struct Bar {
     return bar;
   }
 
-  // By hand: the bar's elongation is -c u_na - s u_ta - c u_nb + s u_tb, EA/L = 1; the motions are
-  // those along x and y, and a turn about the middle.
+  // By hand: the bar's elongation is -c u_na - s u_ta - c u_nb + s u_tb, EA/L = 1; the modes are
+  // translations along x and y, and the rotation about the middle.
   [[nodiscard]] Draft draft(double mu, const std::vector<std::string>& nodes) const {
     const std::array stretch{-c, -s, -c, s};
     Draft draft;
@@ -88,7 +88,8 @@ std::string node(const std::string& start, const std::vector<double>& numbers) {
 
 constexpr Bar groove{0.6, 0.8};  // wedges from mu = 4/3
 
-// Of one candidate alone nothing is in equilibrium: a push along its normal shows it.
+// The reaction of a single candidate is not in equilibrium: a displacement along its normal proves
+// it.
 std::vector<std::string> wedged_nodes() {
   return {node("alive 1 3 0", {0.8, -0.8, 0, 0, 0}), node("dead 1 0 1", {0, 0, 0.6, -0.8, 0}),
           node("dead 1 1 2", {0, 0, -0.6, -0.8, 0})};
@@ -121,8 +122,7 @@ TEST(LooseBar, IsFreeBelowIt) {
   expect_refused(groove.draft(1.333, down), groove.structure(), "do not rule out");
 }
 
-// The directions of the numbers that a file can hold are irrational; what slides is exact all the
-// same.
+// The directions given in a file have irrational lengths; sliding modes are exact all the same.
 TEST(LooseBar, MayStandAskew) {
   for (const auto& [c, s] : {std::pair(1.0, 0.3), {3.0, 4.0}, {0.1, 0.7}}) {
     const double length = std::hypot(c, s);
@@ -148,18 +148,18 @@ TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
                        node("dead 1 0 1", {0, 0, 1, 0, 0}), node("dead 1 1 2", {0, 0, -1, 0, 0})};
   };
   expect_proved(walls.draft(5, nodes(-1, -1)), walls.structure(), 0);
-  // What is nearest to these and in equilibrium pushes, or is nothing.
+  // The nearest multipliers in equilibrium push, or are zero.
   expect_refused(walls.draft(5, nodes(-1, 2)), walls.structure(), "do not rule out");
   expect_refused(walls.draft(5, nodes(-1, 1)), walls.structure(), "do not rule out");
   expect_refused(walls.draft(5, nodes(0, 0)), walls.structure(), "do not rule out");
-  // Off U no multiplier pulls.
+  // Multipliers outside U must not be negative.
   auto inner = nodes(-1, -1);
   inner[0] = node("dead 1 1 0", {-1, -1, 0, 0, 0});
   expect_refused(walls.draft(5, inner), walls.structure(), "do not rule out");
 }
 
-// Between walls that are parallel up to 1e-9 the bar is held where it slides a billion times
-// farther than it strains, and nowhere else. Up to 1e-5 it need not go that far.
+// Between walls that are parallel up to 1e-9 the bar is wedged only in configurations that slide a
+// billion times farther than it strains. Up to 1e-5 it need not move that far.
 TEST(LooseBar, BetweenNearlyParallelWallsIsDeadButForFarMotion) {
   const auto said = [](double lean, const std::string& first) {
     const auto structure = Bar{1, lean}.structure();
@@ -190,7 +190,7 @@ TEST(LooseBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
   fewer.header.emplace_back("nodes\n");
   EXPECT_THAT(
       verdict(fewer.text(), &structure).refusals,
-      ElementsAre(HasSubstr("0 motions of bodies that nothing holds, the structure has 3")));
+      ElementsAre(HasSubstr("0 rigid-body modes of unconstrained bodies, the structure has 3")));
   EXPECT_THAT(verdict(fewer.text()).refusals, ElementsAre("K"));
 }
 
@@ -249,7 +249,7 @@ TEST(LooseBlock, IsProvedToWedgeFromTheTangentOfTheHalfAngle) {
   }
 }
 
-// Loose trusses at random, some on a roller: everything that is found is proved.
+// Random unconstrained trusses, some on a roller: all results are proved.
 problems::Structure random_truss(int dimension, int nodes, std::mt19937& bits) {
   std::uniform_real_distribution<double> place(-1, 1);
   std::string text = fmt::format("name = \"t\"\ndimension = {}\n[nodes]\n", dimension);
@@ -264,7 +264,7 @@ problems::Structure random_truss(int dimension, int nodes, std::mt19937& bits) {
     for (int j = 0; j < i; ++j) text += fmt::format("[\"n{}\", \"n{}\"],", i, j);
   }
   text += "]\n";
-  for (int i = 0; i + 1 < nodes; ++i) {  // walls around it, so that it may be caught
+  for (int i = 0; i + 1 < nodes; ++i) {  // walls around it, such that it may be wedged
     std::vector<double> normal;
     for (const double x : places[static_cast<std::size_t>(i)])
       normal.push_back(-x + 0.5 * place(bits));
@@ -293,17 +293,17 @@ TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
       marginal += said.marginal;
     };
     check(true);
-    // In space two contacts carry each other only along the line between them: a G of doubles has
-    // no such line, so that without the structure nothing is in equilibrium.
+    // In space two contacts are in equilibrium only along the line between them: a G of doubles has
+    // no such line, so that without the structure no reactions are in equilibrium.
     if (dimension == 2) check(false);
   }
   EXPECT_GT(alive, 20U);
   EXPECT_GT(dead, 100U);
-  EXPECT_LE(marginal, alive / 10);  // left open by the search
+  EXPECT_LE(marginal, alive / 10);  // undecided in the search
 }
 
-// Where a configuration is, no evidence shows that there is none: neither of its leaf nor of any
-// node above.
+// No evidence proves a node infeasible that contains a configuration, be it a leaf or an inner
+// node.
 TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
   std::mt19937 bits(11);
   std::size_t tried = 0;
@@ -311,8 +311,8 @@ TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
     const auto truss = random_truss(trial % 2 == 0 ? 2 : 3, 5, bits);
     const auto text = written(problems::wedged_problem(truss), 1.0);
     const auto certificate = read_certificate(text, "test");
-    const auto agreed =
-        std::get<Agreement>(agreement(certificate, evidence::verified_structure(truss)));
+    const auto agreed = std::get<ConsistentStructure>(
+        consistency(certificate, evidence::verified_structure(truss)));
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& leaf : certificate.records) {
       if (leaf.claim != Claim::alive) continue;
@@ -333,8 +333,8 @@ TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
   EXPECT_GT(tried, 500U);
 }
 
-// Two ends of a bar in a groove, and a third place on the floor, which can carry nothing: only
-// friction could turn its reaction to the line between the two.
+// Two ends of a bar in a groove, and a third point on the floor, whose reaction must be zero: only
+// friction could direct it to the line between the two.
 TEST(LooseTrusses, HaveContactsThatEquilibriumLeavesUnloaded) {
   const auto body = read(R"(
 name = "tripod"
@@ -362,21 +362,21 @@ normal = [0, 0, 1]
   EXPECT_EQ(said.alive.size(), 1U);
   EXPECT_GT(said.marginal, 0U);
   EXPECT_EQ(said.unloaded, said.marginal);
-  // Where a node is alive, no contact of it is without a reaction.
+  // At a feasible node no contact is without reaction.
   auto certificate = read_certificate(written(problems::wedged_problem(body), 0.5), "test");
   const auto agreed =
-      std::get<Agreement>(agreement(certificate, evidence::verified_structure(body)));
+      std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   for (auto& record : certificate.records) {
     if (record.claim != Claim::alive) continue;
     record.claim = Claim::marginal;
     EXPECT_FALSE(proof.judgement(record).unloaded);
-    record.separated = {};  // the third carries nothing, but it is not of U
+    record.separated = {};  // the third has no reaction, but it is not in U
     EXPECT_FALSE(proof.judgement(record).unloaded);
   }
 }
 
-TEST(ContactMotions, OfTheStructureStrainNothingAndAreComplete) {
+TEST(ContactMotions, OfTheStructureAreRigidAndComplete) {
   std::mt19937 bits(3);
   for (const int dimension : {2, 3}) {
     const auto truss = evidence::verified_structure(random_truss(dimension, 5, bits));

@@ -1,5 +1,5 @@
 // P = I - B G' with the rounded pseudo-inverse B = G (G'G)^-1; all other operations are exact.
-#include "verify/structure/freed_stiffness.hpp"
+#include "verify/structure/projected_stiffness.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "verify/structure/held_stiffness.hpp"
+#include "verify/structure/regularised_stiffness.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -99,7 +99,7 @@ EnclosedMatrix on_a_grid(const std::vector<Dyadic>& matrix, std::size_t size) {
 
 }  // namespace
 
-EnclosedMatrix freed(const EnclosedMatrix& stiffness, const ContactMotions& motions) {
+EnclosedMatrix projected(const EnclosedMatrix& stiffness, const ContactMotions& motions) {
   const auto n = stiffness.middle.size;
   const auto inverse = pseudo_inverse(motions);
   if (!inverse) return {{n, DyadicList(n * n)}, Dyadic()};
