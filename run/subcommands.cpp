@@ -8,6 +8,7 @@
 #include "run/draw/draw.hpp"
 #include "run/example/example.hpp"
 #include "run/export/export.hpp"
+#include "run/hold/hold.hpp"
 #include "run/limit/limit.hpp"
 #include "run/mip/mip.hpp"
 #include "run/patterns/patterns.hpp"
@@ -24,6 +25,7 @@ CommandList command_list() {
   all.push_back(patterns_subcommand());
   all.push_back(rays_subcommand());
   all.push_back(critical_subcommand());
+  all.push_back(hold_subcommand());
   all.push_back(limit_subcommand());
   all.push_back(sweep_subcommand());
   all.push_back(mip_subcommand());
@@ -46,6 +48,7 @@ CommandList command_list() {
        {"export", "writes what is solved here for the solvers of others"},
        {"bench", "measures and tries the search engine"}},
       {{"Can it stick?", {"patterns", "rays", "critical", "sweep"}},
+       {"What can friction hold under load?", {"hold"}},
        {"What does a truss carry when its loads are not known exactly?", {"limit"}},
        {"What is the optimum of a zero-one program?", {"mip"}},
        {"Is it true?", {"verify"}},

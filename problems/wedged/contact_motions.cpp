@@ -130,6 +130,23 @@ void refuse_untouched(const Structure& structure, std::span<const UnconstrainedB
       "coincide, or candidates on a rigid obstacle");
 }
 
+// The work of each load on each mode of each body, loads x sum of p.
+PreciseMatrix work_of(const Structure& structure, std::span<const UnconstrainedBody> bodies,
+                      const Eigen::MatrixXd& forces) {
+  const Numbering numbering(bodies);
+  const Eigen::Index d = structure.dimension;
+  PreciseMatrix work = PreciseMatrix::Zero(forces.cols(), numbering.count);
+  for (std::size_t b = 0; forces.cols() > 0 && b < bodies.size(); ++b) {
+    for (const int node : bodies[b].nodes) {
+      const PreciseMatrix own = forces.middleRows(d * node, d).transpose().cast<Precise>();
+      if (own.isZero(0)) continue;
+      work.middleCols(numbering.first[b], bodies[b].count()) +=
+          own * displacements(bodies[b], structure.coordinates.col(node));
+    }
+  }
+  return work;
+}
+
 double least_sine(const Structure& structure) {
   double least = 1;
   for (const ContactCandidate& candidate : structure.contact) {
@@ -159,30 +176,47 @@ PreciseMatrix seen_motions(const Structure& structure, std::span<const Unconstra
 }
 
 ContactMotions contact_motions(const Structure& structure,
-                               std::span<const UnconstrainedBody> bodies) {
+                               std::span<const UnconstrainedBody> bodies,
+                               const Eigen::MatrixXd& forces) {
   refuse_untouched(structure, bodies, Numbering(bodies));
   const auto seen = seen_motions(structure, bodies);
+  const PreciseMatrix work = work_of(structure, bodies, forces);
   ContactMotions result{PreciseMatrix(seen.rows(), 0), 0};
-  std::vector<PreciseVector> columns;
+  // Each motion with the work of the loads on it, which follows its combinations.
+  std::vector<std::pair<PreciseVector, PreciseVector>> columns;
+  std::vector<PreciseVector> unseen;
   double least_left = 1;
   for (Eigen::Index k = 0; k < seen.cols(); ++k) {
     PreciseVector column = seen.col(k);
+    PreciseVector own = work.col(k);
     for (int pass = 0; pass < 2; ++pass) {
-      for (const auto& other : columns) {
+      for (const auto& [other, others] : columns) {
         const Precise part = other.dot(column) / other.squaredNorm();
-        if (!part.is_zero()) column -= part * other;
+        if (part.is_zero()) continue;
+        column -= part * other;
+        own -= part * others;
       }
     }
     const double size = numbers::rounded(Precise(column.cwiseAbs().maxCoeff()));
-    if (size <= dependent) continue;
+    if (size <= dependent) {
+      unseen.push_back(own);
+      continue;
+    }
     if (size < independent && has_constraints(structure)) refuse_gap(structure);
     if (size < independent) refuse_line(structure);
     least_left = std::min(least_left, size);
-    columns.emplace_back(column * Precise(std::exp2(-std::ceil(std::log2(size)))));
+    const Precise unit(std::exp2(-std::ceil(std::log2(size))));
+    columns.emplace_back(column * unit, own * unit);
   }
   result.matrix.resize(seen.rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    result.matrix.col(static_cast<Eigen::Index>(k)) = columns[k];
+  result.work.resize(work.rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    result.matrix.col(static_cast<Eigen::Index>(k)) = columns[k].first;
+    result.work.col(static_cast<Eigen::Index>(k)) = columns[k].second;
+  }
+  result.unseen_work.resize(work.rows(), static_cast<Eigen::Index>(unseen.size()));
+  for (std::size_t k = 0; k < unseen.size(); ++k)
+    result.unseen_work.col(static_cast<Eigen::Index>(k)) = unseen[k];
   double error = 0;
   for (const UnconstrainedBody& body : bodies) error = std::max(error, body.error);
   error += motion_roundings * numbers::unit_roundoff<Precise> / least_sine(structure);

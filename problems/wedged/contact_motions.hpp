@@ -15,13 +15,17 @@ struct ContactMotions {
   /// of each between 1/2 and 1. Modes that displace no candidate are left out.
   numbers::PreciseMatrix matrix;
   double error = 0;  ///< bound of the error of an entry
+  /// The work of loads on these motions, loads x p, and on those that displace no candidate.
+  numbers::PreciseMatrix work{}, unseen_work{};
 };
 
 /// @param bodies those of the structure
 /// @throws InputError if it is numerically undecided whether a mode displaces candidates, or if a
 ///         body has no candidates
+/// @param forces loads on the nodes, d nodes x loads, node by node
 ContactMotions contact_motions(const Structure& structure,
-                               std::span<const UnconstrainedBody> bodies);
+                               std::span<const UnconstrainedBody> bodies,
+                               const Eigen::MatrixXd& forces = {});
 
 /// The same without combinations: a column for each mode of each body, dm x sum of p, zero if it
 /// displaces no candidate.

@@ -14,6 +14,7 @@
 #include "problems/structure/assembly/contact_frame.hpp"
 #include "problems/structure/bodies/grounding_springs.hpp"
 #include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/model/elongation.hpp"
 #include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/truss.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
@@ -53,10 +54,30 @@ struct Loads {
   Eigen::VectorXd errors;
 };
 
+// Adds forces on nodes, transferred to the free displacements and scaled, as the last columns.
+void add_node_forces(const FreeDegrees& degrees, const Eigen::MatrixXd& forces,
+                     const Eigen::VectorXd& scale, Loads& loads) {
+  const Eigen::Index d = degrees.number.rows();
+  Eigen::Index column = loads.matrix.cols() - forces.cols();
+  for (Eigen::Index load = 0; load < forces.cols(); ++load, ++column) {
+    double sizes = 0;
+    for (Eigen::Index row = 0; row < forces.rows(); ++row) {
+      const double force = forces(row, load);
+      if (force == 0) continue;
+      for (const auto& part :
+           parts_of<Precise>(degrees, static_cast<int>(row % d), static_cast<int>(row / d))) {
+        loads.matrix(part.number, column) += part.value * Precise(force) * scale(part.number);
+        sizes += std::abs(numbers::rounded(part.value) * force) * scale(part.number);
+      }
+    }
+    loads.errors(column) = frame_roundings * unit * 2 * sizes;
+  }
+}
+
 Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
-                 const Eigen::VectorXd& scale) {
+                 const Eigen::MatrixXd& forces, const Eigen::VectorXd& scale) {
   const auto d = static_cast<Eigen::Index>(structure.dimension);
-  const auto columns = d * static_cast<Eigen::Index>(structure.contact.size());
+  const auto columns = d * static_cast<Eigen::Index>(structure.contact.size()) + forces.cols();
   Loads loads{numbers::PreciseMatrix::Zero(degrees.size(), columns), Eigen::VectorXd(columns)};
   const auto corners = nodes_with_several_normals(structure);
   Eigen::Index column = 0;
@@ -78,6 +99,7 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
       loads.errors(column) = frame_roundings * unit * 2 * sizes / (direction == 0 ? 1 : sine);
     }
   }
+  add_node_forces(degrees, forces, scale, loads);
   return loads;
 }
 
@@ -179,13 +201,14 @@ double compliance_error(const numbers::PreciseMatrix& matrix, const Loads& loads
 
 template <class Real>
 EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degrees,
-                            const ScaledStiffness& stiffness, const support::LongWork& work) {
+                            const Eigen::MatrixXd& forces, const ScaledStiffness& stiffness,
+                            const support::LongWork& work) {
   work.reached("condensing the stiffness: its factor", 0);
   const StiffnessFactor<Real> factor(stiffness.matrix);
   work.reached("condensing the stiffness: its least eigenvalue", 0);
   const double least = factor.least_eigenvalue() - stiffness.error;
   if (!(least > 0)) return {{}, infinity, {}};
-  const Loads loads = unit_loads(structure, degrees, stiffness.scale);
+  const Loads loads = unit_loads(structure, degrees, forces, stiffness.scale);
   Solution solution = solve(stiffness, factor, loads, work);
   if (!(solution.residuals.maxCoeff() < infinity)) return {{}, infinity, {}};
   const Eigen::Index size = loads.matrix.cols();
@@ -218,16 +241,29 @@ constexpr int most_for_precise_factor = 600;
 
 }  // namespace
 
+bool acts_on_supports_only(const Structure& structure, const Eigen::VectorXd& force) {
+  const FreeDegrees degrees = free_degrees(structure);
+  const int d = structure.dimension;
+  for (int row = 0; row < static_cast<int>(force.size()); ++row)
+    if (force(row) != 0 && !parts_of<Precise>(degrees, row % d, row / d).empty()) return false;
+  return true;
+}
+
 EnclosedCompliance enclosed_compliance(const Structure& structure, const support::LongWork& work) {
+  return enclosed_compliance(structure, Eigen::MatrixXd(), work);
+}
+
+EnclosedCompliance enclosed_compliance(const Structure& structure, const Eigen::MatrixXd& forces,
+                                       const support::LongWork& work) {
   const FreeDegrees degrees = free_degrees(structure);
   const ScaledStiffness stiffness = scaled_stiffness(structure, degrees);
   if (degrees.size() >= fewest_for_doubles) {
-    auto result = enclosed<double>(structure, degrees, stiffness, work);
+    auto result = enclosed<double>(structure, degrees, forces, stiffness, work);
     if (result.error <= enough_in_doubles) return result;
   }
-  auto result = enclosed<long double>(structure, degrees, stiffness, work);
+  auto result = enclosed<long double>(structure, degrees, forces, stiffness, work);
   if (!(result.error < infinity) && degrees.size() <= most_for_precise_factor)
-    result = enclosed<Precise>(structure, degrees, stiffness, work);
+    result = enclosed<Precise>(structure, degrees, forces, stiffness, work);
   return result;
 }
 

@@ -38,6 +38,16 @@ struct EnclosedCompliance {
 EnclosedCompliance enclosed_compliance(const Structure& structure,
                                        const support::LongWork& work = {});
 
+/// The same with loads, each one more row and column after those of the candidates: w = C'K^-1 f,
+/// and the work f_j'K^-1 f_k between them. The error bound holds for them likewise.
+/// @param forces on the nodes, d nodes x loads, node by node; none of the loads acts on supported
+///        displacements alone
+EnclosedCompliance enclosed_compliance(const Structure& structure, const Eigen::MatrixXd& forces,
+                                       const support::LongWork& work = {});
+
+/// True if all forces act on supported displacements. @param force on the nodes, d nodes
+bool acts_on_supports_only(const Structure& structure, const Eigen::VectorXd& force);
+
 /// K = F^-1, force/length, from an F in 104 bits.
 /// @return NaN if F is not positive definite
 /// @throws support::Stopped if the program is asked to stop

@@ -70,9 +70,18 @@ void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
 
 /// K and F as roundings of the precise values.
 void set_compliance(WedgedProblem& problem, const Structure& structure,
+                    const Eigen::MatrixXd& forces, LoadColumns& loads,
                     const support::LongWork& work) {
-  auto [precise, error, response] = enclosed_compliance(structure, work);
+  auto [precise, error, response] = enclosed_compliance(structure, forces, work);
   if (!(error <= largest_compliance_error)) refuse_condition(structure);
+  if (forces.cols() > 0) {
+    const Eigen::Index own = precise.rows() - forces.cols();
+    loads.displacements = precise.topRightCorner(own, forces.cols());
+    loads.work = precise.bottomRightCorner(forces.cols(), forces.cols());
+    loads.sizes = forces.cwiseAbs().colwise().sum().transpose();
+    precise.conservativeResize(own, own);
+    response.conservativeResize(response.rows(), own);
+  }
   problem.stiffness = stiffness_of(precise, work).cast<double>();
   problem.compliance = precise.cast<double>();
   if (!problem.stiffness.allFinite() || !problem.compliance.allFinite())
@@ -107,9 +116,12 @@ void add_constraints(const Structure& structure, support::Fingerprint& result) {
 
 /// Sets G and the descriptions of the unconstrained bodies.
 void set_motions(WedgedProblem& problem, const Structure& structure,
-                 std::span<const UnconstrainedBody> bodies) {
+                 std::span<const UnconstrainedBody> bodies, const Eigen::MatrixXd& forces,
+                 LoadColumns& loads) {
   if (bodies.empty()) return;
-  auto [matrix, error] = contact_motions(structure, bodies);
+  auto [matrix, error, seen_work, unseen_work] = contact_motions(structure, bodies, forces);
+  loads.motions = std::move(seen_work);
+  loads.unseen_motions = std::move(unseen_work);
   problem.motions = matrix.cast<double>();
   problem.precise_motions = std::move(matrix);
   problem.precise_motion_error = error;
@@ -205,6 +217,12 @@ std::uint64_t wedged_fingerprint(const Structure& structure) {
 }
 
 WedgedProblem wedged_problem(const Structure& structure, const support::LongWork& work) {
+  LoadColumns none;
+  return wedged_problem(structure, {}, none, work);
+}
+
+WedgedProblem wedged_problem(const Structure& structure, const Eigen::MatrixXd& forces,
+                             LoadColumns& loads, const support::LongWork& work) {
   check_structure(structure);
   require_contact_and_stiffness(structure);
   const FreeDegrees degrees = free_degrees(structure);
@@ -224,8 +242,8 @@ WedgedProblem wedged_problem(const Structure& structure, const support::LongWork
     problem.frames.push_back(contact_frame(candidate));
     problem.friction.push_back(candidate.friction);
   }
-  set_motions(problem, structure, bodies);
-  set_compliance(problem, held, work);
+  set_motions(problem, structure, bodies, forces, loads);
+  set_compliance(problem, held, forces, loads, work);
   problem.blocks = contact_blocks(structure, degrees, bodies);
   problem.nodes = static_cast<int>(structure.node_names.size());
   problem.members = static_cast<int>(structure.members.size());

@@ -88,6 +88,16 @@ double mean_normal_compliance(const WedgedProblem& problem);
 /// The fingerprint of the wedged problem of a structure, without computing K and F.
 std::uint64_t wedged_fingerprint(const Structure& structure);
 
+/// Loads condensed onto the contact candidates (docs/theory/loads.md); L columns.
+struct LoadColumns {
+  numbers::PreciseMatrix displacements;  ///< w, dm x L: those of the candidates under each load
+  numbers::PreciseMatrix work;           ///< f_j'K^-1 f_k, L x L
+  /// b, L x p: the work of each load on the rigid-body modes `WedgedProblem::motions`, and on those
+  /// that displace no candidate.
+  numbers::PreciseMatrix motions, unseen_motions;
+  Eigen::VectorXd sizes;  ///< sum of |f|, force
+};
+
 /// Condenses a structure onto its contact candidates.
 /// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes
 ///         that move); if an unconstrained body has no contact candidate, or its modes are
@@ -95,5 +105,10 @@ std::uint64_t wedged_fingerprint(const Structure& structure);
 ///         above
 /// @throws support::Stopped if the program is asked to stop
 WedgedProblem wedged_problem(const Structure& structure, const support::LongWork& work = {});
+
+/// The same, with loads. @param forces on the nodes, d nodes x L, node by node; none of the loads
+/// acts on supported displacements alone  @param loads receives their columns
+WedgedProblem wedged_problem(const Structure& structure, const Eigen::MatrixXd& forces,
+                             LoadColumns& loads, const support::LongWork& work = {});
 
 }  // namespace kusabi::problems

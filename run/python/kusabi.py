@@ -97,16 +97,16 @@ class Result(dict):
 
     def rows(self, of=None):
         """Table of the answer as a list of dicts with the names of the result file: one row per
-        pattern (`patterns`, `critical`, `sweep` of friction), ray, member (`limit`), point (`sweep`
-        of loads), or nonzero column of the program (`mip`).
+        pattern (`patterns`, `critical`, `sweep` of friction), interval of load factors (`hold`),
+        ray, member (`limit`), point (`sweep` of loads), or nonzero column of the program (`mip`).
 
         of: name of another list of the answer, such as "staircase" of `sweep`, "groups" of
         `patterns`.
         """
         if of is not None:
             return _list(self.answer, of)
-        tables = {"patterns": _patterns, "critical": _patterns, "rays": _rays, "sweep": _swept, "limit": _members,
-                  "mip": _columns}
+        tables = {"patterns": _patterns, "critical": _patterns, "hold": _intervals, "rays": _rays, "sweep": _swept,
+                  "limit": _members, "mip": _columns}
         if self["command"] not in tables:
             raise Error(f"results of kusabi {self['command']} have no rows; expected one of {', '.join(tables)}")
         return tables[self["command"]](self)
@@ -123,7 +123,7 @@ class Result(dict):
 def run(command, file, *, ranks=None, input=None, **options):
     """Runs `kusabi COMMAND FILE` and returns its Result.
 
-    command: "patterns", "rays", "critical", "sweep", "limit", "mip", or any other with --output
+    command: "patterns", "rays", "critical", "hold", "sweep", "limit", "mip", or any other with --output
     file: the problem file; "-" for the text `input`
     ranks: number of ranks under mpirun (or the launcher of the environment variable KUSABI_MPIRUN);
     None: one process
@@ -294,6 +294,10 @@ def _list(answer, name):
     if name not in tables:
         raise Error(f"the result has no table {name!r}; expected one of {', '.join(tables)}")
     return [dict(each) for each in answer[name]]
+
+
+def _intervals(result):
+    return result.answer["intervals"] or []
 
 
 def _rays(result):

@@ -12,6 +12,8 @@ namespace kusabi::run {
 
 std::string headline_of(const Sticking& found, engine::Status ended);
 std::string headline_of(const CriticalBracket& found, engine::Status ended);
+std::string headline_of(const HoldingBracket& found, engine::Status ended);
+std::string headline_of(const HoldingFactors& found, engine::Status ended);
 std::string headline_of(const FrictionSteps& found, engine::Status ended);
 std::string headline_of(const LoadInterval& found, engine::Status ended);
 std::string headline_of(const LoadSteps& found, engine::Status ended);
@@ -22,6 +24,8 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended);
 
 void reserve(const Sticking& found, std::vector<Reservation>& all);
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const HoldingBracket& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const LoadSteps& found, std::vector<Reservation>& all);

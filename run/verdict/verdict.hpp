@@ -65,6 +65,43 @@ struct CriticalBracket {
   bool patterns_open = false;
 };
 
+/// Reason of an answer about loads that needs no search.
+enum class HoldReason {
+  searched,    ///< none: the tree was searched
+  supports,    ///< supports constrain every body: every load is held
+  wedging,     ///< a wedged configuration holds every load
+  unbalanced,  ///< the load moves a body along a motion that no candidate resists
+};
+
+/// Names in result files, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 4> hold_reasons{"searched", "supports", "wedging",
+                                                              "unbalanced"};
+
+/// The smallest friction coefficient at which the dead load can be held: `hold`.
+struct HoldingBracket {
+  Bracket bracket{};    ///< it cannot be held at `lower` or below, and can at `upper`
+  bool factor = false;  ///< coefficients multiply that of each candidate
+  double most = 0;      ///< upper limit of the search
+  HoldReason reason = HoldReason::searched;
+};
+
+/// Factors of the reference load that can be held at one coefficient: `hold --mu`.
+struct HoldingFactors {
+  /// Both ends are held; infinite: no end.
+  struct Interval {
+    double low = 0, high = 0;
+    Standing standing = Standing::proved;  ///< of the states at the ends
+    Bracket below{}, above{};  ///< of each end: held, and not held; absent if there is no end
+  };
+  double friction = 0;
+  bool factor = false;
+  bool of_reference = true;  ///< false: the file has a dead load only, held or not
+  std::vector<Interval> intervals{};
+  Standing outside = Standing::proved;  ///< of the claim that no other factor is held
+  bool open = false;                    ///< factors may be missing
+  HoldReason reason = HoldReason::searched;
+};
+
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
 struct FrictionSteps {
   double most = 0;      ///< upper limit of the sweep
@@ -160,9 +197,9 @@ struct Measurement {
 };
 
 /// Absent: the command answers no question.
-using AnyAnswer =
-    std::variant<std::monostate, Sticking, CriticalBracket, FrictionSteps, LoadInterval, LoadSteps,
-                 MixedOptimum, CertificateCheck, Measurement>;
+using AnyAnswer = std::variant<std::monostate, Sticking, CriticalBracket, HoldingBracket,
+                               HoldingFactors, FrictionSteps, LoadInterval, LoadSteps, MixedOptimum,
+                               CertificateCheck, Measurement>;
 
 struct Verdict {
   engine::Status ended = engine::Status::solved;  ///< of the searches

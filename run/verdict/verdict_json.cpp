@@ -60,6 +60,33 @@ ordered_json answer_json(const CriticalBracket& found) {
           {"patterns_open", found.patterns_open}};
 }
 
+ordered_json answer_json(const HoldingBracket& found) {
+  return {{"kind", "holding-friction"},
+          {"bracket", bracket_json(found.bracket)},
+          {"factor", found.factor},
+          {"most", found.most},
+          {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+}
+
+ordered_json answer_json(const HoldingFactors& found) {
+  auto intervals = ordered_json::array();
+  for (const auto& each : found.intervals) {
+    intervals.push_back({{"low", number_or_null(each.low)},
+                         {"high", number_or_null(each.high)},
+                         {"standing", standing_name(each.standing)},
+                         {"below", bracket_json(each.below)},
+                         {"above", bracket_json(each.above)}});
+  }
+  return {{"kind", "holding-factors"},
+          {"friction", found.friction},
+          {"factor", found.factor},
+          {"of_reference", found.of_reference},
+          {"intervals", std::move(intervals)},
+          {"outside", standing_name(found.outside)},
+          {"open", found.open},
+          {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+}
+
 ordered_json answer_json(const FrictionSteps& found) {
   return {{"kind", "friction-steps"},
           {"most", found.most},

@@ -1,4 +1,5 @@
-// Warning about loads that a subcommand ignores: wedged configurations exist without load.
+// Warnings about loads and clearances that a subcommand ignores: wedged configurations exist without
+// load, and fit exactly.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace kusabi::run {
 
-/// One line, or none if the file has no loads.
+/// One line for loads, one for clearances, each if the file has any.
 std::vector<std::string> ignored_loads(const problems::Structure& structure,
                                        std::string_view command);
 

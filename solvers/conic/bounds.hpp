@@ -66,9 +66,11 @@ class Bounds {
 
   /// @param compliance F~, over the cones, D rows each  @param error e
   /// @param owners candidate of each cone, in order  @param motions of an unconstrained body
+  /// @param loads number of loads: the last candidates, which have a cone and no row
   Bounds(const Matrix& compliance, double error, const std::vector<int>& owners,
-         const Motions<Real>& motions = {})
-      : error_(error),
+         const Motions<Real>& motions = {}, int loads = 0)
+      : loads_(loads),
+        error_(error),
         rounding_((static_cast<double>(compliance.rows()) + 4) * numbers::unit_roundoff<Real>),
         owners_(owners) {
     roots_ = (safety * compliance.diagonal().template cast<double>()).cwiseSqrt();
@@ -89,9 +91,13 @@ class Bounds {
     double carry = 0;  ///< see RigidModeBounds
     double close = 0;
   };
-  [[nodiscard]] MotionCost motion_cost(const NodeSets& sets) const {
+  [[nodiscard]] MotionCost motion_cost(const NodeSets& sets,
+                                       std::span<const double> friction) const {
     if (!motions_.any()) return {};
-    return {motions_.carry(sets.cones, D), motions_.close(sets.contact_rows)};
+    const auto own = static_cast<std::size_t>(
+        std::ranges::count_if(sets.cones, [&](int k) { return !is_load(k); }));
+    return {motions_.carry(sets.cones.first(own), D, friction, sets.cones.subspan(own)),
+            motions_.close(sets.contact_rows)};
   }
 
   /// Lower bound from a reaction.
@@ -110,6 +116,8 @@ class Bounds {
                             const Reaction& r, const Normal& normal, const Motion& alpha = {},
                             MotionCost correction = {}) const {
     using std::abs;
+    // A load that no reaction carries: its point proves nothing.
+    if (!(correction.carry < infinity)) return {-infinity, infinity, 0, infinity};
     double size = 0;
     Real sum = 0;
     double sizes = 0;
@@ -396,6 +404,11 @@ class Bounds {
     return static_cast<Eigen::Index>(first_cones_.size()) + motions_.count();
   }
 
+  [[nodiscard]] bool is_load(int cone) const {
+    return owners_[static_cast<std::size_t>(cone)] >=
+           static_cast<int>(first_cones_.size()) - loads_;
+  }
+
   [[nodiscard]] double normal_root(int candidate) const {
     return roots_[D * first_cones_[static_cast<std::size_t>(candidate)]];
   }
@@ -410,7 +423,7 @@ class Bounds {
   /// factorisation of F - s I succeeds, F - s I + E is positive semidefinite with |E| <= (m + 4) u
   /// trace F. Zero if no bound is found.
   [[nodiscard]] double least_eigenvalue(const Matrix& compliance) const {
-    const auto m = static_cast<Eigen::Index>(first_cones_.size());
+    const auto m = static_cast<Eigen::Index>(first_cones_.size()) - loads_;
     Matrix scaled(m, m);
     using std::sqrt;
     for (Eigen::Index i = 0; i < m; ++i) {
@@ -436,6 +449,7 @@ class Bounds {
     return 0;
   }
 
+  int loads_ = 0;
   double error_, rounding_;
   RigidModeBounds motions_;
   Matrix normal_motions_;         // H, m rows

@@ -36,6 +36,21 @@ double inverse_of_least(const Eigen::MatrixXd& part, double negligible_share) {
   return std::isfinite(least) ? 1.001 / least : 0;
 }
 
+// True if a load has a part orthogonal to all rows of `part`, which is taken as zero below the
+// threshold.
+bool acts_alone(const Eigen::MatrixXd& part, const Eigen::VectorXd& load) {
+  const double size = load.norm();
+  if (size == 0) return false;
+  if (part.rows() == 0) return true;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(part, Eigen::ComputeFullV);
+  Eigen::VectorXd left = load;
+  for (Eigen::Index l = 0; l < svd.singularValues().size(); ++l) {
+    if (svd.singularValues()[l] <= negligible * svd.singularValues()[0]) break;
+    left -= svd.matrixV().col(l).dot(load) * svd.matrixV().col(l);
+  }
+  return left.norm() > negligible * size;
+}
+
 }  // namespace
 
 RigidModeBounds::RigidModeBounds(Eigen::MatrixXd motions, int lifting, double error,
@@ -49,12 +64,21 @@ RigidModeBounds::RigidModeBounds(Eigen::MatrixXd motions, int lifting, double er
   largest_ = motions_.size() == 0 ? 0 : motions_.cwiseAbs().maxCoeff();
 }
 
-double RigidModeBounds::carry(std::span<const int> cones, int dimension) const {
-  Eigen::MatrixXd part(static_cast<Eigen::Index>(cones.size()) * dimension, motions_.cols());
+double RigidModeBounds::carry(std::span<const int> cones, int dimension,
+                              std::span<const double> friction, std::span<const int> loads) const {
+  const auto acting = [&](int k) {
+    return friction[static_cast<std::size_t>(k)] == 0 ? 1 : dimension;
+  };
+  Eigen::Index rows = 0;
+  for (const int k : cones) rows += acting(k);
+  Eigen::MatrixXd part(rows, motions_.cols());
   Eigen::Index row = 0;
   for (const int k : cones)
-    for (int d = 0; d < dimension; ++d, ++row)
+    for (int d = 0; d < acting(k); ++d, ++row)
       part.row(row) = motions_.row(dimension * k + d) / roots_[dimension * k + d];
+  for (const int j : loads)
+    if (acts_alone(part, motions_.row(dimension * j) / roots_[dimension * j]))
+      return std::numeric_limits<double>::infinity();
   return inverse_of_least(part, negligible);
 }
 

@@ -39,9 +39,12 @@ class RigidModeBounds {
   }
 
   /// Magnitude |R delta| of the reactions on the cones of C that carry a load of magnitude 1 on the
-  /// modes; infinite if there are none.
-  /// @param cones C, D rows each
-  [[nodiscard]] double carry(std::span<const int> cones, int dimension) const;
+  /// modes; zero if they carry none. Tangential reactions exist with friction only. Infinite if a
+  /// load of `loads` acts on a mode on which no reaction does, up to the rounding of the file.
+  /// @param cones C without the loads, D rows each  @param friction of each cone
+  [[nodiscard]] double carry(std::span<const int> cones, int dimension,
+                             std::span<const double> friction,
+                             std::span<const int> loads = {}) const;
 
   /// Magnitude of the rigid-body displacement that causes gaps of magnitude 1 (over R) on the
   /// candidates of U, if some mode does.

@@ -53,9 +53,11 @@ struct EliminationResult {
 /// Combines columns by elimination with complete pivoting in every stride-th row, until the
 /// remainder of these rows is negligible relative to the largest pivot.
 /// @param columns E, replaced by E T  @param combination T, initially the identity
+/// @param without number of last rows without pivots
 template <class Matrix>
 EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
-                            double negligible) {
+                            double negligible, Eigen::Index without = 0) {
+  const Eigen::Index height = columns.rows() - without;
   EliminationResult result;
   const auto size = [&](Eigen::Index row, Eigen::Index column) {
     return std::abs(numbers::rounded(columns(row, column)));
@@ -64,9 +66,9 @@ EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index s
   for (Eigen::Index& done = result.pivots; done < columns.cols(); ++done) {
     Eigen::Index row = 0, column = done;
     for (Eigen::Index j = done; j < columns.cols(); ++j)
-      for (Eigen::Index i = 0; i < columns.rows(); i += stride)
+      for (Eigen::Index i = 0; i < height; i += stride)
         if (size(i, j) > size(row, column)) row = i, column = j;
-    if (columns.rows() == 0 || size(row, column) <= negligible * largest) break;
+    if (height == 0 || size(row, column) <= negligible * largest) break;
     largest = std::max(largest, size(row, column));
     columns.col(done).swap(columns.col(column));
     combination.col(done).swap(combination.col(column));
@@ -85,15 +87,18 @@ EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index s
 /// Combines modes such that those without a normal part come last.
 /// @param motions G, D rows per cone; entries of at most about 1
 /// @param error error bound of an entry
+/// @param loads number of loads, whose cones are the last and have no displacement
 template <int D, class Real>
-Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error) {
+Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error, int loads = 0) {
   const Eigen::Index p = motions.cols();
   Motions<Real> result;
   result.combination = Motions<Real>::Matrix::Identity(p, p);
-  const auto [lifting, growth] = eliminate(motions, result.combination, D, sliding);
+  const auto [lifting, growth] =
+      eliminate(motions, result.combination, D, sliding, Eigen::Index{D} * loads);
   result.lifting = static_cast<int>(lifting);
   for (Eigen::Index j = result.lifting; j < p; ++j)
-    for (Eigen::Index i = 0; i < motions.rows(); i += D) motions(i, j) = Real(0);
+    for (Eigen::Index i = 0; i < motions.rows() - Eigen::Index{D} * loads; i += D)
+      motions(i, j) = Real(0);
   result.at_cones = std::move(motions);
   result.error = growth * (error + 8 * static_cast<double>(p) * numbers::unit_roundoff<Real>);
   return result;

@@ -78,11 +78,12 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
 
 template <int D>
 NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                            std::vector<int> owners, Motions<double> motions)
+                            std::vector<int> owners, Motions<double> motions, int loads)
     : motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
       owners_(std::move(owners)),
-      padded_cones_(padded(this->most_cones())) {
+      padded_cones_(padded(this->most_cones())),
+      loads_(loads) {
   check(compliance, friction, owners_, D);
   if (motions_.count() > 0 && motions_.at_cones.rows() != compliance.rows())
     throw std::invalid_argument("the motions must have as many rows as the compliance");
@@ -137,7 +138,7 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
     throw std::invalid_argument("a candidate is both in contact and separated");
   if (ignored.meets(contact | separated))
     throw std::invalid_argument("a candidate is ignored and has a sign");
-  if (!IndexSet::below(m).includes(contact | without_reaction))
+  if (!IndexSet::below(m - loads_).includes(contact | without_reaction))
     throw std::invalid_argument("a sign pattern names a candidate that does not exist");
   if (static_cast<int>(cuts.size()) > most_cuts_)
     throw std::invalid_argument("there are more cuts than there is room for");
@@ -146,7 +147,7 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   gap_rows_.clear();
   contact_rows_.clear();
   contact_ = contact;
-  ignored_ = ignored;
+  ignored_ = loads_ == 0 ? ignored : ignored | (IndexSet::below(m) - IndexSet::below(m - loads_));
   cuts_.assign(cuts.begin(), cuts.end());
   omega_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {
@@ -155,7 +156,7 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
     omega_ += level_weight(friction_[k]);
   }
   for (int i = 0; i < m; ++i) {
-    if (!ignored.contains(i)) (contact.contains(i) ? contact_rows_ : gap_rows_).push_back(i);
+    if (!ignored_.contains(i)) (contact.contains(i) ? contact_rows_ : gap_rows_).push_back(i);
   }
   if (cones_.empty()) return;  // the standard form is empty, since no r sums to one
 
@@ -170,7 +171,7 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   for (const int j : gap_rows_) slack_[j] = 1;
   whole -= slack_.head(whole.size());
   right_side_ /= -omega_;
-  for (const int i : ignored) right_side_[i] = 0;
+  for (const int i : ignored_) right_side_[i] = 0;
   fill_columns();
   fill_cuts();
 }

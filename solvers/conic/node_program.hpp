@@ -27,6 +27,9 @@
 //
 // and its free columns are those of row i times -displacement.
 //
+// A load is a last candidate without friction that has a cone and no row: its reaction is its
+// amount tau >= t, and its displacement is not constrained (docs/theory/loads.md).
+//
 // A candidate may have several cones, whose reactions sum to its own and which share its row:
 // polyhedral friction cones are thus solved as sums of plane ones (nodes/wedged/tree/facets.hpp).
 // docs/theory/wedged.md, "Standard form with m rows", derives it.
@@ -71,9 +74,10 @@ class NodeProgram {
 
   /// With several cones per candidate: all sizes above except m count cones.
   /// @param owners candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
-  /// @param motions of an unconstrained body
+  /// @param motions of an unconstrained body  @param loads number of the last candidates that are
+  /// loads
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-              std::vector<int> owners, Motions<double> motions = {});
+              std::vector<int> owners, Motions<double> motions = {}, int loads = 0);
 
   /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);
@@ -116,8 +120,9 @@ class NodeProgram {
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_, cuts_}; }
   /// Number of rows with a slack.
   std::size_t slacks() const { return gap_rows_.size() + cuts_.size(); }
-  /// The candidates without a row.
+  /// The candidates without a row: those ignored, and the loads.
   const support::IndexSet& ignored() const { return ignored_; }
+  int loads() const { return loads_; }
 
   /// By cone.
   const std::vector<double>& friction() const { return friction_; }
@@ -190,7 +195,7 @@ class NodeProgram {
   std::vector<int> cones_, gap_rows_, contact_rows_;  // U: the rows without a slack
   std::vector<Cut> cuts_;
   std::vector<CutRow> cut_rows_;
-  int most_cuts_ = 0, padded_cones_;
+  int most_cuts_ = 0, padded_cones_, loads_;
   Eigen::VectorXd matrix_;      // A, room for all cones and rows
   Eigen::VectorXd right_side_;  // b
   Eigen::VectorXd slack_;

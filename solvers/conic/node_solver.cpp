@@ -38,15 +38,16 @@ NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const dou
 template <int D>
 NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
                           std::vector<int> owners, Tolerances tolerances, double error,
-                          const Motions<double>& motions)
-    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions), tolerances,
-                 error) {}
+                          const Motions<double>& motions, int loads)
+    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions, loads),
+                 tolerances, error) {}
 
 template <int D>
 NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error)
     : program_(std::move(program)),
       iteration_(program_),
-      bounds_(program_.compliance(), error, program_.owners(), program_.motions()),
+      bounds_(program_.compliance(), error, program_.owners(), program_.motions(),
+              program_.loads()),
       tolerances_(tolerances),
       reaction_(Eigen::VectorXd::Zero(D * program_.most_cones())),
       displacement_(reaction_),
@@ -83,7 +84,7 @@ ConicResult NodeSolver<D>::solve(const support::IndexSet& contact,
   answer.upper = infinity;
   best_value_ = infinity;
   proved_ = true;
-  motion_cost_ = bounds_.motion_cost(program_.sets());
+  motion_cost_ = bounds_.motion_cost(program_.sets(), program_.friction());
   iterate(answer, stop);
   prove_upper(answer);
   multipliers_ = best_.head(multipliers_.size());

@@ -35,10 +35,10 @@ class NodeSolver {
 
   /// With several cones per candidate (NodeProgram): reactions and displacements are those of the
   /// cones.
-  /// @param motions of an unconstrained body
+  /// @param motions of an unconstrained body  @param loads number of loads, the last candidates
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
-             const Motions<double>& motions = {});
+             const Motions<double>& motions = {}, int loads = 0);
 
   /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);

@@ -53,12 +53,14 @@ std::vector<int> one_each(std::size_t count) {
 
 template <int D, class Real>
 PlainSolver<D, Real>::PlainSolver(Matrix compliance, std::span<const double> friction,
-                                  Tolerances tolerances, double error, Motions<Real> motions)
+                                  Tolerances tolerances, double error, Motions<Real> motions,
+                                  int loads)
     : compliance_(std::move(compliance)),
       motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
       tolerances_(tolerances),
-      bounds_(compliance_, error, one_each(friction.size()), motions_),
+      bounds_(compliance_, error, one_each(friction.size()), motions_, loads),
+      loads_(loads),
       reaction_(Vector::Zero(compliance_.rows())),
       motion_(Vector::Zero(motions_.lifting)),
       multipliers_(Vector::Zero(compliance_.rows() / D + motions_.count())) {
@@ -84,17 +86,19 @@ void PlainSolver<D, Real>::select(const IndexSet& contact, const IndexSet& separ
   for (std::size_t i = 0; i < friction_.size(); ++i) {
     const auto candidate = static_cast<int>(i);
     if (ignored.contains(candidate)) continue;
-    const bool touches = contact.contains(candidate);
-    (touches ? contact_rows_ : gap_rows_).push_back(candidate);
-    if (!lifted_.contains(candidate)) {
-      rows_.push_back(candidate);
-      slack_.push_back(!touches);
+    if (i + static_cast<std::size_t>(loads_) < friction_.size()) {
+      const bool touches = contact.contains(candidate);
+      (touches ? contact_rows_ : gap_rows_).push_back(candidate);
+      if (!lifted_.contains(candidate)) {
+        rows_.push_back(candidate);
+        slack_.push_back(!touches);
+      }
     }
     if (separated.contains(candidate)) continue;
     cones_.push_back(candidate);
     omega_ += friction_[i] == 0 ? Real(1) : Real(1) / Real(friction_[i]);
   }
-  motion_cost_ = bounds_.motion_cost(sets());
+  motion_cost_ = bounds_.motion_cost(sets(), friction_);
   choose_motions();
   choose_equations();
   slack_.insert(slack_.end(), static_cast<std::size_t>(equations_.cols()), false);

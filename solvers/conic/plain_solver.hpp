@@ -42,9 +42,9 @@ class PlainSolver {
   /// @param compliance F, Dm x Dm, scaled as that of NodeSolver
   /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6
   /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the true F*
-  /// @param motions of an unconstrained body
+  /// @param motions of an unconstrained body  @param loads number of loads, the last candidates
   PlainSolver(Matrix compliance, std::span<const double> friction, Tolerances tolerances,
-              double error, Motions<Real> motions = {});
+              double error, Motions<Real> motions = {}, int loads = 0);
 
   /// Sets the stop test: every solve then throws support::Stopped soon after it becomes true.
   void end_when(support::Stop stop) { stop_ = std::move(stop); }
@@ -135,6 +135,7 @@ class PlainSolver {
   std::vector<double> friction_;
   Tolerances tolerances_;
   Bounds<D, Real> bounds_;
+  int loads_;
   Vector reaction_, motion_, multipliers_;
 
   support::Stop stop_;

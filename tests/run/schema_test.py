@@ -35,6 +35,11 @@ WEDGED = {
     "paper/elastic-body.toml": (("--mu", 1, *FEW), ("--mu", 0.3), ("--node-limit", 3)),
     "paper/space-truss-fit.toml": (("--mu", 0.65, *FEW), None, ("--method", "global", "--node-limit", 3)),
 }
+# Arguments of `hold`.
+HOLD = {
+    "ladder.toml": ((), ("--mu", 0.4), ("--mu", 0.6), ("--mu", 1.4), ("--node-limit", 1)),
+    "peg-under-load.toml": ((), ("--mu", 0.5), ("--mu", 0.5, "--node-limit", 3)),
+}
 LIMIT = {
     "gust.toml": ((), ("--alpha", 0.5, "--curve", "--samples", 10, "--cuts", "all", "--curve-to", 3)),
     "truss-bridge.toml": ((), ("--alpha", 1)),
@@ -73,6 +78,7 @@ OPTIONAL_OF = {
               "result": {"guaranteed_interval", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
+    "hold": {"structure": {"reference_loads"}},
 }
 # keys are names of the problem
 NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns"}
@@ -124,7 +130,7 @@ class Schema(KusabiCase):
 
     def test_every_example_is_asked(self):
         found = {str(path.relative_to(EXAMPLES)) for path in EXAMPLES.rglob("*.toml")}
-        self.assertEqual(found, WEDGED.keys() | LIMIT.keys())
+        self.assertEqual(found, WEDGED.keys() | HOLD.keys() | LIMIT.keys())
 
     def test_patterns(self):
         self.check_wedged("patterns", 0)
@@ -150,6 +156,13 @@ class Schema(KusabiCase):
 
     def test_critical(self):
         self.check_wedged("critical", 2)
+
+    def test_hold(self):
+        for name, calls in HOLD.items():
+            for words in calls:
+                self.check("hold", name, words)
+        self.check_is_documented(self.solve("hold", "ladder.toml"))
+        self.check_is_documented(self.solve("hold", "peg-under-load.toml", "--mu", 0.5))
 
     def test_limit(self):
         for name, calls in LIMIT.items():

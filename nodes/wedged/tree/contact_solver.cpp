@@ -20,14 +20,15 @@ constexpr double three_digits = 1e-3;
 constexpr double scaling_roundings = 1.01;
 
 /// G in 104 bits, combined as the solvers require.
-conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem) {
+conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads) {
   const bool precise = problem.precise_motions.size() != 0;
   const numbers::PreciseMatrix given =
       precise ? problem.precise_motions
               : numbers::PreciseMatrix(problem.motions.cast<numbers::Precise>());
   const double error = precise ? problem.precise_motion_error : problem.motion_error;
-  if (problem.dimension == 2) return conic::ordered_motions<2, numbers::Precise>(given, error);
-  return conic::ordered_motions<3, numbers::Precise>(given, error);
+  if (problem.dimension == 2)
+    return conic::ordered_motions<2, numbers::Precise>(given, error, loads);
+  return conic::ordered_motions<3, numbers::Precise>(given, error, loads);
 }
 
 template <class Real>
@@ -37,17 +38,18 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                              std::span<const double> friction, conic::Tolerances tolerances,
-                             Precision precision)
+                             Precision precision, int loads)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
       precision_(precision),
+      loads_(loads),
       friction_(friction.begin(), friction.end()),
       compliance_(problem.compliance),
       precise_compliance_(problem.precise_compliance),
       compliance_error_(problem.compliance_error),
       precise_error_(problem.precise_error),
-      motions_(combined(problem)),
+      motions_(combined(problem, loads)),
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
         const double error = problem.compliance_error + scaling_error<double>;
@@ -55,9 +57,9 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
         std::iota(owners.begin(), owners.end(), 0);
         if (problem.dimension == 2)
           return conic::NodeSolver<2>(scaled, friction, std::move(owners), tolerances, error,
-                                      motions<double>());
+                                      motions<double>(), loads);
         return conic::NodeSolver<3>(scaled, friction, std::move(owners), tolerances, error,
-                                    motions<double>());
+                                    motions<double>(), loads);
       }()) {}
 
 void ContactSolver::make_room(int most_cuts) {
@@ -114,10 +116,10 @@ auto ContactSolver::made(Level<Real>& level) -> Level<Real>& {
   if (!std::holds_alternative<std::monostate>(level)) return level;
   if (dimension_ == 2)
     level.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
-                              scaled_error<Real>(), motions<Real>());
+                              scaled_error<Real>(), motions<Real>(), loads_);
   else
     level.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
-                              scaled_error<Real>(), motions<Real>());
+                              scaled_error<Real>(), motions<Real>(), loads_);
   return level;
 }
 

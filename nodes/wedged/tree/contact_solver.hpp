@@ -39,9 +39,12 @@ enum class Precision { escalating, doubles };
 class ContactSolver {
  public:
   /// @param friction mu of each contact candidate, m numbers: 0 or 1e-6 to 1e6
+  /// @param loads number of loads: the last candidates of the problem, with zero friction, which
+  ///        have a reaction and no row (nodes/wedged/hold/load_program.hpp)
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   ContactSolver(const problems::WedgedProblem& problem, std::span<const double> friction,
-                conic::Tolerances tolerances, Precision precision = Precision::escalating);
+                conic::Tolerances tolerances, Precision precision = Precision::escalating,
+                int loads = 0);
 
   /// Makes all solutions throw support::Stopped soon after the run is to stop.
   void end_when(const support::Stop& stop);
@@ -153,6 +156,7 @@ class ContactSolver {
   double unit_;
   conic::Tolerances tolerances_;
   Precision precision_;
+  int loads_;
   support::Stop stop_;
   std::vector<double> friction_;
   Eigen::MatrixXd compliance_;                 // unscaled, as is the precise one

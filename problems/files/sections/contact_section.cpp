@@ -51,11 +51,21 @@ void warn_of_old_name(ProblemDraft& draft, const TomlReader& reader, const toml:
           .what());
 }
 
+/// The distance from the obstacle before any force acts; an interference is a negative one.
+double clearance_in(const TomlReader& reader, const TomlTable& group) {
+  const toml::node* const gap = group.table->get("clearance");
+  const toml::node* const press = group.table->get("interference");
+  if (gap != nullptr && press != nullptr)
+    reader.fail(*press, "interference beside clearance, of which it is the opposite; expected one");
+  if (press != nullptr) return -reader.number(*press, "the interference");
+  return gap == nullptr ? 0 : reader.number(*gap, "the clearance");
+}
+
 void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& surface) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
   reader.allow_only(group, {"nodes", "except", "every", "name", "against", "gap", "normal",
-                            "tangent", "friction_factor", "friction"});
+                            "tangent", "friction_factor", "friction", "clearance", "interference"});
   reader.require(group, "nodes", "nodes = [\"a\", ...]");
   const ObstacleNormal normal = obstacle_normal(draft, group, surface);
   const toml::node* tangent_entry = group.table->get("tangent");
@@ -71,6 +81,7 @@ void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& sur
     friction = reader.number(*entry, "the friction factor");
     friction_position = reader.position(*entry);
   }
+  const double clearance = clearance_in(reader, group);
   std::string name;
   if (const toml::node* entry = group.table->get("name"); entry != nullptr)
     name = reader.text(*entry, "the name of what is touched").text;
@@ -84,7 +95,7 @@ void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& sur
       std::apply([&](auto... angles) { facets.take(angles...); }, normal.facets(listed[i]));
     structure.contact.push_back({listed[i].node, direction.stableNormalized(), tangent, friction,
                                  direction, std::move(places[i]),
-                                 name.empty() ? listed[i].group : name});
+                                 name.empty() ? listed[i].group : name, clearance});
     structure.sources.contact.push_back(listed[i].position);
     structure.sources.normals.push_back(normal_position);
     structure.sources.tangents.push_back(tangent_position);

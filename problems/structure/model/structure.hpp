@@ -153,6 +153,9 @@ struct ContactCandidate {
   std::vector<Share> against{};
   /// Name of the opposite surface in the file; distinguishes candidates at one node.
   std::string surface{};
+  /// Distance from the obstacle before any force acts, length; negative: interference. Only states
+  /// under load depend on it (docs/theory/loads.md).
+  double clearance = 0;
 };
 
 /// Position of each entry in the file, for error messages. Structures made by programs leave the

@@ -1,0 +1,432 @@
+// Ranges of factors searched until each is dead or held, and bisection of friction.
+#include "nodes/wedged/hold/block_hold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/SVD>
+
+namespace kusabi::wedged {
+namespace {
+
+/// Doublings of a factor before its range counts as without an end.
+constexpr int most_doublings = 60;
+
+/// Bisections of one end: more than the digits of a double.
+constexpr int most_halvings = 70;
+
+/// Intervals of one block before the search is given up.
+constexpr int most_intervals = 64;
+
+/// A factor below this part of the ratio of both loads is zero to all digits of either.
+constexpr double least_factor_share = 1e-12;
+
+/// Singular values of the rows of U below this part of the largest belong to modes that these do
+/// not resist, as in solvers/conic/motion_bounds.cpp.
+constexpr double not_resisted = 1e-10;
+
+/// Relative steps below a leaf's own coefficient at which the tree is tried, where it is at a limit
+/// there.
+constexpr std::array<double, 4> steps_below{0, 1e-8, 1e-6, 1e-4};
+
+/// A bracket of the coefficient that is not divided by trees, relative: a hundred times that of a
+/// leaf.
+constexpr double close_enough = 1e-7;
+
+/// The least friction factor that is not zero; infinite if there is none.
+double least_of_factors(const problems::WedgedProblem& problem) {
+  double least = no_end;
+  for (const double factor : problem.friction)
+    if (factor > 0) least = std::min(least, factor);
+  return least;
+}
+
+std::vector<LoadShare> range_of(double low, double high) {
+  std::vector<LoadShare> shares;
+  if (std::isinf(low)) shares.push_back({0, -1});
+  if (std::isfinite(low)) shares.push_back({1, low});
+  if (std::isinf(high)) shares.push_back({0, 1});
+  if (std::isfinite(high) && high > low) shares.push_back({1, high});
+  return shares;
+}
+
+/// lambda of a state of a range of factors.
+double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
+  double dead = 0;
+  double reference = 0;
+  for (std::size_t j = 0; j < shares.size(); ++j) {
+    dead += leaf.amounts[j] * shares[j].dead;
+    reference += leaf.amounts[j] * shares[j].reference;
+  }
+  return reference / dead;
+}
+
+/// True if the candidates of U resist every rigid-body mode.
+bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet& contact,
+                 double mu) {
+  const Eigen::Index p = problem.motions.cols();
+  const Eigen::Index d = problem.dimension;
+  std::vector<Eigen::Index> rows;
+  for (const int i : contact) {
+    const bool rough = mu * problem.friction[static_cast<std::size_t>(i)] > 0;
+    for (Eigen::Index axis = 0; axis < (rough ? d : 1); ++axis) rows.push_back(d * i + axis);
+  }
+  if (static_cast<Eigen::Index>(rows.size()) < p) return false;
+  const Eigen::MatrixXd part = problem.motions(rows, Eigen::all);
+  const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
+  return values[p - 1] > not_resisted * values[0];
+}
+
+}  // namespace
+
+HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low,
+                              double high) {
+  HoldTree tree(block_, shares, mu, question_.precision);
+  engine::Options options;
+  options.goal = engine::Goal::first;
+  const auto outcome = analysis_.search(tree, options);
+  const auto found = engine::from_first_rank(analysis_.transport(), [&] {
+    HoldOutcome result;
+    result.status = outcome.status;
+    for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
+    if (!result.leaf.empty()) result.status = engine::Status::solved;
+    result.tally = outcome.tally();
+    std::ranges::sort(result.tally.limits, {}, [](const auto& each) {
+      return std::pair(each.pattern.contact, each.pattern.separated);
+    });
+    return result;
+  });
+  costs_.push_back({mu, low, high, outcome.opened(), found.tally.iterations});
+  return found;
+}
+
+HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
+                       Standard standard) const {
+  HoldNodes nodes(block_, std::array{share}, mu, question_.precision);
+  nodes.end_when(analysis_.budget().stop());
+  const HoldSign sign = nodes.sign(pattern);
+  if (standard == Standard::proved) return sign;
+  return sign == HoldSign::limit     ? HoldSign::alive
+         : sign == HoldSign::nothing ? HoldSign::dead
+                                     : sign;
+}
+
+// Ratio of both loads in terms of the displacements under them.
+double BlockHold::factor_scale() const {
+  const double scale = scale_of(block_, {1, 0}) / scale_of(block_, {0, 1});
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+// Where the answer is undecided near the end, both sides approach it separately.
+BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
+                                  const std::function<HoldSign(double)>& sign) const {
+  auto [alive, dead] = ends;
+  double open_alive = dead, open_dead = alive;  // nearest undecided points
+  const auto narrow = [&](double from, double to) {
+    return std::abs(to - from) <=
+           std::max(question_.width * std::max(std::abs(from), std::abs(to)), floor);
+  };
+  bool met_open = false;
+  for (int step = 0; step < most_halvings; ++step) {
+    const bool toward_dead = met_open && step % 2 != 0;
+    const double from = !met_open ? alive : toward_dead ? open_dead : alive;
+    const double to = !met_open ? dead : toward_dead ? dead : open_alive;
+    if (narrow(alive, dead) || (met_open && narrow(alive, open_alive) && narrow(open_dead, dead)))
+      break;
+    const double middle = from + (to - from) / 2;
+    if (middle == from || middle == to) {
+      if (!met_open) break;
+      continue;
+    }
+    switch (sign(middle)) {
+      case HoldSign::alive:
+        alive = middle;
+        break;
+      case HoldSign::dead:
+        dead = middle;
+        break;
+      default:
+        if (!met_open) open_alive = open_dead = middle;
+        (toward_dead ? open_dead : open_alive) = middle;
+        met_open = true;
+    }
+  }
+  return {alive, dead};
+}
+
+BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
+                                  double mu, Standard standard) const {
+  const double endless = direction * no_end;
+  if (at(pattern, {0, static_cast<double>(direction)}, mu, standard) == HoldSign::alive)
+    return {endless, endless};
+  const double scale = factor_scale();
+  double alive = from;
+  double step = std::max(std::abs(from), scale);
+  double dead = endless;
+  for (int doubling = 0; doubling < most_doublings; ++doubling, step *= 2) {
+    const double next = from + direction * step;
+    const HoldSign sign = at(pattern, {1, next}, mu, standard);
+    if (sign == HoldSign::alive) alive = next;
+    if (sign != HoldSign::dead) continue;
+    dead = next;
+    break;
+  }
+  if (std::isinf(dead)) return {alive, dead};
+  return bisect({alive, dead}, least_factor_share * scale, [&](double factor) {
+    return at(pattern, {1, factor}, mu, standard);
+  });
+}
+
+bool BlockHold::wedges(double mu) {
+  const auto outcome = search({}, mu, 0, 0);
+  return !outcome.leaf.empty() &&
+         resists_all(block_.problem, outcome.leaf.front().pattern.contact, mu);
+}
+
+// Without a dead part, states can be multiplied: the factors are 0, and all of one sign or none.
+HeldFactors BlockHold::homogeneous_factors(double mu) {
+  HeldFactors found;
+  HeldInterval all{0, 0, 0, 0};
+  for (const int direction : {-1, 1}) {
+    const auto outcome = search(std::array{LoadShare{0, static_cast<double>(direction)}}, mu,
+                                direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end);
+    if (outcome.status != engine::Status::solved) found.status = outcome.status;
+    const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
+    const bool held = !outcome.leaf.empty() || at_limit;
+    if (at_limit) all.proved = false;
+    if (!held && !outcome.dead()) found.proved = false;
+    if (!held && outcome.tally.undecided != 0) found.open = true;
+    (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.dead();
+    if (!held) continue;
+    (direction < 0 ? all.low : all.high) = direction * no_end;
+    (direction < 0 ? all.low_out : all.high_out) = direction * no_end;
+    all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
+  }
+  found.intervals.push_back(all);
+  return found;
+}
+
+// Adds the interval of a leaf, and removes it from what is unknown.
+void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
+                     HeldFactors& found, std::vector<Gap>& unknown, double mu) const {
+  const auto shares = range_of(low, high);
+  const double from = factor_in(leaf, shares);
+  HeldInterval held{from, from, from, from};
+  held.pattern = leaf.pattern;
+  held.proved =
+      standard == Standard::proved && at(leaf.pattern, {1, from}, mu, standard) == HoldSign::alive;
+  const Ends up = extend(leaf.pattern, from, 1, mu, standard);
+  const Ends down = extend(leaf.pattern, from, -1, mu, standard);
+  held.high = up.alive;
+  held.high_out = up.dead;
+  held.low = down.alive;
+  held.low_out = down.dead;
+  std::vector<Gap> left;
+  for (const Gap& each : unknown) {
+    if (each.low < held.low_out)
+      left.push_back({each.low, std::min(each.high, held.low_out), true});
+    if (each.high > held.high_out)
+      left.push_back({std::max(each.low, held.high_out), each.high, true});
+  }
+  unknown = std::move(left);
+  found.intervals.push_back(held);
+}
+
+void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
+  std::vector<Gap> unknown{{-no_end, 0, true}, {0, no_end, true}};
+  while (!unknown.empty()) {
+    const auto [low, high, proved] = unknown.back();
+    const auto shares = range_of(low, high);
+    const auto outcome = search(shares, mu, low, high);
+    if (outcome.status != engine::Status::solved) found.status = outcome.status;
+    if (found.status != engine::Status::solved ||
+        static_cast<int>(found.intervals.size()) >= most_intervals) {
+      found.open = true;
+      for (const Gap& each : unknown) gaps.push_back({each.low, each.high, false});
+      return;
+    }
+    if (!outcome.leaf.empty()) {
+      take(outcome.leaf.front(), low, high, Standard::proved, found, unknown, mu);
+      continue;
+    }
+    // States at a limit: what remains beside the first of them is searched again.
+    const auto& limits = outcome.tally.limits;
+    const auto at_limit = std::ranges::find_if(
+        limits, [&](const auto& leaf) { return std::isfinite(factor_in(leaf, shares)); });
+    if (at_limit != limits.end()) {
+      take(*at_limit, low, high, Standard::computed, found, unknown, mu);
+      continue;
+    }
+    unknown.pop_back();
+    gaps.push_back({low, high, outcome.dead()});
+    if (outcome.tally.undecided != 0) found.open = true;
+  }
+}
+
+namespace {
+
+// Intervals that overlap, or whose ends are not distinguished, become one.
+std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
+  std::ranges::sort(all, {}, &HeldInterval::low);
+  std::vector<HeldInterval> result;
+  for (const auto& each : all) {
+    if (result.empty() || each.low_out > result.back().high_out) {
+      result.push_back(each);
+      continue;
+    }
+    auto& last = result.back();
+    const bool inside = each.low >= last.low && each.high <= last.high;
+    if (inside) continue;  // also a limit that is only computed
+    last.proved = last.proved && each.proved && each.low <= last.high;
+    last.low_out = std::min(last.low_out, each.low_out);
+    if (each.high > last.high) last.pattern = each.pattern;
+    last.high = std::max(last.high, each.high);
+    last.high_out = std::max(last.high_out, each.high_out);
+  }
+  return result;
+}
+
+}  // namespace
+
+HeldFactors BlockHold::factors(double mu, bool with_dead) {
+  HeldFactors found;
+  if (wedges(mu)) {
+    found.any_by_wedging = true;
+    found.intervals.push_back({-no_end, -no_end, no_end, no_end});
+    return found;
+  }
+  if (!with_dead) return homogeneous_factors(mu);
+  std::vector<Gap> gaps;
+  explore(found, gaps, mu);
+  found.intervals = joined(std::move(found.intervals));
+  for (const Gap& gap : gaps) {
+    found.proved = found.proved && gap.proved;
+    for (auto& each : found.intervals) {
+      if (gap.proved) continue;
+      if (gap.low <= each.high_out && gap.high > each.high_out) each.high_proved = false;
+      if (gap.high >= each.low_out && gap.low < each.low_out) each.low_proved = false;
+    }
+  }
+  return found;
+}
+
+HeldFactors BlockHold::dead_alone(double mu) {
+  HeldFactors found;
+  const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
+  found.status = outcome.status;
+  const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
+  if (outcome.leaf.empty() && !at_limit) {
+    found.proved = outcome.dead();
+    found.open = outcome.tally.undecided != 0;
+    return found;
+  }
+  HeldInterval all{-no_end, -no_end, no_end, no_end};
+  all.proved = !at_limit;
+  all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
+  found.intervals.push_back(all);
+  return found;
+}
+
+// A proved lower bound at or below a coefficient at which the leaf itself is dead. False if another
+// leaf has a state there, which is then the answer's upper bound.
+bool BlockHold::prove_lower(HoldingFriction& found, double most_dead) {
+  const std::array share{LoadShare{1, 0}};
+  for (const double step : steps_below) {
+    const double mu = most_dead * (1 - step);
+    const auto outcome = search(share, mu, 0, 0);
+    if (outcome.status != engine::Status::solved) {
+      found.status = outcome.status;
+      return true;
+    }
+    if (!outcome.leaf.empty()) {
+      found.upper = mu;
+      found.pattern = outcome.leaf.front().pattern;
+      return false;
+    }
+    found.lower = mu;
+    found.lower_known = true;
+    found.lower_proved = outcome.dead();
+    if (found.lower_proved) return true;
+  }
+  return true;
+}
+
+// Where leaves are at a limit over a range of coefficients, trees divide it: above the lower end no
+// state is found, which is then computed, unless each tree is dead.
+void BlockHold::narrow(HoldingFriction& found) {
+  for (int step = 0; found.upper && step < most_halvings; ++step) {
+    if (*found.upper - found.lower <= close_enough * *found.upper) return;
+    const double mu = found.lower + (*found.upper - found.lower) / 2;
+    if (mu * least_of_factors(block_.problem) < least_friction) return;
+    const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
+    found.status = outcome.status;
+    if (found.status != engine::Status::solved) return;
+    if (!outcome.leaf.empty()) {
+      found.upper = mu;
+      found.pattern = outcome.leaf.front().pattern;
+      continue;
+    }
+    found.lower = mu;
+    found.lower_known = true;
+    found.lower_proved = outcome.dead();
+  }
+}
+
+HoldingFriction BlockHold::friction() {
+  HoldingFriction found;
+  const std::array share{LoadShare{1, 0}};
+  const auto& factors = block_.problem.friction;
+  double least = 0, most = 0;
+  for (const double factor : factors) {
+    if (factor > 0) least = std::max(least, least_friction / factor);
+    most = std::max(most, factor);
+  }
+  found.most = most == 0 ? 0 : std::min(question_.most, most_friction / most);
+  const auto smooth = search(share, 0, 0, 0);
+  found.status = smooth.status;
+  if (found.status != engine::Status::solved) return found;
+  if (!smooth.leaf.empty() || !smooth.tally.limits.empty()) {
+    found.upper = 0;
+    found.upper_proved = !smooth.leaf.empty();
+    found.pattern =
+        (found.upper_proved ? smooth.leaf.front() : smooth.tally.limits.front()).pattern;
+    return found;
+  }
+  found.lower_known = true;
+  found.lower_proved = smooth.dead();
+  for (double mu = std::min(1.0, found.most); most > 0; mu = std::min(10 * mu, found.most)) {
+    const auto outcome = search(share, mu, 0, 0);
+    found.status = outcome.status;
+    if (found.status != engine::Status::solved) return found;
+    if (!outcome.leaf.empty()) {
+      found.upper = mu;
+      found.pattern = outcome.leaf.front().pattern;
+      break;
+    }
+    found.lower = mu;
+    found.lower_proved = outcome.dead();
+    if (mu >= found.most) return found;
+  }
+  while (found.upper && *found.upper > least) {
+    HoldNodes nodes(block_, share, *found.upper, question_.precision);
+    nodes.end_when(analysis_.budget().stop());
+    const double start = std::max(found.lower, least);
+    const auto sign = [&](double mu) {
+      nodes.set_friction(mu);
+      return nodes.sign(*found.pattern);
+    };
+    if (start == least && sign(least) == HoldSign::alive) {
+      found.upper = least;
+      break;
+    }
+    const Ends ends = bisect({*found.upper, start}, 0, sign);
+    found.upper = ends.alive;
+    if (ends.dead <= found.lower || prove_lower(found, ends.dead)) break;
+  }
+  if (found.status == engine::Status::solved) narrow(found);
+  return found;
+}
+
+}  // namespace kusabi::wedged

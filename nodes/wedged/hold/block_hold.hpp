@@ -1,0 +1,86 @@
+// Searches for states of one block under load: a tree, the ends of a leaf, and their sequence.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/hold_search.hpp"
+
+namespace kusabi::wedged {
+
+/// The outcome of one tree, on all ranks.
+struct HoldOutcome {
+  engine::Status status = engine::Status::solved;
+  std::vector<LoadedLeaf> leaf{};  ///< at most one, with states that are proved
+  HoldTally tally{};
+
+  /// True if there is no state below the root, proved.
+  [[nodiscard]] bool dead() const {
+    return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
+           tally.undecided == 0 && tally.limits.empty();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& leaf& tally;
+  }
+};
+
+class BlockHold {
+ public:
+  /// @pre arguments outlive this object
+  BlockHold(engine::Analysis& analysis, const LoadedProblem& block, const HoldQuestion& question,
+            std::vector<HoldCost>& costs)
+      : analysis_(analysis), block_(block), question_(question), costs_(costs) {}
+
+  /// Factors of the reference load beside the dead load; without a dead part, of it alone.
+  /// @param with_dead a dead load or a clearance acts on the block
+  HeldFactors factors(double mu, bool with_dead);
+
+  /// Answer for the dead load alone: all factors, or none.
+  HeldFactors dead_alone(double mu);
+
+  /// Bracket for the dead load with its clearances.
+  HoldingFriction friction();
+
+ private:
+  /// The ends of a monotone answer along a line from a point where it is `alive`.
+  struct Ends {
+    double alive, dead;
+  };
+  struct Gap {
+    double low, high;
+    bool proved;
+  };
+
+  HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high);
+  /// Conclusions that are used: proved ones, or also those of the relative interior at t* = 0.
+  enum class Standard { proved, computed };
+
+  [[nodiscard]] HoldSign at(const LoadedPattern& pattern, LoadShare share, double mu,
+                            Standard standard) const;
+  HeldFactors homogeneous_factors(double mu);
+  bool wedges(double mu);
+  Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
+              Standard standard) const;
+  Ends bisect(Ends ends, double floor, const std::function<HoldSign(double)>& sign) const;
+  void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
+  void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
+            std::vector<Gap>& unknown, double mu) const;
+  void narrow(HoldingFriction& found);
+  bool prove_lower(HoldingFriction& found, double most_dead);
+  [[nodiscard]] double factor_scale() const;
+
+  engine::Analysis& analysis_;
+  const LoadedProblem& block_;
+  const HoldQuestion& question_;
+  std::vector<HoldCost>& costs_;
+};
+
+}  // namespace kusabi::wedged

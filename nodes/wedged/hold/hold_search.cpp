@@ -1,0 +1,167 @@
+// Blocks of a structure under load: factors are those held by all, the coefficient is the largest.
+#include "nodes/wedged/hold/hold_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "nodes/wedged/hold/block_hold.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// True if a load acts on the block.
+bool acts(const LoadedProblem& block, Eigen::Index load) {
+  return !block.loads.motions.row(load).isZero(0) || !block.loads.displacements.col(load).isZero(0);
+}
+
+bool is_under_reference(const LoadedProblem& block) {
+  return block.has_reference && acts(block, block.has_dead ? 1 : 0);
+}
+
+/// True if the dead load or a clearance acts on the block.
+bool is_under_dead(const LoadedProblem& block) {
+  return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
+}
+
+// Factors held by both; ends that are only known to a bracket stay so.
+std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
+                                 const std::vector<HeldInterval>& other) {
+  std::vector<HeldInterval> result;
+  for (const auto& a : one) {
+    for (const auto& b : other) {
+      HeldInterval both = a.high < b.high ? a : b;  // a may be everything, without a pattern
+      const auto& lower = a.low >= b.low ? a : b;
+      both.low = lower.low;
+      both.low_out = lower.low_out;
+      both.low_proved = lower.low_proved;
+      both.proved = a.proved && b.proved;
+      if (both.low <= both.high) result.push_back(both);
+    }
+  }
+  std::ranges::sort(result, {}, &HeldInterval::low);
+  return result;
+}
+
+// The reference load moves a body where no candidate resists: at most one factor is in equilibrium.
+std::optional<double> only_factor(const LoadedProblem& loaded) {
+  const Eigen::Index reference = loaded.has_dead ? 1 : 0;
+  const Eigen::VectorXd work =
+      loaded.loads.unseen_motions.row(reference).transpose().cast<double>();
+  Eigen::Index mode = 0;
+  work.cwiseAbs().maxCoeff(&mode);
+  if (!loaded.has_dead) return 0;
+  const double dead = numbers::rounded(loaded.loads.unseen_motions(0, mode));
+  const double factor = -dead / work[mode];
+  if (unseen_work(loaded, {1, factor}) > negligible_work) return {};
+  return factor;
+}
+
+// States at that one factor.
+HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                          const HoldQuestion& question) {
+  HeldFactors found;
+  found.not_in_equilibrium = true;
+  const auto factor = only_factor(loaded);
+  if (!factor) return found;
+  LoadedProblem fixed = loaded;  // the dead load of that factor alone
+  if (loaded.has_dead) {
+    fixed.loads.displacements.col(0) +=
+        numbers::Precise(*factor) * loaded.loads.displacements.col(1);
+    fixed.loads.motions.row(0) += numbers::Precise(*factor) * loaded.loads.motions.row(1);
+  }
+  fixed.has_reference = false;
+  const Eigen::Index kept = fixed.has_dead ? 1 : 0;
+  const double sizes = loaded.has_dead ? std::abs(*factor) : 0;
+  if (kept == 1) {
+    const double own = std::sqrt(numbers::rounded(loaded.loads.work(0, 0))) +
+                       sizes * std::sqrt(numbers::rounded(loaded.loads.work(1, 1)));
+    fixed.loads.work(0, 0) = numbers::Precise(own * own);
+    fixed.loads.sizes[0] += sizes * loaded.loads.sizes[1];
+  }
+  fixed.loads.displacements = numbers::PreciseMatrix(fixed.loads.displacements.leftCols(kept));
+  fixed.loads.motions = numbers::PreciseMatrix(fixed.loads.motions.topRows(kept));
+  fixed.loads.unseen_motions = numbers::PreciseMatrix(fixed.loads.unseen_motions.topRows(0));
+  auto at = held_factors(analysis, fixed, mu, question);
+  at.not_in_equilibrium = true;
+  for (auto& each : at.intervals) each.low = each.low_out = each.high = each.high_out = *factor;
+  return at;
+}
+
+}  // namespace
+
+HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                         const HoldQuestion& question) {
+  HeldFactors found;
+  found.any_by_supports = loaded.problem.motions.cols() == 0;
+  if (loaded.has_reference && unseen_work(loaded, {0, 1}) > negligible_work)
+    return at_one_factor(analysis, loaded, mu, question);
+  if (unseen_work(loaded, {1, 0}) > negligible_work) {
+    found.any_by_supports = false;
+    found.not_in_equilibrium = true;
+    return found;
+  }
+  found.intervals.push_back({-no_end, -no_end, no_end, no_end});
+  bool searched = false;
+  bool wedged = true;
+  const auto blocks = problems::blocks_of(loaded.problem);
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+    if (block.problem.motions.cols() == 0) continue;
+    const bool reference = is_under_reference(block);
+    if (!reference && !is_under_dead(block)) continue;
+    BlockHold hold(analysis, block, question, found.costs);
+    auto own = reference ? hold.factors(mu, is_under_dead(block)) : hold.dead_alone(mu);
+    searched = true;
+    wedged = wedged && own.any_by_wedging;
+    for (auto& each : own.intervals) each.block = number;
+    if (own.status != engine::Status::solved) found.status = own.status;
+    found.proved = found.proved && own.proved;
+    found.open = found.open || own.open;
+    found.intervals = common(found.intervals, own.intervals);
+    if (found.status != engine::Status::solved) break;
+  }
+  found.any_by_wedging = searched && wedged;
+  return found;
+}
+
+HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
+                                 const HoldQuestion& question) {
+  HoldingFriction found;
+  found.upper = 0;
+  found.most = question.most;
+  found.any_by_supports = loaded.problem.motions.cols() == 0;
+  if (unseen_work(loaded, {1, 0}) > negligible_work) {
+    found.not_in_equilibrium = true;
+    found.upper.reset();
+    found.lower_known = true;
+    return found;
+  }
+  const auto blocks = problems::blocks_of(loaded.problem);
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+    if (block.problem.motions.cols() == 0 || !is_under_dead(block)) continue;
+    auto costs = std::move(found.costs);
+    auto own = BlockHold(analysis, block, question, costs).friction();
+    found.costs = std::move(costs);
+    if (own.status != engine::Status::solved) found.status = own.status;
+    if (own.lower_known && (!found.lower_known || own.lower > found.lower)) {
+      found.lower = own.lower;
+      found.lower_known = true;
+      found.lower_proved = own.lower_proved;
+    }
+    found.upper_proved = found.upper_proved && own.upper_proved;
+    const bool decides = !own.upper || (found.upper && *own.upper >= *found.upper);
+    if (decides) {
+      found.upper = own.upper;
+      found.block = number;
+      found.pattern = own.pattern;
+    }
+    if (!found.upper) found.most = own.most;
+    if (found.status != engine::Status::solved || !found.upper) break;
+  }
+  return found;
+}
+
+}  // namespace kusabi::wedged

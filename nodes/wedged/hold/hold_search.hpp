@@ -1,0 +1,84 @@
+// States under load: which factors of the reference load can be held at a friction coefficient, and
+// from which coefficient on the dead load can be held (docs/theory/loads.md). Analysis of
+// `kusabi hold`.
+//
+// Factors: a range of them is a node program with both ends as loads, whose tree is either dead or
+// shows a pattern with a state. Its states of one pattern are convex, so that the ends of their
+// factors are found by bisection at that leaf; what remains of the range is searched again.
+// Coefficient: likewise, since states grow with friction.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/hold_tree.hpp"
+#include "nodes/wedged/hold/load_program.hpp"
+
+namespace kusabi::wedged {
+
+/// A factor without an end.
+inline constexpr double no_end = std::numeric_limits<double>::infinity();
+
+/// Factors of the reference load that can be held, from `low` to `high`; infinite: without an end.
+struct HeldInterval {
+  double low_out, low;                         ///< no state at low_out: the end is between them
+  double high, high_out;                       ///< likewise
+  bool proved = true;                          ///< the states at the ends are; otherwise computed
+  bool low_proved = true, high_proved = true;  ///< no state outside, up to the next interval
+  std::uint32_t block = 0;
+  std::optional<LoadedPattern> pattern{};  ///< of the block, with a state at `high` or inside
+};
+
+/// One search of a tree.
+struct HoldCost {
+  double friction = 0;
+  double low = 0, high = 0;  ///< factors that were asked for
+  std::uint64_t opened = 0, programs = 0;
+};
+
+/// The set of factors at one friction coefficient.
+struct HeldFactors {
+  engine::Status status = engine::Status::solved;
+  std::vector<HeldInterval> intervals{};  ///< in ascending order
+  bool proved = true;                     ///< no state outside of the intervals; otherwise computed
+  bool open = false;                      ///< leaves are undecided: factors may be missing
+  bool any_by_supports = false;           ///< all bodies are constrained: every load is held
+  bool any_by_wedging = false;            ///< a wedged configuration holds every load
+  bool not_in_equilibrium = false;        ///< the load moves a body where no candidate resists
+  std::vector<HoldCost> costs{};
+};
+
+/// Bracket of the smallest friction coefficient at which the dead load can be held.
+struct HoldingFriction {
+  engine::Status status = engine::Status::solved;
+  double lower = 0;  ///< cannot be held here, if lower_known
+  bool lower_known = false;
+  bool lower_proved = true;
+  std::optional<double> upper{};  ///< can be held here
+  bool upper_proved = true;
+  bool any_by_supports = false;
+  bool not_in_equilibrium = false;
+  double most = 0;          ///< upper limit of the search
+  std::uint32_t block = 0;  ///< that decides
+  std::optional<LoadedPattern> pattern{};
+  std::vector<HoldCost> costs{};
+};
+
+struct HoldQuestion {
+  double most = 1000;   ///< no larger coefficient is of interest
+  double width = 1e-9;  ///< of the brackets, relative
+  Precision precision = Precision::escalating;
+};
+
+/// Every rank makes the same call and gets the same.
+HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                         const HoldQuestion& question = {});
+
+/// Every rank makes the same call and gets the same.
+HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
+                                 const HoldQuestion& question = {});
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,153 @@
+// Tree of sign patterns under load: does a state exist in which a load of the given shares acts?
+// Nodes are those of sign_pattern.hpp, with the loads as further columns (load_program.hpp).
+//
+//   t* < 0   no state below the node, and no wedged configuration either;
+//   t* > 0   at a leaf: a state in which every load acts and nothing is at its limit;
+//   t* = 0   (within the tolerance) states at a limit, or only unloaded configurations: which of
+//            them, the relative interior determines in floating point.
+//
+// The search ends with the first leaf of the second kind in depth-first order. Cuts and bounds of
+// candidates are not used: those of the unloaded problem do not hold under load.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/counts.hpp"
+#include "engine/expansion.hpp"
+#include "nodes/wedged/hold/load_program.hpp"
+#include "nodes/wedged/tree/branching.hpp"
+#include "nodes/wedged/tree/contact_solver.hpp"
+#include "nodes/wedged/tree/pollable.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// Signs of the candidates of one block.
+struct LoadedPattern {
+  support::IndexSet contact;    ///< U: u_n + g = 0
+  support::IndexSet separated;  ///< R: r = 0
+
+  friend bool operator==(const LoadedPattern&, const LoadedPattern&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& contact& separated;
+  }
+};
+
+/// A leaf with states.
+struct LoadedLeaf {
+  LoadedPattern pattern;
+  std::vector<double> amounts;   ///< of each share, normalised with sum r_n; > 0
+  std::vector<double> reaction;  ///< r of the block, force, per the same unit
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& pattern& amounts& reaction;
+  }
+};
+
+/// Counts of opened nodes by their result.
+struct HoldTally : engine::Counts<HoldTally> {
+  std::uint64_t branched = 0;
+  std::uint64_t dead = 0;       ///< no state, proved
+  std::uint64_t computed = 0;   ///< no state by the relative interior, not proved
+  std::uint64_t undecided = 0;  ///< leaves of which neither is known
+  std::uint64_t iterations = 0;
+  std::vector<LoadedLeaf> limits{};  ///< leaves with states at a limit, computed; not a count
+
+  HoldTally& operator+=(const HoldTally& other) {
+    Counts::operator+=(other);
+    limits.insert(limits.end(), other.limits.begin(), other.limits.end());
+    return *this;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned version) {
+    Counts::serialize(archive, version);
+    archive& limits;
+  }
+
+  static constexpr auto fields() {
+    return std::tuple{field("branched", &HoldTally::branched), field("dead", &HoldTally::dead),
+                      field("computed", &HoldTally::computed),
+                      field("undecided", &HoldTally::undecided),
+                      field("iterations", &HoldTally::iterations)};
+  }
+};
+
+/// Answer for one node.
+enum class HoldSign { dead, alive, limit, nothing, open };
+
+/// The node programs of one block under given loads.
+class HoldNodes {
+ public:
+  /// @param shares the loads that act, each with an amount of its own; none: wedging
+  HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
+            Precision precision = Precision::escalating);
+
+  void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+  void set_friction(double mu);
+
+  /// `limit`: states at a limit, in which a load acts; `nothing`: t* = 0 and no load acts; `open`:
+  /// neither is known, or a candidate remains to be decided.
+  HoldSign sign(const LoadedPattern& node);
+
+  [[nodiscard]] const support::IndexSet& all() const { return all_; }
+  /// The candidate by which a node is split, after sign().
+  int candidate(const support::IndexSet& free) { return rule_.candidate(free, solver_); }
+  /// The state of the last node.
+  [[nodiscard]] LoadedLeaf leaf(const LoadedPattern& pattern) const;
+  [[nodiscard]] std::uint64_t iterations() const { return iterations_; }
+  [[nodiscard]] std::uint64_t programs() const { return programs_; }
+
+ private:
+  HoldSign tie(const LoadedPattern& node, double upper);
+
+  support::IndexSet all_;
+  std::vector<double> scales_;  // of the loads
+  support::IndexSet acting_;    // the loads of which one must act in a state, after the candidates
+  LoadedProblem const* loaded_;
+  problems::WedgedProblem problem_;
+  BranchingRule rule_;
+  ContactSolver solver_;
+  std::uint64_t iterations_ = 0, programs_ = 0;
+};
+
+/// Problem type of engine::search, with Goal::first.
+class HoldTree {
+ public:
+  using Node = LoadedPattern;
+  using Solution = LoadedLeaf;
+  using Tally = HoldTally;
+
+  /// @pre `loaded` outlives this object
+  HoldTree(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
+           Precision precision = Precision::escalating)
+      : nodes_(loaded, shares, mu, precision) {
+    nodes_.end_when(pollable_.stop());
+  }
+
+  [[nodiscard]] Node root() const { return {}; }
+  void expand(Node&& node, engine::Expansion<HoldTree>& out);
+  [[nodiscard]] Tally tally() const {
+    Tally tally = tally_;
+    tally.iterations = nodes_.iterations();
+    return tally;
+  }
+
+ private:
+  void open(const Node& node, engine::Expansion<HoldTree>& out);
+
+  HoldNodes nodes_;
+  Pollable pollable_;
+  Tally tally_;
+};
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,187 @@
+// Columns of the loads, condensed with the candidates, and their combinations.
+#include "nodes/wedged/hold/load_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "problems/wedged/precise_compliance.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+using numbers::Precise;
+using numbers::PreciseMatrix;
+using numbers::PreciseVector;
+
+/// Roundings of a combination of two loads and a clearance, divided by its scale.
+constexpr double share_roundings = 16;
+
+/// Bound of a mode's displacement of a node relative to that of the candidates, whose largest is
+/// between 1/2 and 1.
+constexpr double mode_size = 4;
+
+/// The two loads of the structure, d nodes x 2.
+Eigen::MatrixXd node_forces(const problems::Structure& structure) {
+  const Eigen::Index d = structure.dimension;
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(structure.coordinates.size(), 2);
+  for (const problems::Load& load : structure.loads) {
+    const Eigen::Index column = load.kind == problems::Load::Kind::dead ? 0 : 1;
+    forces.col(column).segment(d * load.node, d) += load.force;
+  }
+  return forces;
+}
+
+Eigen::Index count(const LoadedProblem& loaded) {
+  return Eigen::Index{loaded.has_dead ? 1 : 0} + (loaded.has_reference ? 1 : 0);
+}
+
+/// The coefficient of each load that is there.
+PreciseVector coefficients(const LoadedProblem& loaded, LoadShare share) {
+  PreciseVector result(count(loaded));
+  Eigen::Index place = 0;
+  if (loaded.has_dead) result[place++] = Precise(share.dead);
+  if (loaded.has_reference) result[place] = Precise(share.reference);
+  return result;
+}
+
+double mean_of(const problems::WedgedProblem& problem) {
+  return problems::mean_normal_compliance(problem);
+}
+
+/// Upper bound of sqrt(F_jj) of a combination, with its clearance.
+double root_of(const LoadedProblem& loaded, LoadShare share) {
+  const PreciseVector amounts = coefficients(loaded, share);
+  double root = 0;
+  for (Eigen::Index l = 0; l < amounts.size(); ++l)
+    root += std::abs(numbers::rounded(amounts[l])) *
+            std::sqrt(std::max(0.0, numbers::rounded(loaded.loads.work(l, l))));
+  double gap = 0;
+  for (Eigen::Index i = 0; i < loaded.clearance.size(); ++i) {
+    const Eigen::Index normal = loaded.problem.dimension * i;
+    gap = std::max(
+        gap, std::abs(loaded.clearance[i]) / std::sqrt(loaded.problem.compliance(normal, normal)));
+  }
+  return (root + std::abs(share.dead) * gap) * (1 + 1e-12);
+}
+
+}  // namespace
+
+LoadedProblem loaded_problem(const problems::Structure& structure, const support::LongWork& work) {
+  LoadedProblem loaded;
+  const Eigen::MatrixXd both = node_forces(structure);
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index k = 0; k < both.cols(); ++k) {
+    if (both.col(k).isZero(0) || problems::acts_on_supports_only(structure, both.col(k))) continue;
+    (k == 0 ? loaded.has_dead : loaded.has_reference) = true;
+    columns.push_back(k);
+  }
+  const Eigen::MatrixXd forces = both(Eigen::all, columns);
+  loaded.problem = problems::wedged_problem(structure, forces, loaded.loads, work);
+  loaded.clearance.resize(static_cast<Eigen::Index>(structure.contact.size()));
+  for (std::size_t i = 0; i < structure.contact.size(); ++i)
+    loaded.clearance[static_cast<Eigen::Index>(i)] = structure.contact[i].clearance;
+  if (loaded.loads.motions.rows() != count(loaded))  // constrained bodies
+    loaded.loads.motions = PreciseMatrix(count(loaded), 0);
+  return loaded;
+}
+
+LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates) {
+  LoadedProblem part = whole;
+  part.problem = problems::block_problem(whole.problem, candidates);
+  std::vector<Eigen::Index> normals;
+  std::vector<Eigen::Index> rows;
+  for (const int i : candidates) {
+    normals.push_back(i);
+    for (int axis = 0; axis < whole.problem.dimension; ++axis)
+      rows.push_back(Eigen::Index{whole.problem.dimension} * i + axis);
+  }
+  part.clearance = whole.clearance(normals);
+  std::vector<Eigen::Index> moving;  // as block_problem selects them
+  for (Eigen::Index k = 0; k < whole.problem.motions.cols(); ++k)
+    if (!whole.problem.motions(rows, k).isZero(0.0)) moving.push_back(k);
+  part.loads.motions = whole.loads.motions(Eigen::all, moving);
+  if (count(whole) > 0) part.loads.displacements = whole.loads.displacements(rows, Eigen::all);
+  return part;
+}
+
+double unseen_work(const LoadedProblem& loaded, LoadShare share) {
+  if (count(loaded) == 0 || loaded.loads.unseen_motions.cols() == 0) return 0;
+  const PreciseVector amounts = coefficients(loaded, share);
+  double size = 0;
+  for (Eigen::Index l = 0; l < amounts.size(); ++l)
+    size += std::abs(numbers::rounded(amounts[l])) * loaded.loads.sizes[l];
+  if (size == 0) return 0;
+  const PreciseVector work = loaded.loads.unseen_motions.transpose() * amounts;
+  return work.cast<double>().cwiseAbs().maxCoeff() / size;
+}
+
+double scale_of(const LoadedProblem& loaded, LoadShare share) {
+  const double root = root_of(loaded, share);
+  return root == 0 ? 1 : root / std::sqrt(mean_of(loaded.problem));
+}
+
+problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const LoadShare> shares) {
+  problems::WedgedProblem result = loaded.problem;
+  if (shares.empty()) return result;
+  const Eigen::Index d = result.dimension;
+  const Eigen::Index own = result.compliance.rows();
+  const Eigen::Index all = own + d * static_cast<Eigen::Index>(shares.size());
+  const double mean = mean_of(loaded.problem);
+  PreciseMatrix compliance = PreciseMatrix::Zero(all, all);
+  compliance.topLeftCorner(own, own) = result.precise_compliance.size() != 0
+                                           ? result.precise_compliance
+                                           : PreciseMatrix(result.compliance.cast<Precise>());
+  PreciseMatrix motions = PreciseMatrix::Zero(all, result.motions.cols());
+  motions.topRows(own) = result.precise_motions.size() != 0
+                             ? result.precise_motions
+                             : PreciseMatrix(result.motions.cast<Precise>());
+  double relative = 1;
+  Eigen::Index column = own;
+  for (const LoadShare& share : shares) {
+    const double scale = scale_of(loaded, share);
+    const PreciseVector amounts = coefficients(loaded, share) / Precise(scale);
+    PreciseVector w = PreciseVector::Zero(own);
+    if (amounts.size() > 0) w = loaded.loads.displacements * amounts;
+    for (Eigen::Index i = 0; i < loaded.clearance.size(); ++i)
+      w[d * i] += Precise(share.dead) * Precise(loaded.clearance[i]) / Precise(scale);
+    compliance.col(column).head(own) = w;
+    compliance.row(column).head(own) = w.transpose();
+    for (Eigen::Index axis = 0; axis < d; ++axis)
+      compliance(column + axis, column + axis) = Precise(mean);
+    if (motions.cols() > 0 && amounts.size() > 0)
+      motions.row(column) = (loaded.loads.motions.transpose() * amounts).transpose();
+    double size = 0;
+    for (Eigen::Index l = 0; l < amounts.size(); ++l)
+      size += std::abs(numbers::rounded(amounts[l])) * loaded.loads.sizes[l];
+    relative = std::max(relative, mode_size * size);
+    column += d;
+    result.contact_names.emplace_back("load");
+    result.friction.push_back(0);
+  }
+  result.compliance = compliance.cast<double>();
+  result.motions = motions.cast<double>();
+  result.precise_error += share_roundings * numbers::unit_roundoff<Precise>;
+  result.compliance_error += share_roundings * numbers::unit_roundoff<double>;
+  result.precise_compliance = std::move(compliance);
+  if (motions.cols() > 0) {
+    result.precise_motion_error = relative * (result.precise_motion_error +
+                                              share_roundings * numbers::unit_roundoff<Precise>);
+    result.motion_error =
+        relative * (result.motion_error + share_roundings * numbers::unit_roundoff<double>);
+    result.precise_motions = std::move(motions);
+  }
+  result.blocks = {};
+  return result;
+}
+
+std::vector<double> friction_with_loads(const problems::WedgedProblem& problem, double mu,
+                                        std::size_t loads) {
+  std::vector<double> friction;
+  for (const double factor : problem.friction) friction.push_back(mu * factor);
+  friction.resize(friction.size() + loads, 0);
+  return friction;
+}
+
+}  // namespace kusabi::wedged

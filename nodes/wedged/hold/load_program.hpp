@@ -1,0 +1,69 @@
+// Loads in the node program: each is a last candidate without friction that has a reaction, its
+// amount tau >= 0, and no row (docs/theory/loads.md, "The node program").
+//
+// A state of a block under a dead load f_0 with clearances g, and lambda times a reference load
+// f_1:
+//
+//   u = F r + w_0 tau + w_1 lambda + G alpha,   G'r + b_0 tau + b_1 lambda = 0,
+//   u_n + g tau >= 0,   r_n >= 0,   complementary,   ||r_t|| <= mu r_n,   tau = 1.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/wedged/wedged_problem.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// A combination of both loads: `dead` times the dead load and the clearances, plus `reference`
+/// times the reference load.
+struct LoadShare {
+  double dead = 0;
+  double reference = 0;
+};
+
+/// A wedged problem with its loads.
+struct LoadedProblem {
+  problems::WedgedProblem problem;
+  problems::LoadColumns loads;  ///< of the loads that are there: dead, reference, in this order
+  bool has_dead = false;        ///< a dead load that acts not on supports alone
+  bool has_reference = false;
+  Eigen::VectorXd clearance;  ///< g, m, length
+
+  /// True if a dead load or a clearance asks for reactions.
+  [[nodiscard]] bool has_dead_part() const { return has_dead || !clearance.isZero(0); }
+};
+
+/// The dead and the reference load of a structure without load cases, and its clearances,
+/// condensed.
+/// @throws as problems::wedged_problem
+LoadedProblem loaded_problem(const problems::Structure& structure,
+                             const support::LongWork& work = {});
+
+/// The part of a decoupled block. @param candidates of the block
+LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates);
+
+/// Work of a load on the modes that displace no candidate, relative to its size: the largest
+/// magnitude. Above `unseen_work` the load is not in equilibrium, whatever the reactions.
+double unseen_work(const LoadedProblem& loaded, LoadShare share);
+
+/// Share of a load below which its work on a mode is the rounding of directions and positions,
+/// which the file writes with sixteen digits.
+inline constexpr double negligible_work = 1e-12;
+
+/// The problem with one more candidate for each share, for a ContactSolver with as many loads.
+/// F_jj is an upper bound that makes the error bound of F valid for the load's column, and the load
+/// is scaled such that it equals the mean of F_nn.
+problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const LoadShare> shares);
+
+/// Factor by which `with_loads` divides the load.
+double scale_of(const LoadedProblem& loaded, LoadShare share);
+
+/// mu of each candidate, then zero for each load.
+std::vector<double> friction_with_loads(const problems::WedgedProblem& problem, double mu,
+                                        std::size_t loads);
+
+}  // namespace kusabi::wedged

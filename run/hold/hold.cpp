@@ -1,0 +1,125 @@
+// `kusabi hold`: options, stages and results, on all ranks.
+#include "run/hold/hold.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "problems/files/problem_text.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/structure/model/load_cases.hpp"
+#include "run/command/command_run.hpp"
+#include "run/hold/hold_report.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/progress_text.hpp"
+#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_summary.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class Hold final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "hold"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "which loads friction can hold, and from which friction on";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "From which friction coefficient on the dead load can be held; with --mu, which factors "
+           "of the reference load can be held beside it, proved.";
+  }
+  [[nodiscard]] std::string_view example() const override { return "examples/ladder.toml"; }
+  void describe(OptionTable& table) override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+
+ private:
+  void refuse_without_loads() const;
+
+  HoldOptions options_;
+  problems::ProblemText text_;
+  problems::Structure structure_;
+  wedged::LoadedProblem loaded_;
+  HoldFindings findings_;
+};
+
+void Hold::describe(OptionTable& table) {
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.number("--mu", &options_.mu, at_least(0),
+               "the friction coefficient at which loads are to be held; without it, the smallest "
+               "one that holds the dead load");
+  table.text("--case", options_.load_case, "NAME", "of the load cases of the file, this one");
+  table.number("--mu-max", &options_.question.most, above(0),
+               "no larger coefficient is of interest");
+  table.output();
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table.quiet();
+  table.serial();
+}
+
+void Hold::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
+}
+
+// Without a load there is nothing to hold.
+void Hold::refuse_without_loads() const {
+  const bool dead = loaded_.has_dead_part();
+  if (dead || (options_.mu && loaded_.has_reference)) return;
+  throw WrongInput(fmt::format(
+      "{}: no {} acts on it; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
+      options_.file, options_.mu ? "load" : "dead load",
+      options_.mu ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
+}
+
+void Hold::prepare(CommandRun& run) {
+  structure_ = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure_.warnings);
+  if (options_.load_case.empty() && !problems::load_cases(structure_).empty()) {
+    throw WrongInput(fmt::format("{}: it has load cases; expected --case with one of them: {}",
+                                 options_.file, problems::choice_of_load_cases(structure_)));
+  }
+  structure_ = problems::in_chosen_case(std::move(structure_), options_.load_case);
+  loaded_ =
+      run.within_limits([&](const auto& work) { return wedged::loaded_problem(structure_, work); });
+  if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.file);
+  refuse_without_loads();
+  agree(run.session(), loaded_.problem);
+}
+
+std::string Hold::announcement(const std::string& ranks) const {
+  const auto at = options_.mu
+                      ? fmt::format("at friction coefficient {}", *options_.mu)
+                      : fmt::format("up to a friction coefficient of {}", options_.question.most);
+  return fmt::format("{}; {}; {}", problem_line(loaded_.problem), at, ranks);
+}
+
+void Hold::search(CommandRun& run) {
+  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  if (options_.mu)
+    findings_.factors = wedged::held_factors(analysis, loaded_, *options_.mu, options_.question);
+  else
+    findings_.friction = wedged::holding_friction(analysis, loaded_, options_.question);
+}
+
+std::vector<Step> Hold::results(CommandRun& run) {
+  return {run.result([this] { return hold_json(options_, structure_, loaded_, findings_); }),
+          run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+}
+
+Verdict Hold::verdict() const {
+  return hold_verdict(options_, loaded_, findings_);
+}
+
+}  // namespace
+
+std::unique_ptr<Subcommand> hold_subcommand() {
+  return std::make_unique<Hold>();
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,38 @@
+// `kusabi hold FILE`: states under load. Without --mu the smallest friction coefficient at which
+// the dead load can be held; with it the factors of the reference load that can be held beside it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/options.hpp"
+#include "nodes/wedged/hold/hold_search.hpp"
+#include "run/command/subcommand.hpp"
+
+namespace kusabi::run {
+
+struct HoldOptions {
+  std::string file;          ///< problem file
+  std::optional<double> mu;  ///< absent: the coefficient is the question
+  std::string load_case;
+  wedged::HoldQuestion question;
+  engine::Limits limits;
+};
+
+/// What was found: one of both.
+struct HoldFindings {
+  std::optional<wedged::HoldingFriction> friction{};
+  std::optional<wedged::HeldFactors> factors{};
+
+  [[nodiscard]] engine::Status status() const {
+    return friction ? friction->status : factors ? factors->status : engine::Status::solved;
+  }
+  [[nodiscard]] const std::vector<wedged::HoldCost>& costs() const {
+    return friction ? friction->costs : factors->costs;
+  }
+};
+
+std::unique_ptr<Subcommand> hold_subcommand();
+
+}  // namespace kusabi::run

@@ -1,0 +1,195 @@
+// Verdict, table and JSON of `kusabi hold`.
+#include "run/hold/hold_report.hpp"
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "problems/wedged/problem_block.hpp"
+#include "run/output/values.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
+#include "run/verdict/words.hpp"
+#include "run/wedged/problem_summary.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+Standing standing(bool proved) {
+  return proved ? Standing::proved : Standing::computed;
+}
+
+// The end at `held`, with a factor beyond it that is not held; nothing for an end at infinity.
+Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool upward) {
+  Bracket bracket;
+  if (std::isinf(held)) return bracket;
+  const Bound inside{held, standing(held_proved)};
+  std::optional<Bound> outside;
+  if (std::isfinite(out)) outside = Bound{out, standing(out_proved)};
+  return upward ? Bracket{inside, outside} : Bracket{outside, inside};
+}
+
+HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
+                          const wedged::HoldingFriction& found) {
+  HoldingBracket answer{
+      .bracket = {}, .factor = !problems::uniform_friction(loaded.problem), .most = found.most};
+  if (found.any_by_supports) answer.reason = HoldReason::supports;
+  if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
+  if (found.lower_known) answer.bracket.lower = Bound{found.lower, standing(found.lower_proved)};
+  if (found.upper) answer.bracket.upper = Bound{*found.upper, standing(found.upper_proved)};
+  return answer;
+}
+
+HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                          const wedged::HeldFactors& found) {
+  HoldingFactors answer{.friction = *options.mu,
+                        .factor = !problems::uniform_friction(loaded.problem),
+                        .of_reference = loaded.has_reference,
+                        .intervals = {},
+                        .outside = standing(found.proved),
+                        .open = found.open};
+  if (found.any_by_supports) answer.reason = HoldReason::supports;
+  if (found.any_by_wedging) answer.reason = HoldReason::wedging;
+  if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
+  for (const auto& each : found.intervals) {
+    answer.intervals.push_back(
+        {each.low, each.high, standing(each.proved),
+         end_of(each.low, each.proved, each.low_out, each.low_proved, false),
+         end_of(each.high, each.proved, each.high_out, each.high_proved, true)});
+  }
+  return answer;
+}
+
+std::string end_text(double held, double out, bool upward) {
+  if (std::isinf(held)) return "no end";
+  if (held == out) return fmt::format("{:.12g}", held);
+  const auto shown = upward ? in_table(held, out) : in_table(out, held);
+  return upward ? shown.lower : shown.upper;
+}
+
+std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                       const std::optional<wedged::LoadedPattern>& pattern) {
+  if (!pattern) return "-";
+  const auto own = problems::blocks_of(loaded.problem)[block];
+  const auto names = candidate_names(loaded.problem, problems::in_whole(pattern->contact, own));
+  return names.empty() ? "none" : listed(names);
+}
+
+ordered_json pattern_names(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                           const std::optional<wedged::LoadedPattern>& pattern) {
+  if (!pattern) return nullptr;
+  const auto own = problems::blocks_of(loaded.problem)[block];
+  return {
+      {"contact", candidate_names(loaded.problem, problems::in_whole(pattern->contact, own))},
+      {"separated", candidate_names(loaded.problem, problems::in_whole(pattern->separated, own))}};
+}
+
+ordered_json costs_json(const HoldFindings& findings) {
+  auto searches = ordered_json::array();
+  for (const auto& cost : findings.costs()) {
+    searches.push_back({{"friction", cost.friction},
+                        {"low", number_or_null(cost.low)},
+                        {"high", number_or_null(cost.high)},
+                        {"opened", cost.opened},
+                        {"iterations", cost.programs}});
+  }
+  return {{"searches", std::move(searches)}};
+}
+
+ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
+  ordered_json holding;
+  auto intervals = ordered_json::array();
+  if (findings.friction) {
+    const auto& found = *findings.friction;
+    holding = {{"lower", found.lower_known ? ordered_json(found.lower) : ordered_json()},
+               {"upper", number_or_null(found.upper)},
+               {"lower_proved", found.lower_known && found.lower_proved},
+               {"upper_proved", found.upper && found.upper_proved},
+               {"pattern", pattern_names(loaded, found.block, found.pattern)}};
+  } else {
+    for (const auto& each : findings.factors->intervals) {
+      intervals.push_back({{"low", number_or_null(each.low)},
+                           {"low_out", number_or_null(each.low_out)},
+                           {"high", number_or_null(each.high)},
+                           {"high_out", number_or_null(each.high_out)},
+                           {"proved", each.proved},
+                           {"low_proved", each.low_proved},
+                           {"high_proved", each.high_proved},
+                           {"pattern", pattern_names(loaded, each.block, each.pattern)}});
+    }
+  }
+  return {{"holding_friction", std::move(holding)},
+          {"intervals", findings.factors ? std::move(intervals) : ordered_json()}};
+}
+
+}  // namespace
+
+Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                     const HoldFindings& findings) {
+  Verdict verdict{.ended = findings.status()};
+  bool any = false;
+  if (findings.friction) {
+    verdict.answer = bracket_of(loaded, *findings.friction);
+    any = findings.friction->any_by_supports;
+  } else if (findings.factors) {
+    verdict.answer = factors_of(options, loaded, *findings.factors);
+    any = findings.factors->any_by_supports;
+  }
+  if (!any) {
+    verdict.details.emplace_back(
+        "\"Can\" is not \"will\": whether it does depends on how it was put there; outside, no "
+        "history holds it.");
+  }
+  return verdict;
+}
+
+std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                       const HoldFindings& findings) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  if (findings.friction) {
+    const auto& found = *findings.friction;
+    if (found.upper) {
+      const auto shown = in_table(found.lower, *found.upper);
+      fmt::format_to(out, "\nholding friction coefficient: {}\nin contact: {}\n",
+                     *found.upper == 0 ? std::string("0")
+                                       : fmt::format("between {} and {}", shown.lower, shown.upper),
+                     contact_of(loaded, found.block, found.pattern));
+    }
+  } else {
+    fmt::format_to(out, "\n{:>5}  {:>18}  {:>18}  {}\n", "", "held from", "held to",
+                   "in contact at an end");
+    std::size_t number = 0;
+    for (const auto& each : findings.factors->intervals) {
+      fmt::format_to(
+          out, "{:>5}  {:>18}  {:>18}  {}\n", ++number, end_text(each.low, each.low_out, false),
+          end_text(each.high, each.high_out, true), contact_of(loaded, each.block, each.pattern));
+    }
+    fmt::format_to(out, "(factors of the reference load at friction coefficient {})\n",
+                   options.mu.value_or(0));
+  }
+  std::uint64_t opened = 0;
+  for (const auto& cost : findings.costs()) opened += cost.opened;
+  fmt::format_to(out, "\n{}, {}\n", counted(findings.costs().size(), "tree"),
+                 counted(opened, "node"));
+  return text;
+}
+
+ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
+                       const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
+  return {{"command", "hold"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(structure, loaded.problem, options.file)},
+          {"options",
+           {{"mu", number_or_null(options.mu)},
+            {"mu_max", options.question.most},
+            {"case", options.load_case}}},
+          {"status", status_text(hold_verdict(options, loaded, findings))},
+          {"result", result_json(loaded, findings)},
+          {"statistics", costs_json(findings)}};
+}
+
+}  // namespace kusabi::run

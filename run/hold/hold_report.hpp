@@ -1,0 +1,26 @@
+// Results of `kusabi hold`: the verdict, the table and the JSON.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "nodes/wedged/hold/load_program.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "run/hold/hold.hpp"
+#include "run/verdict/verdict.hpp"
+
+namespace kusabi::run {
+
+Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                     const HoldFindings& findings);
+
+/// Bracket or intervals, and the costs of the searches.
+std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                       const HoldFindings& findings);
+
+/// The result file; its schema is in docs/result-files.md.
+nlohmann::ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
+                                 const wedged::LoadedProblem& loaded, const HoldFindings& findings);
+
+}  // namespace kusabi::run

@@ -1,0 +1,152 @@
+// Sentences about states under load: from which friction on, and which factors.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "run/verdict/answer_words.hpp"
+#include "run/verdict/shown_bracket.hpp"
+
+namespace kusabi::run {
+namespace {
+
+const char* of_each(bool factor) {
+  return factor ? " times that of each candidate" : "";
+}
+
+constexpr const char* by_supports =
+    "It can hold any load: supports constrain every body, and then there is a state under every "
+    "load, at any friction.";
+
+constexpr const char* by_no_friction =
+    "It cannot hold the load at any friction: the load moves a body where no candidate resists.";
+
+std::string part(const HoldingFactors::Interval& each) {
+  const auto standing = unless_proved(each.standing);
+  if (std::isinf(each.low) && std::isinf(each.high))
+    return fmt::format("at any factor{}", standing);
+  if (std::isinf(each.low))
+    return fmt::format("at factors up to {}{}", rounded_down(each.high), standing);
+  if (std::isinf(each.high))
+    return fmt::format("at factors from {} on{}", rounded_up(each.low), standing);
+  if (each.low == each.high) return fmt::format("at the factor {:.6g}{}", each.low, standing);
+  return fmt::format("at factors from {} to {}{}", rounded_up(each.low), rounded_down(each.high),
+                     standing);
+}
+
+bool is_everything(const HoldingFactors& found) {
+  return found.intervals.size() == 1 && std::isinf(found.intervals.front().low) &&
+         std::isinf(found.intervals.front().high);
+}
+
+}  // namespace
+
+std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
+  if (found.reason == HoldReason::supports) return by_supports;
+  if (found.reason == HoldReason::unbalanced) return by_no_friction;
+  const auto& [lower, upper] = found.bracket;
+  if (!lower && !upper)
+    return "It is not known from which friction coefficient on it can hold the dead load.";
+  if (!upper) {
+    return fmt::format("It cannot hold the dead load up to friction coefficient {}{}{}{}.",
+                       rounded_down(lower->value), of_each(found.factor),
+                       unless_proved(lower->standing),
+                       lower->value < found.most ? "; above, it is not known" : "");
+  }
+  if (upper->value == 0)
+    return fmt::format("It can hold the dead load without friction{}.",
+                       unless_proved(upper->standing));
+  if (!lower) {
+    return fmt::format(
+        "It can hold the dead load at friction coefficient {}{}{}; below, it is not "
+        "known.",
+        rounded_up(upper->value), of_each(found.factor), unless_proved(upper->standing));
+  }
+  const auto shown = in_sentence(lower->value, upper->value);
+  return fmt::format(
+      "It cannot hold the dead load below friction coefficient {}{}{}; at {} it "
+      "can{}.",
+      shown.lower, of_each(found.factor), unless_proved(lower->standing), shown.upper,
+      unless_proved(upper->standing));
+}
+
+void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
+  const auto& [lower, upper] = found.bracket;
+  if (found.reason != HoldReason::searched) return;
+  if (!upper && (!lower || lower->value < found.most)) {
+    all.push_back({fmt::format("Between {:.12g} and {:.12g} it was not decided whether it can hold "
+                               "the dead load.",
+                               lower ? lower->value : 0, found.most),
+                   true});
+  }
+  if (upper && upper->value > 0 && !lower)
+    all.push_back({"No coefficient is known at which it cannot hold the dead load.", true});
+  if (lower && lower->standing == Standing::computed) {
+    all.push_back({fmt::format("That it cannot hold the dead load at {:.12g} is computed, not "
+                               "proved.",
+                               lower->value),
+                   true});
+  }
+  if (upper && upper->standing == Standing::computed) {
+    all.push_back({fmt::format("That it can hold the dead load at {:.12g} is computed, not proved: "
+                               "a state at its limits, within the rounding of the file's numbers.",
+                               upper->value),
+                   false});
+  }
+}
+
+std::string headline_of(const HoldingFactors& found, engine::Status ended) {
+  if (found.reason == HoldReason::supports) return by_supports;
+  const auto where =
+      fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
+  if (found.reason == HoldReason::wedging) {
+    return fmt::format(
+        "It can hold any load {}: a pattern is wedged there, so its grip may be of "
+        "any size.",
+        where);
+  }
+  const char* const what = found.of_reference ? "the loads at any factor" : "the dead load";
+  if (found.intervals.empty()) {
+    if (ended != engine::Status::solved || found.open)
+      return fmt::format("It is not known whether it can hold {} {}.", what, where);
+    if (found.reason == HoldReason::unbalanced) return by_no_friction;
+    return fmt::format("It cannot hold {} {}{}.", what, where, unless_proved(found.outside));
+  }
+  if (!found.of_reference) {
+    return fmt::format("It can hold the dead load {}{}.", where,
+                       unless_proved(found.intervals.front().standing));
+  }
+  if (is_everything(found)) {
+    return fmt::format("It can hold the reference load {} {}.", part(found.intervals.front()),
+                       where);
+  }
+  std::string parts;
+  for (std::size_t i = 0; i < found.intervals.size(); ++i) {
+    if (i > 0) parts += i + 1 == found.intervals.size() ? " and " : ", ";
+    parts += part(found.intervals[i]);
+  }
+  const auto others = found.open || ended != engine::Status::solved
+                          ? std::string("; others are not known")
+                          : fmt::format(", and at no other{}", unless_proved(found.outside));
+  return fmt::format("It can hold the reference load {}{}, {}.", parts, others, where);
+}
+
+void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all) {
+  if (found.open && ended == engine::Status::solved) {
+    all.push_back(
+        {"Of some sign patterns it could not be decided whether they hold a load; they "
+         "are not counted.",
+         true});
+  }
+  if (found.outside == Standing::computed && !found.open)
+    all.push_back({"That no other factor is held is computed, not proved.", true});
+  if (std::ranges::any_of(found.intervals,
+                          [](const auto& each) { return each.standing == Standing::computed; })) {
+    all.push_back(
+        {"States at a limit are computed, not proved: they hold within the rounding of "
+         "the file's numbers.",
+         false});
+  }
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,268 @@
+// States under load against linear programs of all sign patterns, and against closed forms.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/hold/hold_search.hpp"
+#include "problems/files/structure_file.hpp"
+#include "random_structure.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/simplex.hpp"
+#include "support/input_error.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+constexpr double unlimited = linear::infinity;
+
+using Interval = std::pair<double, double>;
+
+/// The program of one pattern in the plane: reactions as sums along the edges of the friction
+/// cones, the motion alpha, lambda; tau = 1.
+class PatternProgram {
+ public:
+  PatternProgram(const LoadedProblem& loaded, double mu, unsigned contact)
+      : loaded_(loaded), mu_(mu), contact_(contact) {
+    const auto m = static_cast<int>(loaded.clearance.size());
+    for (int i = 0; i < m; ++i)
+      for (const double slope : {mu, -mu}) {
+        Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * m);
+        load[2 * i] = 1;
+        load[2 * i + 1] = slope * loaded.problem.friction[static_cast<std::size_t>(i)];
+        forces_.push_back(load);
+        program_.add_column({.lower = 0, .upper = touches(i) ? unlimited : 0});
+      }
+    for (Eigen::Index l = 0; l < loaded.problem.motions.cols(); ++l)
+      program_.add_column({.lower = -unlimited});
+    lambda_ = program_.add_column({.lower = -unlimited});
+    add_rows();
+  }
+
+  /// The factors of the pattern's states; nothing if there are none.
+  std::optional<Interval> factors() {
+    Interval result;
+    for (const int sign : {1, -1}) {
+      program_.columns[static_cast<std::size_t>(lambda_)].cost = sign;
+      linear::Simplex simplex(program_);
+      simplex.use_slack_basis();
+      const auto status = simplex.solve_robustly();
+      if (status == linear::LinearStatus::infeasible) return {};
+      const double value =
+          status == linear::LinearStatus::optimal ? sign * simplex.objective() : -sign * unlimited;
+      (sign > 0 ? result.first : result.second) = value;
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] bool touches(int candidate) const { return ((contact_ >> candidate) & 1U) != 0; }
+
+  void add_rows() {
+    const auto& problem = loaded_.problem;
+    const Eigen::MatrixXd w = loaded_.loads.displacements.cast<double>();
+    const Eigen::MatrixXd b = loaded_.loads.motions.cast<double>();
+    const auto p = problem.motions.cols();
+    for (int j = 0; j < static_cast<int>(loaded_.clearance.size()); ++j) {
+      std::vector<linear::LinearTerm> terms;
+      for (std::size_t k = 0; k < forces_.size(); ++k)
+        terms.push_back({static_cast<int>(k), problem.compliance.row(2 * j).dot(forces_[k])});
+      for (Eigen::Index l = 0; l < p; ++l)
+        terms.push_back(
+            {static_cast<int>(forces_.size()) + static_cast<int>(l), problem.motions(2 * j, l)});
+      terms.push_back({lambda_, w(2 * j, 1)});
+      const double fixed = -w(2 * j, 0) - loaded_.clearance[j];
+      program_.add_row({.lower = fixed, .upper = touches(j) ? fixed : unlimited}, terms);
+    }
+    for (Eigen::Index l = 0; l < p; ++l) {
+      std::vector<linear::LinearTerm> terms;
+      for (std::size_t k = 0; k < forces_.size(); ++k)
+        terms.push_back({static_cast<int>(k), forces_[k].dot(problem.motions.col(l))});
+      terms.push_back({lambda_, b(1, l)});
+      program_.add_row({.lower = -b(0, l), .upper = -b(0, l)}, terms);
+    }
+  }
+
+  const LoadedProblem& loaded_;
+  double mu_;
+  unsigned contact_;
+  linear::LinearProgram program_;
+  std::vector<Eigen::VectorXd> forces_;
+  int lambda_ = 0;
+};
+
+// Factors of all patterns, one by one.
+std::vector<Interval> by_all_patterns(const LoadedProblem& loaded, double mu) {
+  std::vector<Interval> all;
+  const unsigned count = 1U << static_cast<unsigned>(loaded.clearance.size());
+  for (unsigned contact = 0; contact < count; ++contact) {
+    // Without friction both edges of a cone are one, and a cone without width has no states inside.
+    if (const auto own = PatternProgram(loaded, mu, contact).factors()) all.push_back(*own);
+  }
+  std::ranges::sort(all);
+  std::vector<Interval> joined;
+  for (const auto& each : all) {
+    const double slack = joined.empty() ? 0 : 1e-7 * std::max(1.0, std::abs(joined.back().second));
+    if (joined.empty() || each.first > joined.back().second + slack)
+      joined.push_back(each);
+    else
+      joined.back().second = std::max(joined.back().second, each.second);
+  }
+  return joined;
+}
+
+bool near(double a, double b) {
+  return a == b || std::abs(a - b) <= 1e-6 * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+/// A random body of bars in the plane, moved off the integers, with two loads and clearances.
+std::optional<problems::Structure> loaded_structure(std::uint64_t seed) {
+  auto structure = random_loose_structure(2, seed);
+  std::mt19937_64 generator(seed + 77);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  structure.coordinates += 0.2 * Eigen::MatrixXd::NullaryExpr(2, structure.coordinates.cols(),
+                                                              [&] { return uniform(generator); });
+  if (structure.contact.size() < 2 || structure.contact.size() > 6) return {};
+  const bool gaps = generator() % 2 == 0;
+  for (auto& candidate : structure.contact) {
+    candidate.normal =
+        (candidate.normal + 0.2 * Eigen::Vector2d(uniform(generator), uniform(generator)))
+            .normalized();
+    if (gaps) candidate.clearance = 0.3 * uniform(generator);
+  }
+  for (const auto kind : {problems::Load::Kind::dead, problems::Load::Kind::reference})
+    for (int node = 0; node < static_cast<int>(structure.coordinates.cols()); ++node)
+      structure.loads.push_back(
+          {kind, node, Eigen::Vector2d(uniform(generator), uniform(generator))});
+  return structure;
+}
+
+TEST(HeldFactors, AreThoseOfAllPatterns) {
+  int compared = 0, bounded = 0, empty = 0, several = 0, proved = 0;
+  for (std::uint64_t seed = 1; seed <= 160; ++seed) {
+    const auto structure = loaded_structure(seed);
+    if (!structure) continue;
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::optional<LoadedProblem> loaded;
+    try {
+      loaded = loaded_problem(*structure);
+    } catch (const support::InputError&) {
+      continue;  // a mechanism
+    }
+    if (loaded->problem.motions.cols() == 0 || !loaded->has_reference || !loaded->has_dead)
+      continue;
+    const double mu = 0.1 + 0.15 * static_cast<double>(seed % 7);
+    const auto wanted = by_all_patterns(*loaded, mu);
+    engine::SingleProcess alone;
+    engine::Analysis analysis(alone);
+    const auto found = held_factors(analysis, *loaded, mu);
+    EXPECT_FALSE(found.open);
+    proved += found.proved ? 1 : 0;
+    ASSERT_EQ(found.intervals.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_PRED2(near, found.intervals[i].low, wanted[i].first);
+      EXPECT_PRED2(near, found.intervals[i].high, wanted[i].second);
+    }
+    ++compared;
+    empty += wanted.empty() ? 1 : 0;
+    several += wanted.size() > 1 ? 1 : 0;
+    for (const auto& [low, high] : wanted)
+      bounded += std::isfinite(low) || std::isfinite(high) ? 1 : 0;
+  }
+  RecordProperty("compared", compared);
+  EXPECT_GT(compared, 60);
+  EXPECT_GT(bounded, 10);
+  EXPECT_GE(proved, compared - compared / 10);
+  fmt::print("{} compared, {} proved, {} with an end, {} empty, {} with several\n", compared,
+             proved, bounded, empty, several);
+}
+
+TEST(HoldingFriction, IsThatFromWhichOnSomePatternHoldsTheDeadLoad) {
+  int compared = 0, inside = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    const auto structure = loaded_structure(seed);
+    if (!structure) continue;
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::optional<LoadedProblem> loaded;
+    try {
+      loaded = loaded_problem(*structure);
+    } catch (const support::InputError&) {
+      continue;
+    }
+    if (loaded->problem.motions.cols() == 0 || !loaded->has_reference || !loaded->has_dead)
+      continue;
+    engine::SingleProcess alone;
+    engine::Analysis analysis(alone);
+    const auto found = holding_friction(analysis, *loaded, {.most = 100});
+    const auto holds = [&](double mu) {
+      return std::ranges::any_of(by_all_patterns(*loaded, mu), [](const Interval& each) {
+        return each.first <= 0 && each.second >= 0;
+      });
+    };
+    ++compared;
+    if (!found.upper) {
+      EXPECT_FALSE(holds(99));
+      continue;
+    }
+    EXPECT_TRUE(holds(*found.upper * (1 + 1e-5) + 1e-9));
+    if (!found.lower_known) continue;
+    EXPECT_FALSE(holds(found.lower * (1 - 1e-5)));
+    EXPECT_LE(*found.upper - found.lower, 1e-6 * std::max(*found.upper, 1e-6) + 1e-6);
+    inside += found.lower > 0 ? 1 : 0;
+  }
+  EXPECT_GT(compared, 30);
+  EXPECT_GT(inside, 10);
+}
+
+/// A ladder against a wall with slope 4/3, and a climber at a tenth of its length.
+LoadedProblem ladder(int climber) {
+  return loaded_problem(problems::read_structure(fmt::format(R"(name = "ladder"
+dimension = 2
+units = {{ length = "m", force = "kN" }}
+[[mesh]]
+name = "ladder"
+corners = [[0, 0], [3, 4], [2.92, 4.06], [-0.08, 0.06]]
+divisions = [10, 1]
+thickness = 1
+plane = "strain"
+E = 1000
+nu = 0.3
+[[contact]]
+nodes = ["ladder.0,0"]
+normal = [0, 1]
+[[contact]]
+nodes = ["ladder.10,0"]
+normal = [-1, 0]
+[[loads]]
+kind = "dead"
+nodes = ["ladder.{},0"]
+force = [0, -1]
+)",
+                                                             climber),
+                                                 "ladder.toml"));
+}
+
+TEST(HoldingFriction, OfALadderIsThatOfStatics) {
+  for (const int climber : {2, 5, 8}) {
+    const double s = climber / 10.0, slope = 4.0 / 3;
+    const double wanted = (-slope + std::sqrt(slope * slope + 4 * s * (1 - s))) / (2 * (1 - s));
+    const auto loaded = ladder(climber);
+    engine::SingleProcess alone;
+    engine::Analysis analysis(alone);
+    const auto found = holding_friction(analysis, loaded);
+    ASSERT_TRUE(found.upper);
+    EXPECT_TRUE(found.lower_proved && found.upper_proved);
+    EXPECT_NEAR(found.lower, wanted, 1e-8);
+    EXPECT_NEAR(*found.upper, wanted, 1e-8);
+    EXPECT_LE(found.lower, wanted + 1e-15);
+    EXPECT_GE(*found.upper, wanted - 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::wedged
