@@ -437,6 +437,7 @@ void CriticalEnds::prove(CriticalFindings& findings) {
   findings.upper = bracket_.upper();
   findings.lower_proved = bracket_.lower_proved();
   findings.upper_proved = bracket_.upper_proved();
+  findings.exact = stiffness_ && std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
   if (findings.patterns.empty()) note_patterns(findings);
   note_what_is_open(findings);
 }

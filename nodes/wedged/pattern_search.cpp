@@ -64,6 +64,15 @@ bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& fi
   });
 }
 
+/// The enclosure for an optional test; nothing if it is too large, or there is no time.
+std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analysis,
+                                                         const PatternQuestion& question) {
+  if (question.structure == nullptr) return {};
+  auto enclosed = enclosed_within(analysis, *question.structure, enclosed_stiffness);
+  if (!enclosed || std::holds_alternative<std::string>(*enclosed)) return {};
+  return std::get<verify::EnclosedProblem>(*std::move(enclosed));
+}
+
 }  // namespace
 
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -107,6 +116,20 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
     if (check->is_able() || problem.motions.cols() > 0)
       tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
+  }
+  std::optional<verify::EnclosedProblem> of_unconstrained;
+  if (!enclosed && question.recorder && problem.motions.cols() > 0) {
+    // A certificate leaves degenerate nodes out. For unconstrained bodies the exact test shows of
+    // some that other leaves contain all their configurations.
+    of_unconstrained = enclosed_if_small(analysis, question);
+    if (of_unconstrained) {
+      check.emplace(problem, *of_unconstrained, friction, findings.bounds);
+      tree.judge_by(
+          [&check](const auto& evidence) {
+            return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
+          },
+          false);
+    }
   }
   findings.outcome = analysis.search(tree, search);
   if (question.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {

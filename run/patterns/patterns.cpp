@@ -285,12 +285,7 @@ void Patterns::end_certificate() {
 }
 
 std::string Patterns::what_became_of_the_certificate() const {
-  if (whole()) {
-    const auto ties = findings_->exact.ties;
-    return fmt::format(
-        "wrote {}{}", options_.certificate,
-        ties == 0 ? "" : fmt::format("; it claims nothing of {}", counted(ties, "node")));
-  }
+  if (whole()) return fmt::format("wrote {}", options_.certificate);
   if (goes_on_) return fmt::format("what is proved so far is in {}.part.*", options_.certificate);
   return "no certificate: nothing could go on with an incomplete one";
 }

@@ -86,16 +86,24 @@ Verdict PatternsReport::verdict() const {
                                  : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
   const bool example = options_.exists && findings_.count() != 0U;
   const bool answered = example && findings_.outcome.status == engine::Status::solution_limit;
-  Verdict verdict{.ended = answered ? engine::Status::solved : findings_.outcome.status,
-                  .nodes_left = answered ? 0 : findings_.outcome.open,
-                  .answer = Sticking{.friction = options_.friction,
-                                     .factor = !problems::uniform_friction(problem_),
-                                     .count = findings_.count(),
-                                     .undecided = findings_.open(),
-                                     .standing = proved ? Standing::proved : Standing::computed,
-                                     .doubt = doubt_of(exact),
-                                     .example = example}};
+  Verdict verdict{
+      .ended = answered ? engine::Status::solved : findings_.outcome.status,
+      .nodes_left = answered ? 0 : findings_.outcome.open,
+      .answer = Sticking{.friction = options_.friction,
+                         .factor = !problems::uniform_friction(problem_),
+                         .count = findings_.count(),
+                         .undecided = findings_.open(),
+                         .standing = proved ? Standing::proved : Standing::computed,
+                         .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
+                         .degenerate = exact.ties,
+                         .doubt = doubt_of(exact),
+                         .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
+  if (!options_.certificate.empty() && findings_.whole() && exact.ties > 0 && !exact.asked) {
+    verdict.missing.push_back(
+        fmt::format("The certificate does not prove {} with a margin of zero.",
+                    counted(exact.ties, "degenerate node")));
+  }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
         "The coefficients from which on the patterns stick (--sort critical) were not all "

@@ -158,15 +158,18 @@ std::string finite(double value) {
 }
 
 void LoadSweep::write_csv(std::ostream& out) const {
-  out << "row,alpha,lower,upper,proved\n";
+  out << "row,alpha,lower,upper,proved,carried_from,carried_to,carried_proved\n";
   for (const auto& [alpha, worst, interval] : found_.points) {
-    fmt::print(out, "point,{},{},{},{}\n", alpha, finite(worst.ends.lower),
-               finite(worst.ends.upper), worst.proved ? 1 : 0);
+    const bool some = interval.has_factors();
+    fmt::print(out, "point,{},{},{},{},{},{},{}\n", alpha, finite(worst.ends.lower),
+               finite(worst.ends.upper), worst.proved ? 1 : 0,
+               some ? finite(interval.least.upper) : "", some ? finite(interval.largest.lower) : "",
+               interval.decided() ? 1 : 0);
   }
   if (!curve()) return;
   const auto row = [&](double beta, double factor, const std::optional<double>& error) {
     const double off = error.value_or(0);
-    fmt::print(out, "breakpoint,{},{},{},{}\n", alpha_at(beta), factor - off, factor + off,
+    fmt::print(out, "breakpoint,{},{},{},{},,,\n", alpha_at(beta), factor - off, factor + off,
                error ? 1 : 0);
   };
   for (const auto& piece : curve()->pieces) row(piece.from.at, piece.from.factor, piece.error);
@@ -230,6 +233,11 @@ Verdict LoadSweep::verdict() const {
         steps.worst.lower = Bound{ends.lower, standing(ends.lower_proved)};
       if (std::isfinite(ends.upper))
         steps.worst.upper = Bound{ends.upper, standing(ends.upper_proved)};
+      const auto& least = interval.least;
+      if (std::isfinite(least.lower))
+        steps.least.lower = Bound{least.lower, standing(least.lower_proved)};
+      if (std::isfinite(least.upper))
+        steps.least.upper = Bound{least.upper, standing(least.upper_proved)};
     }
   }
   steps.open = !found_.whole(alphas_.size());

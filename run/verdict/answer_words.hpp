@@ -20,7 +20,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended);
 
 // Reservations besides an early end, added to `all`.
 
-void reserve(const Sticking& found, std::vector<Reservation>& all);
+void reserve(const Sticking& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);

@@ -52,6 +52,30 @@ bool is_undecided(const LoadInterval& found) {
   return from && to && from->value > to->value && !empty(found);
 }
 
+std::string proved_or(const Bracket& bracket) {
+  const bool proved =
+      bracket.lower->standing == Standing::proved && bracket.upper->standing == Standing::proved;
+  return proved ? ", proved" : " (computed, not proved)";
+}
+
+// The factors that are carried under every load of the last point, after its worst case.
+std::string guaranteed(const LoadSteps& found) {
+  const auto& from = found.least.upper;
+  const auto& to = found.worst.lower;
+  const auto& above = found.least.lower;
+  if (above && above->value > found.worst.upper->value) {
+    const bool proved =
+        above->standing == Standing::proved && found.worst.upper->standing == Standing::proved;
+    return fmt::format(", and no load factor is carried under all admissible loads{}",
+                       unless_proved(proved ? Standing::proved : Standing::computed));
+  }
+  if (!from) return ", and the load factor from which on all admissible loads are carried is open";
+  if (from->value > to->value)
+    return ", and it is numerically undecided whether any factor is carried under all loads";
+  return fmt::format(", and all admissible loads are carried from {}{} on", rounded_up(from->value),
+                     unless_proved(from->standing));
+}
+
 }  // namespace
 
 std::string half_width_text(double half_width, const std::optional<std::string>& force) {
@@ -139,10 +163,9 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   const auto& [lower, upper] = found.worst;
   if (!lower || !upper) return text + at + " the worst case is open.";
-  const bool proved = lower->standing == Standing::proved && upper->standing == Standing::proved;
   return text + at +
-         fmt::format(" the worst case is {:.8g}{}.", upper->value,
-                     proved ? ", proved" : " (computed, not proved)");
+         fmt::format(" the worst case is {:.8g}{}", upper->value, proved_or(found.worst)) +
+         guaranteed(found) + '.';
 }
 
 void reserve(const LoadSteps& found, std::vector<Reservation>& all) {

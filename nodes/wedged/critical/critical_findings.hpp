@@ -119,6 +119,7 @@ struct CriticalFindings {
       upper;  ///< a leaf is feasible at this coefficient; nothing: none up to the largest
   bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
   bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
+  bool exact = false;         ///< proved in exact arithmetic; otherwise by the solver's bounds
   std::vector<CriticalDoubt> open;
   std::vector<CriticalCost> costs;  ///< of all phases, in their order
   /// Costs of the last search for the bracket by ranks: of the global search, or of that for each
