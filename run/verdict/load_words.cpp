@@ -66,14 +66,15 @@ std::string guaranteed(const LoadSteps& found) {
   if (above && above->value > found.worst.upper->value) {
     const bool proved =
         above->standing == Standing::proved && found.worst.upper->standing == Standing::proved;
-    return fmt::format(", and no load factor is carried under all admissible loads{}",
+    return fmt::format("; no load factor is carried under all admissible loads{}",
                        unless_proved(proved ? Standing::proved : Standing::computed));
   }
-  if (!from) return ", and the load factor from which on all admissible loads are carried is open";
+  if (!from) return "; the least factor that is carried under all admissible loads is open";
   if (from->value > to->value)
-    return ", and it is numerically undecided whether any factor is carried under all loads";
-  return fmt::format(", and all admissible loads are carried from {}{} on", rounded_up(from->value),
-                     unless_proved(from->standing));
+    return "; it is numerically undecided whether any factor is carried under all admissible loads";
+  return fmt::format("; factors from {}{} to {} are carried under all admissible loads",
+                     rounded_up(from->value), unless_proved(from->standing),
+                     rounded_down(to->value));
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ nodes = ["far"]
 normal = [1, 0]
 )";
   const auto run = shell(command + " rays " + quoted(file) + " --mu 3");
-  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_THAT(run.output, HasSubstr("too close to zero to tell from it"));
 }
 

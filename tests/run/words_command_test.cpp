@@ -109,7 +109,7 @@ TEST_F(Words, TheHeadingIsAboveTheTable) {
 // From the reactions in the file: the least mu r_n - |r_t| of candidates in contact, the least gap
 // of the others, and the candidate with the largest |r_t| / r_n.
 TEST_F(Words, TheMarginIsOfTheInequalityNearestToFailing) {
-  const auto said = last_line(answer("patterns " + truss + " --mu 0.65"));
+  const auto said = answer("patterns " + truss + " --mu 0.65");
   const auto all = result()["result"]["patterns"];
   const auto best = *std::ranges::max_element(
       all, {}, [](const Json& pattern) { return pattern["margin"].get<double>(); });

@@ -219,8 +219,9 @@ TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
                   .least = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}},
                   .points = 1,
                   .points_asked = 1};
-  EXPECT_THAT(headline({.answer = steps}), HasSubstr("the worst case is 1.5, proved, and all "
-                                                     "admissible loads are carried from 0.5 on."));
+  EXPECT_THAT(headline({.answer = steps}),
+              HasSubstr("the worst case is 1.5, proved; factors from "
+                        "0.5 to 1.5 are carried under all admissible loads."));
   steps.least = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("no load factor is carried under all admissible loads."));
