@@ -42,7 +42,7 @@ function(kusabi_test name)
     kusabi_share_headers(${name})
   endif()
   target_compile_definitions(${name} PRIVATE
-    KUSABI_SOURCE_DIR="${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
+    KUSABI_SOURCE_DIR="${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.." ${KUSABI_TEST_DEFINITIONS})
   include(GoogleTest)
   set(label LABELS fast)
   if(TEST_PROCESSES)

@@ -23,6 +23,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "shell.hpp"
+#include "tests/support/thorough.hpp"
 
 namespace kusabi::test {
 namespace {
@@ -239,9 +240,9 @@ TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
 
 TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
   const auto problem = long_search(in_folder("truss.toml"));
-  // Twenty times, spread over start, search and end by the golden ratio; five runs at once, since
+  // Spread over start, search and end by the golden ratio; five runs at once, since
   // mpirun takes two seconds to end.
-  constexpr int moments = 20;
+  constexpr int moments = thorough ? 20 : 10;
   constexpr int at_a_time = 5;
   // Half of them count from the first checkpoint, on machines of any speed.
   const std::string await_search = "while [ ! -e state ] && kill -0 $p; do sleep 0.02; done;";
