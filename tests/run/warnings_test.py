@@ -78,7 +78,7 @@ class Warnings(Problems):
 
     def test_a_factor_that_was_meant_as_the_coefficient(self):
         message = self.said("critical", self.groove("friction = 0.15\n")).stderr
-        self.assertIn("friction = 0.15 is no coefficient but a factor", message)
+        self.assertIn("friction = 0.15 is the former name of friction_factor", message)
         self.assertEqual(self.said("critical", self.groove("friction_factor = 0.15\n")).stderr.count("factor"), 0)
         self.assertIn("expected one", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
 
@@ -86,7 +86,7 @@ class Warnings(Problems):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
             if file.name not in ("dup.toml", "long_lever_critical.toml", "lever_1e12.toml"):
                 message = self.kusabi("show", file).stderr
-                for doubt in ("nothing joins", "candidates are not on", "no coefficient but a factor"):
+                for doubt in ("nothing joins", "candidates are not on", "former name of friction_factor"):
                     self.assertNotIn(doubt, message, file.name)
 
 
