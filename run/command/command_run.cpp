@@ -134,10 +134,9 @@ int CommandRun::stopped_before_the_search() {
   if (session_.speaks()) {
     const auto why =
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
-    print_warning(
-        fmt::format("stopped early ({}) while the problem was prepared: nothing is known yet, no "
-                    "file is written",
-                    status_name(why)));
+    print_warning(fmt::format(
+        "stopped early ({}) during the preparation of the problem: no results, no files",
+        status_name(why)));
   }
   return stopped_early;
 }
@@ -257,15 +256,15 @@ std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice
         "{}kusabi {}{}", ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks), command_.name(),
         table_.call([&](const OptionRow& row) { return row.role == without || row.stops == why; }));
   };
-  if (keeping_) return {fmt::format("go on with: {}", call(Role::restart))};
+  if (keeping_) return {fmt::format("resume with: {}", call(Role::restart))};
   const auto& checkpoint = choice.kept_in();
   if (checkpoint.empty()) return {};
   if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    return {"nothing is saved: no checkpoint could be written"};
+    return {"nothing is saved: no checkpoint was written"};
   }
   std::vector<std::string> lines;
-  if (!saved) lines.emplace_back("the last checkpoint could not be written");
-  lines.push_back(fmt::format("go on{} with: {} --restart {}",
+  if (!saved) lines.emplace_back("the last checkpoint was not written");
+  lines.push_back(fmt::format("resume{} with: {} --restart {}",
                               saved ? "" : " from the one before it", call(Role::restart),
                               quoted(checkpoint)));
   return lines;
@@ -275,7 +274,7 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
   if (choice.state.empty()) return;
   if (!choice.kept_in().empty()) {
     throw WrongInput(
-        "--resume: --checkpoint and --restart are another way to go on; expected one of the two");
+        "--resume: cannot be combined with --checkpoint or --restart; expected --resume alone");
   }
   engine::Facts facts{{"kusabi", KUSABI_VERSION}, {"command", std::string(command_.name())}};
   std::move(problem.begin(), problem.end(), std::back_inserter(facts));

@@ -166,7 +166,7 @@ _kusabi() {
     if (group_of(entry.name()).empty()) described(entry.name(), entry.subcommand->purpose());
   }
   for (const auto& group : list.groups()) described(group.name, group.purpose);
-  described("help", "what a subcommand does, and its options");
+  described("help", "help on a subcommand");
   fmt::format_to(out, "    )\n    _describe subcommand names\n    {}\n    return\n  fi\n",
                  zsh_arguments(list.own()));
   text += "  shift words; (( CURRENT-- ))\n  case $command in\n";
@@ -244,7 +244,7 @@ complete -c kusabi -s h -l help -d 'print help'
     offered("__kusabi_after", group.name, group.purpose);
     offered("__kusabi_at help", group.name, group.purpose);
   }
-  offered("__kusabi_after", "help", "what a subcommand does, and its options");
+  offered("__kusabi_after", "help", "help on a subcommand");
   fish_options(text, "__kusabi_after", list.own());
   for (const auto& entry : list.entries()) {
     const auto group = group_of(entry.name());

@@ -185,7 +185,7 @@ void OptionTable::quiet(std::string help) {
 }
 
 void OptionTable::serial() {
-  flag("--serial", switched_, "run in this process alone, without MPI").varies();
+  flag("--serial", switched_, "run in one process, without MPI").varies();
 }
 
 void OptionTable::time_limit(engine::Limits& limits) {
@@ -193,7 +193,7 @@ void OptionTable::time_limit(engine::Limits& limits) {
   add({.name = "--time-limit",
        .value = "TIME",
        .range = "seconds, 90s, 1h30m or slurm",
-       .help = "stop so long after the start; slurm: shortly before the job's end",
+       .help = "time limit; slurm: until shortly before the end of the job",
        .matters = false,
        .take = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {
@@ -212,23 +212,24 @@ void OptionTable::time_limit(engine::Limits& limits) {
 
 void OptionTable::node_limit(engine::Limits& limits) {
   number("--node-limit", &limits.nodes, above(0),
-         "stop when so many nodes have been opened, in all searches together")
+         "maximum number of opened nodes, in all searches together")
       .stops(engine::Status::node_limit)
       .varies();
 }
 
 void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
   file("--resume", choice.state, Role::state,
-       fmt::format("keep in this file, and others beside it, what is finished, and go on with it: "
-                   "the same call again begins, goes on or, at the end, gives the result again{}",
+       fmt::format("file that keeps the state of the run, with further files beside it: the same "
+                   "call begins, resumes, or repeats the finished result, on any number of ranks{}",
                    help));
   number("--resume-wait", &choice.patience, at_least(0),
-         "how long to wait for the end of another run that has that file")
+         "maximum waiting time for another run that uses this file")
       .unit("s")
       .needs("--resume")
       .varies();
   if (find("--checkpoint-interval") != nullptr) return;
-  number("--checkpoint-interval", &choice.interval, above(0), "between two states of a search")
+  number("--checkpoint-interval", &choice.interval, above(0),
+         "time between two saved states of a search")
       .unit("s")
       .varies();
 }
@@ -237,25 +238,24 @@ void OptionTable::save_on(CheckpointChoice& choice) {
   word(
       "--save-on", {"interval", "improvement"}, "interval",
       [&choice](std::size_t word) { choice.on_improvement = word == 1; },
-      "when the state of a search is kept: at intervals, or also whenever it finds a better "
-      "solution")
+      "times at which the state is saved: at intervals, or also at each better solution")
       .varies();
 }
 
 void OptionTable::checkpoints(CheckpointChoice& choice) {
   file("--checkpoint", choice.file, Role::checkpoint,
-       "keep the state of the search in this file and others beside it");
-  number("--checkpoint-interval", &choice.interval, above(0), "between two checkpoints")
+       "file that keeps the state of the search; use --resume");
+  number("--checkpoint-interval", &choice.interval, above(0),
+         "time between two saved states of a search")
       .unit("s")
       .varies();
-  file("--restart", choice.restart, Role::restart,
-       "go on from this checkpoint, on any number of ranks");
+  file("--restart", choice.restart, Role::restart, "checkpoint to resume from; use --resume");
   resume(choice);
 }
 
 void OptionTable::config(ConfigChoice& choice) {
-  file("--config", choice.file, Role::input, "take defaults of options from this TOML file");
-  flag("--no-config", choice.none, "take no defaults from any file");
+  file("--config", choice.file, Role::input, "TOML file with defaults of options");
+  flag("--no-config", choice.none, "ignore all files with defaults");
 }
 
 const OptionRow* OptionTable::find(std::string_view name) const {

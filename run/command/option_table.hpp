@@ -160,7 +160,7 @@ class OptionTable {
                   std::string help);
 
   // Options common to several subcommands.
-  void output(std::string help = "write the result to this JSON file");
+  void output(std::string help = "result file (JSON)");
   void further_output(std::string name, std::string help);
   void quiet(std::string help = "print errors only");
   void serial();

@@ -31,7 +31,7 @@ std::unique_ptr<engine::Journal> journal_when_free(const std::string& state,
       if (std::chrono::duration<double>(Clock::now() - begun).count() >= patience) throw;
     }
     if (!announced)
-      warn(fmt::format("{}: is in use by another run; waiting {} s for its end", state, patience));
+      warn(fmt::format("{}: in use by another run; waiting up to {} s", state, patience));
     std::this_thread::sleep_for(between_two_looks);
   }
 }
@@ -67,8 +67,8 @@ std::string restart_from(Session& session, const std::string& checkpoint,
     // resumes.
     if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {
       throw WrongInput(
-          fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
-                      "that it is removed, or a new name",
+          fmt::format("--checkpoint {}: exists already; expected --restart {} to resume from it, "
+                      "its removal, or another name",
                       checkpoint, checkpoint));
     }
     if (restart.empty()) return {};

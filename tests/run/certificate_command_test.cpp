@@ -164,7 +164,7 @@ TEST_F(Command, ACertificateThatIsBeingWrittenIsNotTouched) {
       shell(command + " patterns " + truss + " --mu 0.5 --quiet --certificate " + argument("cert"));
   close(part);
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("is being written by another search"));
+  EXPECT_THAT(run.output, HasSubstr("is in use by another search"));
   EXPECT_EQ(files(), std::vector<std::string>{"cert.part.1.0"});
 }
 
@@ -174,18 +174,18 @@ TEST_F(Command, ACertificateGoesOnFromACheckpoint) {
   const auto stopped =
       shell(ranks(2) + call + with + " --node-limit 300 --checkpoint " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
-  EXPECT_THAT(stopped.output, HasSubstr("what is proved so far is in " + in_folder("cert.part.*")));
+  EXPECT_THAT(stopped.output, HasSubstr("the proofs so far are in " + in_folder("cert.part.*")));
   EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
   // Not as if nothing had been, not under another name, and not of another tree.
   const auto anew = shell(call + with);
   EXPECT_EQ(anew.exit_code, 2);
-  EXPECT_THAT(anew.output, HasSubstr("is in the way, a part of a search that did not end; "
+  EXPECT_THAT(anew.output, HasSubstr("belongs to an unfinished search; "
                                      "expected --restart " +
                                      in_folder("state")));
   const auto rest = " --restart " + argument("state");
   const auto other = shell(call + rest + " --certificate " + argument("other"));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.output, HasSubstr("expected the name that it began with"));
+  EXPECT_THAT(other.output, HasSubstr("expected the name with which the search began"));
   // What was being written when a run was killed.
   std::ofstream(in_folder("cert.part.1.0"), std::ios::app) << "dead 1 2 0x1.8";
   const auto again = shell(ranks(3) + call + with + rest);
@@ -211,7 +211,7 @@ TEST_F(Command, SaysThatTheDiskIsFullForTheCertificate) {
                          " --mu 1.0 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_THAT(run.output, HasSubstr("251 sign patterns"));
-  EXPECT_THAT(run.output, HasSubstr("cert: a part could not be written in full"));
+  EXPECT_THAT(run.output, HasSubstr("cert: a part is incomplete"));
 }
 
 }  // namespace

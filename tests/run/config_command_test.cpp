@@ -117,7 +117,7 @@ TEST_F(Config, LeavesOutWhatAloneMeansNothing) {
   EXPECT_EQ(shell(call("patterns " + truss + rest)).exit_code, 0);
   const auto run = shell(call("patterns " + truss + " --method cones" + rest));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("--facets: of cones that are not polyhedral"));
+  EXPECT_THAT(run.output, HasSubstr("--facets: requires --method polyhedral"));
   EXPECT_THAT(run.output, HasSubstr("(defaults of " + file + ": --facets 8 --mu 0.65)\n"));
 }
 

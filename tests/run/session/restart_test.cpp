@@ -117,8 +117,8 @@ TEST_F(Restart, RefusesWhatIsNotThere) {
 TEST_F(Restart, RefusesToTakeThePlaceOfACheckpoint) {
   leave_a_checkpoint(this_tree);
   const auto message = fmt::format(
-      "--checkpoint {0}: exists already; expected --restart {0} to go on from it, that it is "
-      "removed, or a new name",
+      "--checkpoint {0}: exists already; expected --restart {0} to resume from it, its "
+      "removal, or another name",
       file_);
   EXPECT_THAT(refused(file_, ""), ThrowsMessage<WrongInput>(message));
   EXPECT_THAT(refused(file_, "another"), ThrowsMessage<WrongInput>(message));
