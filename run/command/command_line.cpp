@@ -177,6 +177,8 @@ Asked parse(CommandList& list, int argc, const char* const* argv) {
   if (given(list, "--manual"))
     return {nullptr, entry == nullptr ? manual(list) : manual(list, *entry)};
   if (entry == nullptr) return {nullptr, overview(list), true};
+  if (const auto wrong = entry->table.replace_former_names(); !wrong.empty())
+    throw WrongCall(wrong);
   return {entry, {}};
 }
 

@@ -28,7 +28,7 @@ std::string within_quotes(std::string_view text) {
 std::string option_names(const OptionTable& table) {
   std::string names = "--help";
   for (const auto& row : table.rows()) {
-    if (row.named()) names += fmt::format(" {}", fmt::join(row.names(), " "));
+    if (row.named() && row.shown()) names += fmt::format(" {}", fmt::join(row.names(), " "));
   }
   return names;
 }
@@ -40,7 +40,7 @@ std::string bash_values(const OptionTable& table) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
-    if (!row.named() || row.value.empty()) continue;
+    if (!row.named() || !row.shown() || row.value.empty()) continue;
     const auto reply = !row.words.empty()   ? fmt::format("'{}'", fmt::join(row.words, " "))
                        : row.value == "DIR" ? std::string("-d")
                        : takes_a_file(row)  ? std::string("-f")
@@ -134,6 +134,7 @@ std::string zsh_arguments(const OptionTable& table) {
   std::string text = "_arguments '(- *)'{-h,--help}'[print help]'";
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
+    if (!row.shown()) continue;
     if (row.named()) {
       const auto name = row.letter.empty()
                             ? fmt::format("'{}", row.name)
@@ -195,6 +196,7 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
   const auto out = std::back_inserter(text);
   bool files = false;
   for (const auto& row : table.rows()) {
+    if (!row.shown()) continue;
     if (!row.named()) {
       files = true;
       continue;

@@ -79,7 +79,7 @@ void check_key(const TomlReader& reader, const toml::key& key, const OptionTable
   if (row == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& each : table.rows()) {
-      if (each.named() && no_default(each).empty())
+      if (each.named() && each.shown() && no_default(each).empty())
         names.push_back(std::string_view(each.name).substr(2));
     }
     unknown(reader, key, "option", names);

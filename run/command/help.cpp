@@ -122,7 +122,9 @@ std::string help(const CommandList::Entry& entry) {
                       usage(entry.table), entry.name(), command.example());
   std::string required;
   std::string optional;
-  for (const auto& row : entry.table.rows()) (row.required ? required : optional) += entry_of(row);
+  for (const auto& row : entry.table.rows()) {
+    if (row.shown()) (row.required ? required : optional) += entry_of(row);
+  }
   optional += entry_of("-h, --help", "print this help");
   if (!required.empty()) text += "\nRequired:\n" + required;
   text += "\nOptions:\n" + optional;

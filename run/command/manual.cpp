@@ -89,7 +89,9 @@ std::string synopsis(const CommandList::Entry& entry) {
 std::string body(const CommandList::Entry& entry) {
   const auto& command = *entry.subcommand;
   std::string text;
-  for (const auto& row : entry.table.rows()) text += paragraph(row);
+  for (const auto& row : entry.table.rows()) {
+    if (row.shown()) text += paragraph(row);
+  }
   text +=
       fmt::format(".PP\nExample:\n.B kusabi {} {}\n", roff(entry.name()), roff(command.example()));
   if (const auto notes = command.notes(); !notes.empty())

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -180,6 +181,41 @@ void OptionTable::further_output(std::string name, std::string help) {
   file(std::move(name), named_, Role::output, std::move(help));
 }
 
+void OptionTable::problem(std::string& file) {
+  this->file("file", file, Role::input, "problem file (TOML)").required();
+}
+
+void OptionTable::result(std::string& file) {
+  this->file("file", file, Role::input, "result file (JSON)").required();
+}
+
+RowBuilder OptionTable::friction(double& coefficient) {
+  return number("--mu", &coefficient, above(0), "friction coefficient").required();
+}
+
+RowBuilder OptionTable::load_case(std::string& name, const std::string& otherwise) {
+  return text("--case", name, "NAME", "name of the load case" + otherwise);
+}
+
+RowBuilder OptionTable::group_alpha(std::string& half_widths) {
+  return text("--group-alpha", half_widths, "NAME=NUMBER,...",
+              "half-widths of uncertain loads or groups by name")
+      .unit("in the file's unit of force");
+}
+
+void OptionTable::pictures(std::string& folder, const std::string& each,
+                           const std::string& opened_by) {
+  file(
+      "--vtu", folder, Role::folder,
+      fmt::format("folder for a VTU picture of each {}; {} opens all in ParaView", each, opened_by))
+      .ends_in({"/" + opened_by});
+}
+
+void OptionTable::prove(bool& variable, const std::string& how) {
+  flag("--prove", variable,
+       how + ". Default: only if the scales of the structure are more than 1e7 apart");
+}
+
 void OptionTable::quiet(std::string help) {
   flag("--quiet", switched_, std::move(help)).letter("-q").varies();
 }
@@ -219,15 +255,14 @@ void OptionTable::node_limit(engine::Limits& limits) {
 
 void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
   file("--resume", choice.state, Role::state,
-       fmt::format("file that keeps the state of the run, with further files beside it: the same "
-                   "call begins, resumes, or repeats the finished result, on any number of ranks{}",
+       fmt::format("file for the state of the run, with further files beside it: the same call "
+                   "begins the run, resumes it, or repeats its result, on any number of ranks{}",
                    help));
   number("--resume-wait", &choice.patience, at_least(0),
          "maximum waiting time for another run that uses this file")
       .unit("s")
       .needs("--resume")
       .varies();
-  if (find("--checkpoint-interval") != nullptr) return;
   number("--checkpoint-interval", &choice.interval, above(0),
          "time between two saved states of a search")
       .unit("s")
@@ -242,15 +277,32 @@ void OptionTable::save_on(CheckpointChoice& choice) {
       .varies();
 }
 
-void OptionTable::checkpoints(CheckpointChoice& choice) {
-  file("--checkpoint", choice.file, Role::checkpoint,
-       "file that keeps the state of the search; use --resume");
-  number("--checkpoint-interval", &choice.interval, above(0),
-         "time between two saved states of a search")
-      .unit("s")
-      .varies();
-  file("--restart", choice.restart, Role::restart, "checkpoint to resume from; use --resume");
-  resume(choice);
+void OptionTable::former_name(std::string name, std::string option) {
+  auto help = fmt::format("former name of {}", option);
+  const auto role = find(option)->role;
+  add({.name = std::move(name),
+       .value = "FILE",
+       .expected = "the name of a file",
+       .help = std::move(help),
+       .replaced_by = std::move(option),
+       .role = role,
+       .take = [](const std::string&) { return std::string(); }});
+}
+
+std::string OptionTable::replace_former_names() {
+  for (auto& row : rows_) {
+    if (row.shown() || !row.given) continue;
+    auto& present = *std::ranges::find(rows_, row.replaced_by, &OptionRow::name);
+    if (present.given && present.given != row.given) {
+      return fmt::format("{} is a {}, which is given as {}, too; expected {} alone", row.name,
+                         row.help, quoted(*present.given), present.name);
+    }
+    present.take(*row.given);
+    present.given = std::exchange(row.given, std::nullopt);
+    warnings_.push_back(fmt::format("{} is a former name of {}; expected {}", row.name,
+                                    present.name, present.name));
+  }
+  return {};
 }
 
 void OptionTable::config(ConfigChoice& choice) {

@@ -50,7 +50,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
 const OptionRow* explained_by(const OptionTable& table, std::string_view word) {
   const OptionRow* found = nullptr;
   for (const auto& row : table.rows()) {
-    if (!row.named() || support::nearest(word, words_of(row.help)).empty()) continue;
+    if (!row.named() || !row.shown() || support::nearest(word, words_of(row.help)).empty())
+      continue;
     if (found == nullptr || row.help.size() < found->help.size()) found = &row;
   }
   return found;
@@ -59,7 +60,7 @@ const OptionRow* explained_by(const OptionTable& table, std::string_view word) {
 std::vector<std::string_view> names_of(const OptionTable& table) {
   std::vector<std::string_view> names{"help"};
   for (const auto& row : table.rows()) {
-    if (row.named()) names.push_back(without_dashes(row.name));
+    if (row.named() && row.shown()) names.push_back(without_dashes(row.name));
   }
   return names;
 }

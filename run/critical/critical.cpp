@@ -38,8 +38,8 @@ class Critical final : public Subcommand {
     return "smallest friction coefficient with a wedged configuration";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "The smallest friction coefficient at which the structure can stick, in a proved "
-           "bracket.";
+    return "The smallest friction coefficient at which the structure can stick, with a proved "
+           "lower and upper bound.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/wedge-in-groove.toml";
@@ -68,7 +68,7 @@ class Critical final : public Subcommand {
 };
 
 void Critical::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "problem file (TOML)").required();
+  table.problem(options_.file);
   table.choice("--method", options_.question.way,
                {{"auto", wedged::CriticalWay::automatic},
                 {"descent", wedged::CriticalWay::descent},
@@ -83,8 +83,8 @@ void Critical::describe(OptionTable& table) {
                "width of the brackets. Default: 1e-8; with more than 100 candidates 1e-6, and cone "
                "programs are solved in double precision only");
   table.choice("--cuts", options_.question.tightening, cuts_words(),
-               "bounds of the reaction and the gap of each candidate, which give cuts for the "
-               "nodes: for large constrained bodies, never, or always");
+               "compute bounds of the reaction and the gap of each candidate, which cut nodes: for "
+               "large constrained bodies (auto), never, or always");
   table.flag("--list", options_.question.list,
              "list all patterns that stick at the upper bound, not only the one that proves it");
   table
@@ -97,10 +97,7 @@ void Critical::describe(OptionTable& table) {
       .varies();
   table.output();
   table.further_output("--csv", "CSV file of the patterns, one row each");
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "folder for a VTU picture of each listed pattern; critical.pvd opens all in ParaView")
-      .ends_in({"/critical.pvd"});
+  table.pictures(vtu_, "listed pattern", "critical.pvd");
   table
       .file("--certificate", options_.certificate, Role::evidence,
             "certificates of both bounds, NAME.lower and NAME.upper, for kusabi verify")
@@ -209,7 +206,7 @@ Verdict Critical::verdict() const {
 
 std::vector<std::string> Critical::remarks(CommandRun& run) {
   if (findings_.status == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, findings_.status, false);
+  return run.how_to_go_on(findings_.status);
 }
 
 }  // namespace

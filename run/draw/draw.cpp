@@ -33,7 +33,7 @@ class Draw final : public Subcommand {
     return "result.json --svg answers.svg";
   }
   void describe(OptionTable& table) override {
-    table.file("file", file_, Role::input, "result file (JSON)").required();
+    table.result(file_);
     table.further_output("--svg", "SVG file; default: standard output");
     table.number("--pattern", &pattern_, above(0),
                  "number of the pattern or ray to draw in detail; of a result of kusabi limit 1 is "

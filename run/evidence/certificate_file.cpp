@@ -207,10 +207,10 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on,
     const auto checkpoint = goes_on ? std::string{} : checkpoint_of(part.file);
     // Parts of a run that was killed before its first checkpoint are useless.
     if (!checkpoint.empty() && checkpoint != own) {
-      const bool is_state = first_line(checkpoint).starts_with("kusabi-state ");
-      refuse(fmt::format(
-          "{} belongs to an unfinished search; expected --{} {} to resume it, or a new name",
-          part.file, is_state ? "resume" : "restart", checkpoint));
+      refuse(
+          fmt::format("{} belongs to an unfinished search; expected --resume {} to resume it, or a "
+                      "new name",
+                      part.file, checkpoint));
     }
   }
   const unsigned run = parts.empty() ? 1 : parts.back().run + 1;

@@ -59,7 +59,7 @@ class ExportCbf final : public ExportedFile {
 
 void ExportCbf::describe(OptionTable& table) {
   describe_input(table);
-  table.number("--mu", &coefficient_, above(0), "friction coefficient").required();
+  table.friction(coefficient_);
   table.text("--contact", contact_names_, "NODE,NODE,...",
              "candidates in contact at the node (U); none at the root");
   table.text("--separated", separated_names_, "NODE,NODE,...",

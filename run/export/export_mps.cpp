@@ -77,14 +77,11 @@ void ExportMps::describe(OptionTable& table) {
       .number("--alpha", &alpha_, at_least(0),
               "half-width of each uncertain load, for --program worst-case")
       .unit("in the file's unit of force");
-  table
-      .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
-            "half-widths of uncertain loads or groups by name")
-      .unit("in the file's unit of force");
+  table.group_alpha(group_alpha_);
   table.number("--big-m", &asked_m_, above(0),
                "M of (29), for motions with f_R'u = 1 in the unit of force; 5 in the paper. "
                "Default: a safe value for each component, derived from the problem");
-  table.text("--case", load_case_, "NAME", "name of the load case");
+  table.load_case(load_case_);
   describe_output(table);
 }
 

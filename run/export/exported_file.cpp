@@ -9,7 +9,7 @@
 namespace kusabi::run {
 
 void ExportedFile::describe_input(OptionTable& table) {
-  table.file("file", file_, Role::input, "problem file (TOML)").required();
+  table.problem(file_);
 }
 
 void ExportedFile::describe_output(OptionTable& table) {

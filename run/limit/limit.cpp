@@ -78,18 +78,14 @@ class Limit final : public Subcommand {
 
 void Limit::describe(OptionTable& table) {
   constexpr double most_samples = 1e8;
-  table.file("file", options_.file, Role::input, "problem file (TOML)").required();
+  table.problem(options_.file);
   table
       .number("--alpha", &options_.asked.alpha, at_least(0),
               "half-width of each uncertain load, unless the file gives it another one")
       .unit("in the file's unit of force")
       .swept();
-  table.text("--case", options_.load_case, "NAME",
-             "name of the load case; without this option all cases are analysed");
-  table
-      .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
-            "half-widths of uncertain loads or groups by name")
-      .unit("in the file's unit of force");
+  table.load_case(options_.load_case, ". Default: all load cases of the file");
+  table.group_alpha(group_alpha_);
   table.choice("--cuts", options_.question.method,
                {{"none", limit::LimitMethod::fixed},
                 {"disjunctive", limit::LimitMethod::disjunctive},
@@ -123,11 +119,7 @@ void Limit::describe(OptionTable& table) {
   table.save_on(options_.checkpoint);
   table.output();
   table.further_output("--csv", "CSV file of the members: forces, utilisation, yielding");
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "folder for VTU pictures of both collapses, nominal and worst case; limit.pvd opens "
-            "them in ParaView")
-      .ends_in({"/limit.pvd"});
+  table.pictures(vtu_, "collapse, nominal and worst case", "limit.pvd");
   table.file("--certificate", certificate_, Role::output, "certificate file, for kusabi verify")
       .matters();
   table.quiet();
@@ -285,7 +277,7 @@ Verdict Limit::verdict() const {
 std::vector<std::string> Limit::remarks(CommandRun& run) {
   const auto ended_by = verdict().ended;
   if (ended_by == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, ended_by, false);
+  return run.how_to_go_on(ended_by);
 }
 
 }  // namespace

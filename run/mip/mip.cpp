@@ -47,17 +47,6 @@ std::uint64_t program_fingerprint(const ProgramFile& file) {
   return fingerprint.value();
 }
 
-// Fingerprint of the tree: a checkpoint belongs to a tree, which depends on the options.
-std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options) {
-  support::Fingerprint fingerprint;
-  fingerprint.add(program);
-  fingerprint.add(static_cast<int>(options.cuts));
-  fingerprint.add(static_cast<int>(options.branching));
-  fingerprint.add(static_cast<int>(options.tighten));
-  fingerprint.add(static_cast<int>(options.dive));
-  return fingerprint.value();
-}
-
 class Mip final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "mip"; }
@@ -119,7 +108,9 @@ void Mip::describe(OptionTable& table) {
               "relative difference of objective and bound at which the search stops")
       .stops(engine::Status::gap_limit)
       .varies();
-  table.checkpoints(options_.checkpoint);
+  table.resume(options_.checkpoint);
+  table.former_name("--checkpoint", "--resume");
+  table.former_name("--restart", "--resume");
   table.save_on(options_.checkpoint);
   table.quiet();
   table.serial();
@@ -134,8 +125,6 @@ void Mip::read(CommandRun& run) {
 void Mip::prepare(CommandRun& run) {
   fingerprint_ = program_fingerprint(program_);
   search_options_.order = options_.order;
-  search_options_.checkpoint =
-      run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
   run.keep_state(options_.checkpoint, {{"the program", hexadecimal(fingerprint_)}});
   auto limits = options_.limits;
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - began_;
@@ -175,7 +164,7 @@ Verdict Mip::verdict() const {
 std::vector<std::string> Mip::remarks(CommandRun& run) {
   const auto& outcome = found_->outcome;
   if (outcome.status == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+  return run.how_to_go_on(outcome.status);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/analysis.hpp"
-#include "engine/checkpoint.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "nodes/wedged/tree/facets.hpp"
@@ -43,8 +42,9 @@ class Patterns final : public Subcommand {
     return "all sign patterns of wedged configurations";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "All combinations of contact and separation in which the structure sticks, each with a "
-           "configuration, and a proof that there are no others.";
+    return "Lists all combinations of contact and separation for which the structure sticks, each "
+           "with one configuration. The list is complete up to rounding errors; --certificate and "
+           "kusabi verify prove it.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/space-truss.toml --mu 0.65";
@@ -78,31 +78,32 @@ class Patterns final : public Subcommand {
   std::optional<CertificateFile> certificate_;
   std::optional<wedged::PatternFindings> findings_;
   std::vector<wedged::PatternBracket> brackets_;  // on rank 0, if requested
-  bool goes_on_ = false;  // a checkpoint exists from which the search can be resumed
+  bool goes_on_ = false;  // a state is kept from which the search can be resumed
 };
 
 void Patterns::describe(OptionTable& table) {
   using wedged::Branching;
   using wedged::FacetBound;
-  table.file("file", options_.file, Role::input, "problem file (TOML)").required();
-  table.number("--mu", &options_.friction, above(0), "friction coefficient").required().swept();
+  table.problem(options_.file);
+  table.friction(options_.friction).swept();
   // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
   // to find.
   table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
                "margins |t*| up to this value are degenerate, neither positive nor negative");
+  table.choice("--branching", options_.branching,
+               {{"auto", Branching::automatic},
+                {"paper", Branching::product},
+                {"relative", Branching::relative},
+                {"deepest", Branching::deepest},
+                {"weighed", Branching::weighed}},
+               "branching rule: largest u_n r_n (paper), the same relative to the compliance "
+               "(relative), largest loss of both children (deepest), a weighted mean of these two "
+               "(weighed), or the rule with the smallest sampled tree (auto). The patterns are the "
+               "same, the number of nodes differs");
   table.choice(
-      "--branching", options_.branching,
-      {{"auto", Branching::automatic},
-       {"paper", Branching::product},
-       {"relative", Branching::relative},
-       {"deepest", Branching::deepest},
-       {"weighed", Branching::weighed}},
-      "branching rule: largest u_n r_n (paper), relative to the compliance (relative), largest "
-      "loss of both children (deepest), a weighted mean of these (weighed), or the rule with the "
-      "smallest sampled tree (auto). The patterns are the same, the number of nodes differs");
-  table.choice("--cuts", options_.tightening, cuts_words(),
-               "bounds of the reaction and the gap of each candidate before the search, which give "
-               "cuts for the nodes: for constrained bodies with a large tree, never, or always");
+      "--cuts", options_.tightening, cuts_words(),
+      "compute bounds of the reaction and the gap of each candidate before the search, which cut "
+      "nodes: for constrained bodies with a large tree (auto), never, or always");
   table.number("--probe", &options_.probes, between(0, 1000),
                "number of candidates for strong branching at each node: fewer nodes and a smaller "
                "certificate, but more time; 8 is enough");
@@ -128,11 +129,11 @@ void Patterns::describe(OptionTable& table) {
               "ten cone programs per pattern")
       .varies();
   table
-      .number(
-          "--group", &options_.group, between(0, 1000),
-          "maximum number of candidates by which neighbours in a group of patterns differ; a group "
-          "is one line, and is in the result file, too. Default: no groups, but a terminal shows "
-          "more than 40 patterns in groups around those of largest margin; 0 shows all")
+      .number("--group", &options_.group, between(0, 1000),
+              "list as one line the patterns whose contact sets differ in at most so many "
+              "candidates, directly or through others; groups are also in the result file. "
+              "Default: no groups, but on a terminal more than 40 patterns are grouped around "
+              "those with the largest margins; 0 lists all")
       .varies();
   table
       .number("--top", &options_.top, above(0),
@@ -148,26 +149,24 @@ void Patterns::describe(OptionTable& table) {
       .varies();
   table.output();
   table.further_output("--csv", "CSV file of the patterns, one row each");
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "folder for a VTU picture of each pattern; patterns.pvd opens all in ParaView")
-      .ends_in({"/patterns.pvd"});
+  table.pictures(vtu_, "pattern", "patterns.pvd");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table
       .number("--pattern-limit", &options_.limits.solutions, above(0), "maximum number of patterns")
       .stops(engine::Status::solution_limit)
       .varies();
-  table.checkpoints(options_.checkpoint);
-  table.file("--trace", trace_, Role::output, "timeline of all ranks, for ui.perfetto.dev");
+  table.resume(options_.checkpoint);
+  table.former_name("--checkpoint", "--resume");
+  table.former_name("--restart", "--resume");
+  table.file("--trace", trace_, Role::output,
+             "file for the timeline of all ranks, for ui.perfetto.dev");
   table.file("--certificate", options_.certificate, Role::evidence,
              "certificate file, for kusabi verify");
   table.flag("--exists", options_.exists,
              "find one pattern, or prove that there is none; large blocks are first searched "
              "without a tree");
-  table.flag("--prove", options_.prove,
-             "test every node exactly, as kusabi verify does. Default: only if the scales of the "
-             "structure are more than 1e7 apart");
+  table.prove(options_.prove, "test every node exactly, as kusabi verify does");
   table.quiet();
   table.serial();
 }
@@ -236,14 +235,11 @@ void Patterns::prepare(CommandRun& run) {
   question_.exists = options_.exists;
   auto& search = question_.search;
   search.order = options_.order;
-  const auto fingerprint = tree_fingerprint();
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
-  search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
   // If an earlier run has finished, no further evidence is recorded.
-  certificate_.emplace(
-      run.session(), run.has_searched() ? std::string() : options_.certificate, options_.file,
-      fingerprint, !options_.checkpoint.restart.empty() || run.has_begun_to_search(),
-      options_.checkpoint.state.empty() ? search.checkpoint.file : options_.checkpoint.state);
+  certificate_.emplace(run.session(), run.has_searched() ? std::string() : options_.certificate,
+                       options_.file, tree_fingerprint(), run.has_begun_to_search(),
+                       options_.checkpoint.state);
   if (certificate_->wanted())
     question_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
@@ -310,9 +306,7 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
 std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(
       PatternsReport{options_, problem_, *findings_, brackets_, CommandRun::page()});
-  const auto& kept = question_.search.checkpoint.file;
-  const auto& state = options_.checkpoint.state;
-  goes_on_ = !state.empty() || (!kept.empty() && engine::checkpoint_exists(kept));
+  goes_on_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
   return {run.result([report, states] { return report->json(WholeStateJson(*states)); }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
@@ -330,7 +324,7 @@ std::vector<std::string> Patterns::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto& outcome = findings_->outcome;
   if (!whole() && verdict().ended != engine::Status::solved)
-    remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+    remarks = run.how_to_go_on(outcome.status);
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (!options_.certificate.empty() && !(whole() && run.quiet())) {

@@ -90,8 +90,8 @@ class Rays final : public Subcommand {
 };
 
 void Rays::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "problem file (TOML)").required();
-  table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
+  table.problem(options_.file);
+  table.friction(options_.friction);
   table.choice("--method", options_.method,
                {{"auto", RayMethod::automatic},
                 {"double-description", RayMethod::double_description},
@@ -100,10 +100,7 @@ void Rays::describe(OptionTable& table) {
                "pattern (tree), or the faster of both by a trial, with the list divided among the "
                "ranks (auto): the same rays");
   table.output();
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "folder for a VTU picture of each ray; rays.pvd opens all in ParaView")
-      .ends_in({"/rays.pvd"});
+  table.pictures(vtu_, "ray", "rays.pvd");
   table.further_output("--csv", "CSV file of the rays, one row each");
   table.further_output("--dot", "graph of cones and their rays for Graphviz; up to 200 rays");
   table
@@ -115,9 +112,9 @@ void Rays::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint, "; short steps that all ranks make together are repeated");
-  table.flag("--prove", options_.prove,
-             "compare the cones with a list of patterns that is tested exactly, as by kusabi "
-             "verify. Default: only if the scales of the structure are more than 1e7 apart");
+  table.prove(options_.prove,
+              "compare the cones with a list of patterns that is tested exactly, as by kusabi "
+              "verify");
   table.quiet();
   table.serial();
 }
@@ -249,8 +246,7 @@ std::vector<std::string> Rays::remarks(CommandRun& run) {
                     found_.rays.size(), most_drawn_rays));
   }
   if (whole()) return remarks;
-  std::ranges::move(run.how_to_go_on(options_.checkpoint, found_.status, false),
-                    std::back_inserter(remarks));
+  std::ranges::move(run.how_to_go_on(found_.status), std::back_inserter(remarks));
   return remarks;
 }
 

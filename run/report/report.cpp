@@ -23,7 +23,7 @@ class Report final : public Subcommand {
     return "result.json --output report.html";
   }
   void describe(OptionTable& table) override {
-    table.file("file", file_, Role::input, "result file (JSON)").required();
+    table.result(file_);
     table.output("HTML file; default: standard output");
     table.quiet();
     table.serial();

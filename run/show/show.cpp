@@ -24,7 +24,7 @@ class Show final : public Subcommand {
   }
   [[nodiscard]] std::string_view example() const override { return "examples/space-truss.toml"; }
   void describe(OptionTable& table) override {
-    table.file("file", file_, Role::input, "problem file (TOML)").required();
+    table.problem(file_);
     table.further_output(
         "--vtu",
         "VTU picture of the structure for ParaView, with supports, normals, candidates and loads");

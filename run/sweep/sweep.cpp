@@ -66,7 +66,7 @@ class Sweep final : public Subcommand {
 };
 
 void Sweep::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "problem file (TOML)").required();
+  table.problem(options_.file);
   table.text("--mu", options_.mu, "POINTS",
              "friction coefficients: START:END:STEP, or a list with commas");
   table.number("--mu-max", &options_.mu_max, above(0),
@@ -77,21 +77,17 @@ void Sweep::describe(OptionTable& table) {
       .text("--alpha", options_.alpha, "POINTS",
             "half-widths of the uncertain loads of a truss: START:END:STEP, or a list with commas")
       .unit("in the file's unit of force");
-  table.text("--case", options_.load_case, "NAME", "name of the load case").needs("--alpha");
-  table
-      .text("--group-alpha", options_.group_alpha, "NAME=NUMBER,...",
-            "fixed half-widths of uncertain loads or groups by name")
-      .unit("in the file's unit of force")
-      .needs("--alpha");
+  table.load_case(options_.load_case).needs("--alpha");
+  table.group_alpha(options_.group_alpha).needs("--alpha");
   table.output();
   table.file("--csv", csv_, Role::output, "CSV file of the points and the steps");
   table.file("--svg", svg_, Role::output, "chart of the points and the steps (SVG)");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
-  table.flag("--prove", options_.prove,
-             "compare the numbers of patterns with lists that are tested exactly, as by kusabi "
-             "verify. Default: only if the scales of the structure are more than 1e7 apart");
+  table.prove(options_.prove,
+              "compare the numbers of patterns with lists that are tested exactly, as by kusabi "
+              "verify");
   table.quiet();
   table.serial();
 }
@@ -155,8 +151,7 @@ std::vector<Step> Sweep::results(CommandRun& run) {
 std::vector<std::string> Sweep::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto ended = verdict().ended;
-  if (ended != engine::Status::solved)
-    remarks = run.how_to_go_on(options_.checkpoint, ended, false);
+  if (ended != engine::Status::solved) remarks = run.how_to_go_on(ended);
   if (run.wants("--svg") && !chart_) {
     remarks.push_back(fmt::format("--svg: there are no results to draw; {} is unchanged", svg_));
   }

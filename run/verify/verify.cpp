@@ -133,7 +133,7 @@ Verdict Verify::verdict() const {
 
 std::vector<std::string> Verify::remarks(CommandRun& run) {
   if (findings_.status == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, findings_.status, false);
+  return run.how_to_go_on(findings_.status);
 }
 
 }  // namespace

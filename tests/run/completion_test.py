@@ -49,7 +49,7 @@ class Completion(KusabiCase):
         self.assertEqual(self.completed("kusabi --completion z"), ["zsh"])
 
     def test_options_and_choices(self):
-        self.assertEqual(self.completed("kusabi patterns truss.toml --chec"), ["--checkpoint", "--checkpoint-interval"])
+        self.assertEqual(self.completed("kusabi patterns truss.toml --resu"), ["--resume", "--resume-wait"])
         self.assertEqual(self.completed("kusabi patterns --sort "), ["number", "margin", "contact", "critical"])
         self.assertEqual(self.completed("kusabi patterns --sort = mar"), ["margin"])
         self.assertEqual(self.completed("kusabi patterns --sort ="), ["number", "margin", "contact", "critical"])

@@ -151,7 +151,7 @@ TEST_F(Files, OfOneCallAreAllDifferent) {
                                        {"--certificate", ""},
                                        {"--csv", ""}});
   EXPECT_THROW(check_outputs(in_folder("problem"), {{"--output", in_folder("state")}},
-                             {{"--checkpoint", in_folder("state")}}),
+                             {{"--resume", in_folder("state")}}),
                WrongInput);
   EXPECT_EQ(content("old"), "old");
   EXPECT_THAT(files(), UnorderedElementsAre("folder", "way", "problem", "old", "link", "twin"));
