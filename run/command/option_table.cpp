@@ -229,7 +229,7 @@ void OptionTable::time_limit(engine::Limits& limits) {
   add({.name = "--time-limit",
        .value = "TIME",
        .range = "seconds, 90s, 1h30m or slurm",
-       .help = "time limit; slurm: until shortly before the end of the job",
+       .help = "time limit, as 5400, 90s or 1h30m; slurm: shortly before the end of the Slurm job",
        .matters = false,
        .take = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {
@@ -295,7 +295,7 @@ std::string OptionTable::replace_former_names() {
     auto& present = *std::ranges::find(rows_, row.replaced_by, &OptionRow::name);
     if (present.given && present.given != row.given) {
       return fmt::format("{} is a {}, which is given as {}, too; expected {} alone", row.name,
-                         row.help, quoted(*present.given), present.name);
+                         row.help, run::quoted(*present.given), present.name);
     }
     present.take(*row.given);
     present.given = std::exchange(row.given, std::nullopt);

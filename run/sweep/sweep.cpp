@@ -29,7 +29,7 @@ class Sweep final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "sweep"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "number of patterns over friction, or limit load over load uncertainty";
+    return "patterns over friction, or limit load over uncertainty";
   }
   [[nodiscard]] std::string_view description() const override {
     return "The number of sign patterns as a function of the friction coefficient, or the "
