@@ -98,6 +98,12 @@ const char* phase_name(wedged::CriticalPhase phase) {
   return "upper end";
 }
 
+// Name in the table; result files keep that of their first version.
+const char* shown_name(wedged::CriticalPhase phase) {
+  if (phase == wedged::CriticalPhase::lower_end) return "lower bound";
+  return phase == wedged::CriticalPhase::upper_end ? "upper bound" : phase_name(phase);
+}
+
 // Searches, one per line, and their sum.
 std::string costs_text(const wedged::CriticalFindings& findings) {
   auto text =
@@ -106,7 +112,7 @@ std::string costs_text(const wedged::CriticalFindings& findings) {
   std::uint64_t programs = 0;
   const auto out = std::back_inserter(text);
   for (const auto& cost : findings.costs) {
-    fmt::format_to(out, "{:<12}  {:>12.10g}  {:>9}  {:>9}\n", phase_name(cost.phase), cost.friction,
+    fmt::format_to(out, "{:<12}  {:>12.10g}  {:>9}  {:>9}\n", shown_name(cost.phase), cost.friction,
                    cost.opened, cost.programs);
     opened += cost.opened;
     programs += cost.programs;
@@ -151,7 +157,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
-    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "dead at", "alive at",
+    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "absent at", "present at",
                    "in contact (U); others separated (R)");
   }
   std::size_t number = 0;

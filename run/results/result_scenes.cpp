@@ -65,7 +65,7 @@ class SceneReader {
     } else if (command == "limit") {
       read_collapses(all);
     } else if (command != "sweep") {  // a sweep is a chart
-      reader_.refuse(fmt::format("is of kusabi {}", command));
+      reader_.refuse(fmt::format("is a result of kusabi {}", command));
     }
     return all;
   }
@@ -111,7 +111,7 @@ class SceneReader {
     const auto& bracket = reader_.at(result_, "critical_friction");
     all.picture.lines = {
         ResultReader::find(bracket, "upper") == nullptr
-            ? fmt::format("nothing can wedge up to {:.10g}", reader_.number(bracket, "lower"))
+            ? fmt::format("cannot stick up to {:.10g}", reader_.number(bracket, "lower"))
             : fmt::format("critical friction coefficient: between {:.10g} and {:.10g}",
                           reader_.number(bracket, "lower"), reader_.number(bracket, "upper"))};
     std::size_t entry = 0;
@@ -136,7 +136,7 @@ class SceneReader {
                                      counted(rays.size(), "extremal ray"), friction)};
     if (!rays.empty() && ResultReader::find(rays.front(), "all_displacements") == nullptr) {
       all.picture.lines.emplace_back(
-          "without the displacements of the whole: kusabi rays --whole writes them");
+          "only contact candidates: kusabi rays --whole adds all displacements");
     }
     for (const auto& ray : rays) {
       if (!is_chosen(all)) continue;
@@ -184,9 +184,10 @@ class SceneReader {
         add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
                  node_named(reader_.text(load, "node")), load);
       const bool alike = ResultReader::find(result_, "alpha") != nullptr;
-      add_line(all.scenes.back(), alike ? fmt::format("dead load uncertain up to α = {:.10g}",
-                                                      reader_.number(result_, "alpha"))
-                                        : std::string("dead load uncertain, each part by itself"));
+      add_line(all.scenes.back(),
+               alike ? fmt::format("dead load uncertain up to α = {:.10g}",
+                                   reader_.number(result_, "alpha"))
+                     : std::string("dead load uncertain, with individual half-widths"));
     }
   }
 
@@ -203,7 +204,7 @@ class SceneReader {
     }
     for (const auto& yielding : reader_.list(mode, "yielding")) {
       const auto ends = reader_.names(yielding, "member");
-      if (ends.size() != 2) reader_.refuse("a member has not two nodes");
+      if (ends.size() != 2) reader_.refuse("a member does not have two nodes");
       const std::array<int, 2> nodes{node_named(ends[0]), node_named(ends[1])};
       for (auto& bar : scene.bars) {
         if (bar.nodes != nodes) continue;
@@ -244,7 +245,7 @@ class SceneReader {
     };
     set("contact", "in contact", ContactState::contact);
     set("separated", "separated", ContactState::separated);
-    set("at_rest", "at rest", ContactState::at_rest);
+    set("at_rest", "inactive", ContactState::at_rest);
   }
 
   // Reactions, from the frames of the candidates to global axes; displacements of nodes, support
@@ -287,7 +288,7 @@ ResultScenes result_scenes(const ResultReader& reader, const std::string& file,
                            SceneChoice choice) {
   auto all = chosen_scenes(reader, choice);
   if (all.count == 0) {
-    throw WrongInput(fmt::format("{}: has no {}; expected one or more to draw", file, all.things));
+    throw WrongInput(fmt::format("{}: has no {}; expected at least one", file, all.things));
   }
   return all;
 }

@@ -37,7 +37,7 @@ const char* state_of(const limit::LimitWorstCase& worst) {
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
   const char* const standing = interval.decided() ? "" : ", not proved";
   if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
-  if (!interval.has_factors()) return "; from where on is open";
+  if (!interval.has_factors()) return "; the least factor for all loads is undecided";
   return fmt::format("; for all loads from {:.10g} on{}", interval.least.upper, standing);
 }
 
@@ -52,8 +52,8 @@ class LoadSweep final : public Swept {
     const auto& uncertain = problem_.uncertain;
     if (!uncertain.empty() && std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
       throw WrongInput(
-          "--alpha: every uncertain load of the file has a half-width of its own; expected some "
-          "that it leaves open");
+          "--alpha: the file gives every uncertain load its own half-width; expected uncertain "
+          "loads without alpha");
     }
     engine::agree(run.session().transport(), problem_.fingerprint);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
@@ -179,7 +179,7 @@ void LoadSweep::write_csv(std::ostream& out) const {
 
 std::string LoadSweep::curve_text() const {
   if (!curve()) return {};
-  std::string text = "\n       alpha       factor  collapse mode from there on\n";
+  std::string text = "\n       alpha       factor  collapse mode above this alpha\n";
   const auto out = std::back_inserter(text);
   for (const auto& piece : curve()->pieces) {
     const auto mode = problems::collapse_mode(problem_, piece.from.motion);
@@ -190,7 +190,7 @@ std::string LoadSweep::curve_text() const {
   const auto& last = curve()->pieces.back();
   fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);
   if (curve()->end) {
-    fmt::format_to(out, "{:>12.8g}     carried at no factor{}, nor beyond\n",
+    fmt::format_to(out, "{:>12.8g}     not carried at any factor from here on{}\n",
                    alpha_at(curve()->end->not_carried_at), curve()->end->proved ? ", proved" : "");
   }
   return text;
@@ -203,7 +203,7 @@ std::string LoadSweep::table() const {
   for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
-      fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
+      fmt::format_to(out, "not carried at any factor{}\n", worst.proved ? ", proved" : "");
     } else {
       const auto shown = in_table(worst.ends.lower, worst.ends.upper);
       fmt::format_to(out, "{} ... {}, {}{}\n", shown.lower, shown.upper,

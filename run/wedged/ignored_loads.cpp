@@ -15,13 +15,11 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
   const auto position =
       problems::position_of(structure.loads.empty() ? sources.uncertain : sources.loads, 0);
   const auto message = fmt::format(
-      "{} of the file {} no part in kusabi {}: a wedged configuration holds without any load, and "
-      "no load is needed for it; expected kusabi limit for limit loads of a truss, or a file "
-      "without [[loads]]",
+      "kusabi {} ignores {} of the file: a wedged configuration holds without loads; expected "
+      "kusabi limit for limit loads of a truss, or a file without [[loads]]",
+      command,
       structure.loads.empty() ? counted(uncertain, "uncertain load")
-                              : counted(structure.loads.size(), "load"),
-      (structure.loads.empty() ? uncertain : structure.loads.size()) == 1 ? "has" : "have",
-      command);
+                              : counted(structure.loads.size(), "load"));
   return {problems::structure_error(structure, position, message).what()};
 }
 

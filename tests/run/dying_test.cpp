@@ -195,7 +195,7 @@ TEST_F(Dying, OfAFullDiskSavesWhatItCan) {
     setrlimit(RLIMIT_FSIZE, &limit);
   });
   EXPECT_EQ(end_of(child), 1);
-  EXPECT_THAT(said(), HasSubstr("r.json: could not be written in full"));
+  EXPECT_THAT(said(), HasSubstr("r.json: the file is incomplete"));
   EXPECT_THAT(content(in_folder("table")), HasSubstr("extremal rays in"));
   EXPECT_TRUE(whole("r.csv"));
   EXPECT_TRUE(whole("r.dot"));
@@ -215,13 +215,13 @@ TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     const auto child = start(
         {"patterns", problem, "--mu", "1", "--output", in_folder("p.json"), "--trace",
-         in_folder("p.trace"), "--checkpoint", in_folder("state"), "--checkpoint-interval", "0.01"},
+         in_folder("p.trace"), "--resume", in_folder("state"), "--checkpoint-interval", "0.01"},
         [&] {
           open_as(STDOUT_FILENO, in_folder("table"));
           open_as(STDERR_FILENO, in_folder("said"));
         });
     // A checkpoint shows that the search runs and handles signals.
-    while (!fs::exists(in_folder("state")) && kill(child, 0) == 0) {
+    while (!fs::exists(in_folder("state.search")) && kill(child, 0) == 0) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     const auto asked = std::chrono::steady_clock::now();
@@ -245,7 +245,8 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
   constexpr int moments = thorough ? 20 : 10;
   constexpr int at_a_time = 5;
   // Half of them count from the first checkpoint, on machines of any speed.
-  const std::string await_search = "while [ ! -e state ] && kill -0 $p; do sleep 0.02; done;";
+  const std::string await_search =
+      "while [ ! -e state.search ] && kill -0 $p; do sleep 0.02; done;";
   double place = 0;
   std::string script;
   for (int moment = 0; moment < moments; ++moment) {
@@ -256,7 +257,7 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
     // mpirun replaces the shell, so that it receives the signal.
     script += fmt::format(
         "(cd {}; exec {} {} patterns {} --mu 1 --output p.json --trace p.trace --certificate "
-        "p.cert --checkpoint state --checkpoint-interval 0.05 > said 2>&1) & p=$!;"
+        "p.cert --resume state --checkpoint-interval 0.05 > said 2>&1) & p=$!;"
         " (cd {}; {} sleep {:.3f}; kill -{} $p) &\n",
         quoted(folder), ranks(2), command, quoted(problem), quoted(folder),
         moment % 4 < 2 ? await_search : std::string{}, 0.1 + place,
@@ -272,7 +273,7 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
       if (!fs::exists(in_folder(name))) continue;
       EXPECT_TRUE(whole(name)) << name;
     }
-    const auto state = in_folder(folder + "/state");
+    const auto state = in_folder(folder + "/state.search");
     if (!fs::exists(state)) continue;
     const auto manifest = engine::read_manifest(state);
     std::string warning;
