@@ -102,6 +102,12 @@ void Critical::describe(OptionTable& table) {
       .file("--certificate", options_.certificate, Role::evidence,
             "certificates of both bounds, NAME.lower and NAME.upper, for kusabi verify")
       .ends_in({".lower", ".upper"});
+  table
+      .flag("--whole", options_.whole,
+            "displacements of all nodes, member forces and support reactions of all patterns in "
+            "the result file; otherwise of the first 100")
+      .needs("--output")
+      .varies();
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint, "; with --certificate both bounds are proved anew");

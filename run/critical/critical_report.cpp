@@ -36,16 +36,18 @@ const char* way_name(wedged::CriticalWay way) {
   return "bisection";
 }
 
+/// @param whole nothing: signs, brackets and reactions only
 ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::CriticalEntry& entry,
-                        const WholeStateJson& whole) {
+                        const WholeStateJson* whole) {
   ordered_json json = pattern_json(problem, entry.block, entry.pattern);
   json["lower"] = entry.lower;
   json["upper"] = number_or_null(entry.upper);
   if (entry.reaction.empty()) return json;
   json["reaction"] = block_rows(problem, entry.block, entry.reaction);
+  if (whole == nullptr) return json;
   json["displacement"] = block_rows(problem, entry.block, entry.displacement);
-  whole.add_to(json, of_all_candidates(problem, entry.block, entry.reaction),
-               of_all_candidates(problem, entry.block, entry.displacement));
+  whole->add_to(json, of_all_candidates(problem, entry.block, entry.reaction),
+                of_all_candidates(problem, entry.block, entry.displacement));
   return json;
 }
 
@@ -182,7 +184,10 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const WholeStateJson& whole) {
   auto patterns = ordered_json::array();
-  for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry, whole));
+  for (std::size_t i = 0; i < findings.patterns.size(); ++i) {
+    const bool all = options.whole || i < whole_unless_requested;
+    patterns.push_back(entry_json(problem, findings.patterns[i], all ? &whole : nullptr));
+  }
   ordered_json chosen = {{"method", way_name(options.question.way)},
                          {"cuts", name_of(options.question.tightening)},
                          {"width", wedged::grid_of(problem, options.question).width}};

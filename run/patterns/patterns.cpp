@@ -150,6 +150,12 @@ void Patterns::describe(OptionTable& table) {
   table.output();
   table.further_output("--csv", "CSV file of the patterns, one row each");
   table.pictures(vtu_, "pattern", "patterns.pvd");
+  table
+      .flag("--whole", options_.whole,
+            "displacements of all nodes, member forces and support reactions of all patterns in "
+            "the result file; otherwise of the first 100 and of the one with the largest margin")
+      .needs("--output")
+      .varies();
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table
@@ -303,7 +309,8 @@ std::vector<Step> Patterns::results(CommandRun& run) {
       PatternsReport{options_, problem_, *findings_, brackets_, CommandRun::page()});
   goes_on_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
-  return {run.result([report, states] { return report->json(WholeStateJson(*states)); }),
+  return {run.result(
+              [report, states](JsonWriter& json) { report->write(json, WholeStateJson(*states)); }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),

@@ -206,10 +206,12 @@ void PatternsReport::write_csv(std::ostream& out) const {
   }
 }
 
-ordered_json PatternsReport::patterns_json(const WholeStateJson& whole) const {
-  ordered_json patterns = ordered_json::array();
-  for (std::size_t i = 0; i < findings_.leaves.size(); ++i) {
-    const auto& leaf = findings_.leaves[i];
+void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whole) const {
+  const auto& leaves = findings_.leaves;
+  const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  json.begin_list();
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const auto& leaf = leaves[i];
     auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, findings_.idle());
     pattern["state"] = state_name(leaf.state);
     pattern["margin"] = leaf.lower;
@@ -219,12 +221,14 @@ ordered_json PatternsReport::patterns_json(const WholeStateJson& whole) const {
                                       {"upper", number_or_null(brackets_[i].upper)}};
     }
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
-    pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
-    whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
-                 of_all_candidates(problem_, leaf.block, leaf.displacement));
-    patterns.push_back(std::move(pattern));
+    if (options_.whole || i < whole_unless_requested || &leaf == &*best) {
+      pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
+      whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
+                   of_all_candidates(problem_, leaf.block, leaf.displacement));
+    }
+    json.value(pattern);
   }
-  return patterns;
+  json.end_list();
 }
 
 ordered_json PatternsReport::groups_json() const {
@@ -240,7 +244,7 @@ ordered_json PatternsReport::groups_json() const {
   return list;
 }
 
-ordered_json PatternsReport::json(const WholeStateJson& whole) const {
+void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole) const {
   ordered_json blocks = ordered_json::array();
   for (const auto& block : findings_.blocks) {
     blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
@@ -252,17 +256,24 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
-  add_count(result, "count", findings_.count());
-  result["flat"] = findings_.flat;
-  result["marginal"] = findings_.marginal;
-  result["undecided"] = findings_.undecided;
-  result["blocks"] = std::move(blocks);
-  result["tree"] = std::move(tree);
-  result["exact"] = exact_json(findings_.exact);
-  if (options_.polyhedral) result["candidates"] = candidates_json();
-  result["patterns"] = patterns_json(whole);
-  if (options_.group > 0) result["groups"] = groups_json();
+  ordered_json counts = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
+  add_count(counts, "count", findings_.count());
+  json.begin_object();
+  for (const auto& [key, value] : counts.items()) json.member(key, value);
+  json.member("flat", findings_.flat);
+  json.member("marginal", findings_.marginal);
+  json.member("undecided", findings_.undecided);
+  json.member("blocks", blocks);
+  json.member("tree", tree);
+  json.member("exact", exact_json(findings_.exact));
+  if (options_.polyhedral) json.member("candidates", candidates_json());
+  json.key("patterns");
+  write_patterns(json, whole);
+  if (options_.group > 0) json.member("groups", groups_json());
+  json.end_object();
+}
+
+ordered_json PatternsReport::chosen_json() const {
   ordered_json chosen = {
       {"mu", options_.friction},
       {"tolerance", options_.tolerance},
@@ -275,16 +286,24 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   if (options_.prove) chosen["prove"] = true;
   if (options_.exists) chosen["exists"] = true;
   if (options_.group > 0) chosen["group"] = options_.group;
-  return {{"command", "patterns"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(whole.structure(), problem_, options_.file)},
-          {"options", std::move(chosen)},
-          {"status", status_text(verdict())},
-          {"result", std::move(result)},
-          {"statistics",
-           {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
-            {"earlier_runs",
-             rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
+  return chosen;
+}
+
+void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const {
+  json.begin_object();
+  json.member("command", "patterns");
+  json.member("version", KUSABI_VERSION);
+  json.member("problem", problem_json(whole.structure(), problem_, options_.file));
+  json.member("options", chosen_json());
+  json.member("status", status_text(verdict()));
+  json.key("result");
+  write_result(json, whole);
+  json.member(
+      "statistics",
+      {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
+       {"earlier_runs",
+        rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}});
+  json.end_object();
 }
 
 }  // namespace kusabi::run

@@ -77,6 +77,15 @@ class SceneReader {
     return number >= choice_.first && number - choice_.first < choice_.most;
   }
 
+  // A remark, once, if a configuration has the reactions of the candidates only.
+  static void add_remark_on_whole(ResultScenes& all, const ResultJson& configuration,
+                                  const char* command) {
+    if (ResultReader::find(configuration, "all_displacements") != nullptr) return;
+    auto text =
+        fmt::format("only contact candidates: kusabi {} --whole adds all displacements", command);
+    if (all.picture.lines.back() != text) all.picture.lines.push_back(std::move(text));
+  }
+
   // The structure with a friction coefficient.
   [[nodiscard]] Scene at_friction(double coefficient) const {
     auto scene = structure_.scene;
@@ -91,6 +100,7 @@ class SceneReader {
                                      counted(patterns.size(), "sign pattern"), friction)};
     for (const auto& pattern : patterns) {
       if (!is_chosen(all)) continue;
+      add_remark_on_whole(all, pattern, "patterns");
       auto scene = at_friction(friction);
       scene.name = fmt::format("pattern {}", all.count);
       const auto state = reader_.text(pattern, "state");
@@ -134,10 +144,7 @@ class SceneReader {
     const auto& rays = reader_.list(result_, "rays");
     all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
                                      counted(rays.size(), "extremal ray"), friction)};
-    if (!rays.empty() && ResultReader::find(rays.front(), "all_displacements") == nullptr) {
-      all.picture.lines.emplace_back(
-          "only contact candidates: kusabi rays --whole adds all displacements");
-    }
+    if (!rays.empty()) add_remark_on_whole(all, rays.front(), "rays");
     for (const auto& ray : rays) {
       if (!is_chosen(all)) continue;
       auto scene = at_friction(friction);
