@@ -84,11 +84,12 @@ Verdict PatternsReport::verdict() const {
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
-  const bool example = options_.exists && findings_.count() != 0U;
-  const bool answered = example && findings_.outcome.status == engine::Status::solution_limit;
+  // A pattern answers --exists; a search that is complete has listed all of them.
+  const bool example = options_.exists && findings_.count() != 0U &&
+                       findings_.outcome.status == engine::Status::solution_limit;
   Verdict verdict{
-      .ended = answered ? engine::Status::solved : findings_.outcome.status,
-      .nodes_left = answered ? 0 : findings_.outcome.open,
+      .ended = example ? engine::Status::solved : findings_.outcome.status,
+      .nodes_left = example ? 0 : findings_.outcome.open,
       .answer = Sticking{.friction = options_.friction,
                          .factor = !problems::uniform_friction(problem_),
                          .count = findings_.count(),

@@ -46,8 +46,13 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
   const bool complete =
       ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous && !found.doubt;
-  if (found.example && !is_refuted(found.doubt))
-    return fmt::format("It can stick at {}: one pattern shows it.", where);
+  if (found.example && !is_refuted(found.doubt)) {
+    return fmt::format(
+        "It can stick at {}: {}.", where,
+        found.count == 1U
+            ? "one pattern shows it"
+            : fmt::format("{} patterns show it, and there may be others", found.count.digits()));
+  }
   if (found.count != 0U && !is_refuted(found.doubt)) {
     return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
                        complete            ? ""
