@@ -138,8 +138,9 @@ TEST_F(Words, TheMarginIsOfTheInequalityNearestToFailing) {
   EXPECT_THAT(said, HasSubstr(fmt::format("mu r_n - |r_t| = {:.3g} kN", slack)));
   EXPECT_THAT(said,
               HasSubstr(fmt::format("{} is closest to touching, at a gap of {:.3g} m", open, gap)));
-  EXPECT_THAT(said, HasSubstr(fmt::format("sticks from friction coefficient {:.4g} on, where {} ",
-                                          steepest, slips)));
+  EXPECT_THAT(said,
+              HasSubstr(fmt::format("sticks from friction coefficient {:.4g} on, at which {} ",
+                                    steepest, slips)));
 }
 
 TEST_F(Words, AFlatPatternHasNoMargin) {
@@ -259,7 +260,7 @@ TEST_F(Words, OfACollapseTheFullestMembersAreSaidFirst) {
   }
   auto used = json["result"]["utilisation"].get<std::vector<double>>();
   std::ranges::sort(used, std::greater());
-  std::size_t at = table.rfind("utilisation of the others:");
+  std::size_t at = table.rfind("utilisation of other members:");
   ASSERT_NE(at, std::string::npos);
   int named = 0;
   for (const double each : used) {
