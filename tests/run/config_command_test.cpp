@@ -93,7 +93,7 @@ TEST_F(Config, SaysWhatIsWrongWithFileLineAndKey) {
       {"[patterns]\nquiet = 1\n", ":2:9: quiet: expected true or false"},
       {"[patterns]\noutput = \"a\"\n", ":2:1: output names a file of one run"},
       {"[patterns]\nrestart = \"a\"\n", ":2:1: restart names a file of one run"},
-      {"[patterns]\nserial = true\n", ":2:1: serial is needed before this file is read"},
+      {"[patterns]\nserial = true\n", ":2:1: serial applies before this file is read"},
       {"[patterns]\nfile = \"a\"\n", ":2:1: unknown option \"file\""},
       {"[patterns]\nmu = 1\nmu = 2\n", ":3:6: "},
   };

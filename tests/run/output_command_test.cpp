@@ -104,8 +104,10 @@ TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
   for (const auto* other_name : {"truss.toml", "./truss.toml", "link"}) {
     const auto run = shell(call + argument(other_name));
     EXPECT_EQ(run.exit_code, 2) << other_name;
-    EXPECT_THAT(run.output,
-                HasSubstr(other_name + std::string(": would overwrite the problem file\n")));
+    EXPECT_THAT(
+        run.output,
+        HasSubstr(other_name +
+                  std::string(": would overwrite the problem file; expected another name\n")));
     EXPECT_EQ(content(in_folder("truss.toml")), content(truss_file)) << other_name;
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));

@@ -260,7 +260,7 @@ TEST_F(Words, OfACollapseTheFullestMembersAreSaidFirst) {
   }
   auto used = json["result"]["utilisation"].get<std::vector<double>>();
   std::ranges::sort(used, std::greater());
-  std::size_t at = table.rfind("utilisation of the others:");
+  std::size_t at = table.rfind("utilisation of other members:");
   ASSERT_NE(at, std::string::npos);
   int named = 0;
   for (const double each : used) {

@@ -111,9 +111,8 @@ TEST_F(OutputFiles, SayThatTheirFolderIsGone) {
   OutputFile file("--output", in_folder("folder/result"), "");
   file.stream() << "text";
   fs::remove_all(in_folder("folder"));
-  EXPECT_THAT(
-      [&] { file.put_in_place(); },
-      ThrowsMessage<std::runtime_error>(HasSubstr("folder/result: cannot be put in place")));
+  EXPECT_THAT([&] { file.put_in_place(); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("folder/result: cannot be renamed")));
 }
 
 }  // namespace
