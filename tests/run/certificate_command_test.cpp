@@ -186,7 +186,7 @@ TEST_F(Command, ACertificateIsResumed) {
   const auto other = shell(call + rest + " --certificate " + argument("other"));
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.output, HasSubstr("expected the name with which the search began"));
-  // What was being written when a run was killed.
+  // A part that was being written when a run was killed.
   std::ofstream(in_folder("cert.part.1.0"), std::ios::app) << "dead 1 2 0x1.8";
   const auto again = shell(ranks(3) + call + with + rest);
   EXPECT_EQ(again.exit_code, 0) << again.output;
@@ -206,7 +206,7 @@ TEST_F(Command, ACertificateNeedsAStateToResumeFrom) {
 }
 
 TEST_F(Command, SaysThatTheDiskIsFullForTheCertificate) {
-  // A file may have 4096 bytes, and who writes more is told and not killed.
+  // A file may have 4096 bytes, and a longer write is an error, not a signal.
   const auto run = shell("trap '' XFSZ; ulimit -f 8; " + command + " patterns " + truss +
                          " --mu 1.0 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 1) << run.output;

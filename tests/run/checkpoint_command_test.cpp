@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 // Whatever was in the call, and on as many ranks: names that a shell would split, and options that
 // change the tree.
-TEST_F(Command, TellsACallThatGoesOnAsItIs) {
+TEST_F(Command, PrintsACallThatResumes) {
   fs::copy(truss_file, in_folder("a truss.toml"));
   const std::string call = fmt::format(
       " patterns {} --mu 1 --branching paper --tolerance 1e-9 --certificate {} --output {}",

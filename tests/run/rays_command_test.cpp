@@ -24,7 +24,7 @@ using testing::HasSubstr;
 const std::string plane_truss =
     quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
 
-TEST_F(Command, RefusesRaysOfMoreCandidatesThanItCanTellApart) {
+TEST_F(Command, RefusesRaysOfTooManyCandidates) {
   const auto file = in_folder("tall.toml");
   ASSERT_EQ(shell(command + " example plane-truss --rows 65 --output " + quoted(file)).exit_code,
             0);
@@ -217,7 +217,7 @@ TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
 
 // The tip of the two bars moves along the surface, which is across the third bar but for 1e-12:
 // what the second candidate moves by is neither zero nor not.
-TEST_F(Command, SaysWhenSmallNumbersCannotBeToldFromZero) {
+TEST_F(Command, SaysWhenSmallNumbersCannotBeDistinguishedFromZero) {
   const auto file = in_folder("almost.toml");
   std::ofstream(file) << R"(
 name = "almost idle"

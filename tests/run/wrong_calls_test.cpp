@@ -144,7 +144,7 @@ TEST_F(Command, TakesLettersForWhatIsTypedMost) {
   EXPECT_THAT(shell(command + " patterns --help").output, HasSubstr("  -o, --output FILE"));
 }
 
-TEST_F(Command, HelpsAndTellsItsVersion) {
+TEST_F(Command, PrintsHelpAndItsVersion) {
   const auto help = shell(command + " patterns --help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_THAT(help.output, HasSubstr("--mu"));
@@ -158,7 +158,7 @@ TEST_F(Command, HelpsAndTellsItsVersion) {
 }
 
 TEST_F(Command, NeverCallsMpiWhenSerial) {
-  // Under a launcher, with Open MPI told to use a component that does not exist: whoever calls
+  // Under a launcher, with Open MPI set to use a component that does not exist: whoever calls
   // MPI_Init fails.
   const auto call = "env OMPI_COMM_WORLD_SIZE=1 OMPI_MCA_pml=none_such timeout 60 " + command +
                     " patterns " + truss + " --mu 0.55";
