@@ -2,7 +2,7 @@
 // Trials linearise complementarity from many starts and then from the best pattern, at ever lower
 // coefficients; large blocks are tried in clusters first. What is found is feasible by its own
 // program and bounds the critical coefficient from above; that nothing better exists it never says
-// (docs/theory/wedged.md, "A pattern without a tree").
+// (docs/theory/wedged.md, "Primal heuristic").
 //
 // Trials come in rounds. The ranks share the trials of a round, and the best of it depends on no
 // timing: any number of ranks finds the same, unless the budget ends it.
