@@ -144,7 +144,7 @@ void Rays::prepare(CommandRun& run) {
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   check_problem();
   friction_ = friction_at(problem_, options_.friction, options_.file);
-  cone_ = wedged::reaction_cone(structure_, problem_, friction_);
+  cone_ = wedged::reaction_cone(problem_, friction_);
 }
 
 void Rays::check_problem() const {
