@@ -35,7 +35,7 @@ constexpr int most_halvings = 25;
 
 /// Root of P_ij at the start.
 constexpr double first_root = 0.02;
-/// What the start leaves of the largest coefficient of its multipliers.
+/// Share of the largest coefficient of the first multipliers at which the search starts.
 constexpr double inside = 0.9;
 /// Shares of that coefficient that are tried for the proof: rounding errors need some room.
 constexpr std::array room_for_proof{1 - 1e-6, 1 - 1e-4, 1 - 1e-2};
