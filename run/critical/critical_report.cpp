@@ -78,6 +78,8 @@ const char* phase_name(wedged::CriticalPhase phase) {
       return "start";
     case wedged::CriticalPhase::primal:
       return "primal";
+    case wedged::CriticalPhase::form:
+      return "form";
     case wedged::CriticalPhase::list:
       return "list";
     case wedged::CriticalPhase::trial:

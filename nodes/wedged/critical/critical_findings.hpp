@@ -87,6 +87,7 @@ enum class CriticalDoubt {
 enum class CriticalPhase {
   start,         ///< root relaxation and single leaves, without a tree
   primal,        ///< search for patterns that stick at little friction, without a tree
+  form,          ///< lower bound by a quadratic form, without a tree
   trial,         ///< global search for the smallest coefficient within a limit of nodes
   dive,          ///< search for a feasible leaf, then for one with a smaller coefficient
   coarse,        ///< search for the smallest coefficient from above, to few digits
