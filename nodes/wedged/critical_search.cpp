@@ -149,8 +149,8 @@ class SmallestWays {
     return bracket_.is_one_cell(cells * grid_.width);
   }
 
-  // Search without a tree for patterns that stick at less friction than is known. @return whether the
-  // bracket is the answer, or there is no time for more
+  // Search without a tree for patterns that stick at less friction than is known. @return whether
+  // the bracket is the answer, or there is no time for more
   bool search_patterns() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto before = bracket_.upper();

@@ -64,13 +64,57 @@ bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& fi
   });
 }
 
-/// The enclosure for an optional test; nothing if it is too large, or there is no time.
+/// Enclosure of K for an optional test; nothing if it is too large, or there is no time.
 std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analysis,
                                                          const PatternQuestion& question) {
   if (question.structure == nullptr) return {};
   auto enclosed = enclosed_within(analysis, *question.structure, enclosed_stiffness);
   if (!enclosed || std::holds_alternative<std::string>(*enclosed)) return {};
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
+}
+
+// Patterns that are found without a tree; with --exists one that takes a search of its own.
+std::vector<Configuration> known_patterns(engine::Analysis& analysis,
+                                          const problems::WedgedProblem& problem,
+                                          std::span<const double> friction,
+                                          const PatternQuestion& question,
+                                          const conic::Tolerances& tolerances) {
+  auto known = simple_leaves(analysis, problem, friction, tolerances);
+  if (!question.exists || !known.empty()) return known;
+  if (auto leaf = leaf_without_tree(analysis, problem, friction, tolerances))
+    known.push_back(std::move(*leaf));
+  return known;
+}
+
+void sort_by_blocks(const problems::WedgedProblem& problem, std::span<const Preparation> prepared,
+                    PatternFindings& findings) {
+  for (const auto& candidates : problems::blocks_of(problem)) {
+    const auto& own = prepared[findings.blocks.size()];
+    findings.blocks.push_back({.candidates = candidates,
+                               .branching = own.branching,
+                               .bound_programs = own.root.programs,
+                               .cones = 0,
+                               .open = 0});
+  }
+  for (const auto& leaf : findings.leaves) {
+    auto& block = findings.blocks[leaf.block];
+    switch (leaf.state) {
+      case LeafState::flat:
+        ++findings.flat;
+        [[fallthrough]];
+      case LeafState::alive:
+        ++block.cones;
+        break;
+      case LeafState::marginal:
+        ++findings.marginal;
+        ++block.open;
+        break;
+      case LeafState::undecided:
+        ++findings.undecided;
+        ++block.open;
+        break;
+    }
+  }
 }
 
 }  // namespace
@@ -87,12 +131,9 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   SignPatternTree tree(problem, friction, options);
   std::vector<Configuration> known;
   if (options.facets == 0 && !enclosed)
-    known = simple_leaves(analysis, problem, friction, options.tolerances);
+    known = known_patterns(analysis, problem, friction, question, options.tolerances);
   auto search = question.search;
   if (question.exists) search.limits.solutions = 1;
-  if (question.exists && options.facets == 0 && !enclosed && known.empty())
-    if (auto leaf = leaf_without_tree(analysis, problem, friction, options.tolerances))
-      known.push_back(std::move(*leaf));
   // No search if the known patterns suffice.
   const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
   const bool enough = known.size() >= most;
@@ -149,33 +190,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   findings.exact.refused = findings.outcome.tally().refused;
   findings.exact.ties = findings.outcome.tally().unproved;
   findings.exact.doubted = findings.outcome.tally().doubted;
-  for (const auto& candidates : problems::blocks_of(problem)) {
-    const auto& own = prepared[findings.blocks.size()];
-    findings.blocks.push_back({.candidates = candidates,
-                               .branching = own.branching,
-                               .bound_programs = own.root.programs,
-                               .cones = 0,
-                               .open = 0});
-  }
-  for (const auto& leaf : findings.leaves) {
-    auto& block = findings.blocks[leaf.block];
-    switch (leaf.state) {
-      case LeafState::flat:
-        ++findings.flat;
-        [[fallthrough]];
-      case LeafState::alive:
-        ++block.cones;
-        break;
-      case LeafState::marginal:
-        ++findings.marginal;
-        ++block.open;
-        break;
-      case LeafState::undecided:
-        ++findings.undecided;
-        ++block.open;
-        break;
-    }
-  }
+  sort_by_blocks(problem, prepared, findings);
   return findings;
 }
 

@@ -18,7 +18,7 @@
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/supervision.hpp"
 #include "run/session/time_limit.hpp"
 #include "run/verdict/conclusion_text.hpp"

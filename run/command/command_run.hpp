@@ -28,7 +28,7 @@
 #include "run/output/output_file.hpp"
 #include "run/output/output_folder.hpp"
 #include "run/output/page.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/session.hpp"
 #include "support/stop.hpp"
 

@@ -211,6 +211,16 @@ void OptionTable::pictures(std::string& folder, const std::string& each,
       .ends_in({"/" + opened_by});
 }
 
+void OptionTable::whole_states(bool& variable, const std::string& all,
+                               const std::string& otherwise) {
+  flag("--whole", variable,
+       fmt::format("displacements of all nodes, member forces and support reactions of all {} in "
+                   "the result file; otherwise of {}",
+                   all, otherwise))
+      .needs("--output")
+      .varies();
+}
+
 void OptionTable::prove(bool& variable, const std::string& how) {
   flag("--prove", variable,
        how + ". Default: only if the scales of the structure are more than 1e7 apart");

@@ -19,8 +19,8 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
@@ -102,12 +102,8 @@ void Critical::describe(OptionTable& table) {
       .file("--certificate", options_.certificate, Role::evidence,
             "certificates of both bounds, NAME.lower and NAME.upper, for kusabi verify")
       .ends_in({".lower", ".upper"});
-  table
-      .flag("--whole", options_.whole,
-            "displacements of all nodes, member forces and support reactions of all patterns in "
-            "the result file; otherwise of the first 100")
-      .needs("--output")
-      .varies();
+  table.whole_states(options_.whole, "patterns",
+                     fmt::format("the first {}", whole_unless_requested));
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint, "; with --certificate both bounds are proved anew");

@@ -28,8 +28,8 @@
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
 

@@ -15,8 +15,8 @@
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/values.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 

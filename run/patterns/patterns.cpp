@@ -22,8 +22,8 @@
 #include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
@@ -150,12 +150,9 @@ void Patterns::describe(OptionTable& table) {
   table.output();
   table.further_output("--csv", "CSV file of the patterns, one row each");
   table.pictures(vtu_, "pattern", "patterns.pvd");
-  table
-      .flag("--whole", options_.whole,
-            "displacements of all nodes, member forces and support reactions of all patterns in "
-            "the result file; otherwise of the first 100 and of the one with the largest margin")
-      .needs("--output")
-      .varies();
+  table.whole_states(
+      options_.whole, "patterns",
+      fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table

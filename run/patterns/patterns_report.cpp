@@ -118,7 +118,7 @@ Verdict PatternsReport::verdict() const {
 std::string PatternsReport::largest_margin() const {
   const auto& leaves = findings_.leaves;
   if (leaves.empty()) return {};
-  const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  const auto best = this->best();
   if (best->state == wedged::LeafState::flat)
     return "None has a margin: in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
@@ -209,7 +209,7 @@ void PatternsReport::write_csv(std::ostream& out) const {
 
 void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whole) const {
   const auto& leaves = findings_.leaves;
-  const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  const auto largest = static_cast<std::size_t>(best() - leaves.begin());
   json.begin_list();
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const auto& leaf = leaves[i];
@@ -222,7 +222,7 @@ void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whol
                                       {"upper", number_or_null(brackets_[i].upper)}};
     }
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
-    if (options_.whole || i < whole_unless_requested || &leaf == &*best) {
+    if (options_.whole || i < whole_unless_requested || i == largest) {
       pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
       whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
                    of_all_candidates(problem_, leaf.block, leaf.displacement));
@@ -257,17 +257,17 @@ void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole)
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json counts = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
-  add_count(counts, "count", findings_.count());
+  ordered_json short_parts = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
+  add_count(short_parts, "count", findings_.count());
+  short_parts["flat"] = findings_.flat;
+  short_parts["marginal"] = findings_.marginal;
+  short_parts["undecided"] = findings_.undecided;
+  short_parts["blocks"] = std::move(blocks);
+  short_parts["tree"] = std::move(tree);
+  short_parts["exact"] = exact_json(findings_.exact);
+  if (options_.polyhedral) short_parts["candidates"] = candidates_json();
   json.begin_object();
-  for (const auto& [key, value] : counts.items()) json.member(key, value);
-  json.member("flat", findings_.flat);
-  json.member("marginal", findings_.marginal);
-  json.member("undecided", findings_.undecided);
-  json.member("blocks", blocks);
-  json.member("tree", tree);
-  json.member("exact", exact_json(findings_.exact));
-  if (options_.polyhedral) json.member("candidates", candidates_json());
+  for (const auto& [key, value] : short_parts.items()) json.member(key, value);
   json.key("patterns");
   write_patterns(json, whole);
   if (options_.group > 0) json.member("groups", groups_json());

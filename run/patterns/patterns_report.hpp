@@ -1,6 +1,7 @@
 // Results of `kusabi patterns`: table, JSON and CSV.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -55,6 +56,10 @@ class PatternsReport {
   [[nodiscard]] std::string overview() const;
   [[nodiscard]] std::string row(std::size_t number) const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
+  /// Pattern with the largest margin; past the end if there is none.
+  [[nodiscard]] std::vector<wedged::Configuration>::const_iterator best() const {
+    return std::ranges::max_element(findings_.leaves, {}, &wedged::Configuration::lower);
+  }
   [[nodiscard]] std::string largest_margin() const;
   /// Sentences below the headline.
   [[nodiscard]] std::string details() const;

@@ -22,8 +22,8 @@
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
 #include "run/rays/rays_report.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/exact_json.hpp"
@@ -103,12 +103,7 @@ void Rays::describe(OptionTable& table) {
   table.pictures(vtu_, "ray", "rays.pvd");
   table.further_output("--csv", "CSV file of the rays, one row each");
   table.further_output("--dot", "graph of cones and their rays for Graphviz; up to 200 rays");
-  table
-      .flag("--whole", options_.whole,
-            "add all displacements and support reactions of each ray to the result file, which "
-            "becomes several times larger")
-      .needs("--output")
-      .varies();
+  table.whole_states(options_.whole, "rays", "none");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint, "; short steps that all ranks make together are repeated");

@@ -159,7 +159,8 @@ class WrittenVerdict {
             .half_width = some_number(answer, "half_width"),
             .force = some_text(answer, "force"),
             .worst = bracket(answer, "worst"),
-            .least = ResultReader::find(answer, "least") ? bracket(answer, "least") : Bracket{},
+            .least = ResultReader::find(answer, "least") ? bracket(answer, "least")
+                                                         : least_factor_of_last_point(reader_),
             .worst_at_none = some_standing(answer, "worst_at_none"),
             .points = count(answer, "points"),
             .points_asked = count(answer, "points_asked"),

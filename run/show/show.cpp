@@ -10,7 +10,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/show/structure_summary.hpp"
 
 namespace kusabi::run {

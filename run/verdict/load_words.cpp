@@ -35,14 +35,17 @@ std::string nominal(const LoadInterval& found) {
                      unless_proved(standing));
 }
 
+// Standing of a statement that follows from two bounds.
+Standing of_both(const Bound& one, const Bound& other) {
+  return one.standing == Standing::proved ? other.standing : one.standing;
+}
+
 // The interval is empty: its lower end lies above its upper end.
 std::optional<Standing> empty(const LoadInterval& found) {
   const auto& above = found.least.lower;
   const auto& below = found.most.upper;
   if (!above || !below || above->value <= below->value) return std::nullopt;
-  const bool proved =
-      above->standing == Standing::proved && below->standing == Standing::proved && !found.if_big_m;
-  return proved ? Standing::proved : Standing::computed;
+  return found.if_big_m ? Standing::computed : of_both(*above, *below);
 }
 
 // The ends meet: the interval is not empty, but no factor in it is known to be carried.
@@ -53,9 +56,8 @@ bool is_undecided(const LoadInterval& found) {
 }
 
 std::string proved_or(const Bracket& bracket) {
-  const bool proved =
-      bracket.lower->standing == Standing::proved && bracket.upper->standing == Standing::proved;
-  return proved ? ", proved" : " (computed, not proved)";
+  const auto standing = of_both(*bracket.lower, *bracket.upper);
+  return standing == Standing::proved ? ", proved" : unless_proved(standing);
 }
 
 // The factors that are carried under every load of the last point, after its worst case.
@@ -64,10 +66,8 @@ std::string guaranteed(const LoadSteps& found) {
   const auto& to = found.worst.lower;
   const auto& above = found.least.lower;
   if (above && above->value > found.worst.upper->value) {
-    const bool proved =
-        above->standing == Standing::proved && found.worst.upper->standing == Standing::proved;
     return fmt::format("; no load factor is carried under all admissible loads{}",
-                       unless_proved(proved ? Standing::proved : Standing::computed));
+                       unless_proved(of_both(*above, *found.worst.upper)));
   }
   if (!from) return "; the least factor that is carried under all admissible loads is open";
   if (from->value > to->value)

@@ -65,9 +65,10 @@ TEST_F(Command, StopsAtALimitAndIsResumed) {
   EXPECT_EQ(without_statistics(rest), without_statistics(whole));
 }
 
-// The shell's condition that no search has saved a state yet.
+// The shell's condition that no search has saved a state yet. A state is complete with its
+// manifest, such as state.search3; its parts, such as state.search3.1.0, are written before.
 std::string nothing_saved(const std::string& state) {
-  return fmt::format("! ls {}* >/dev/null 2>&1", quoted(state + ".search"));
+  return fmt::format("! ls {}[0-9] >/dev/null 2>&1", quoted(state + ".search"));
 }
 
 // A search of a second or more.

@@ -1,5 +1,5 @@
 // States of analyses: opened, awaited, or refused.
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 
 #include <chrono>
 #include <thread>
