@@ -137,7 +137,8 @@ int main(int argc, char** argv) {
        rows <= last && !(first_ends && second_ends && third_ends); ++rows) {
     const auto truss = problems::plane_truss({.rows = rows});
     const std::vector<double> friction(static_cast<std::size_t>(rows), mu);
-    const rays::ReactionCone cone(problems::precise_compliance(truss), friction);
+    const rays::ReactionCone cone(problems::precise_compliance(problems::wedged_problem(truss)),
+                                  friction);
     std::optional<Measured> whole;
     std::optional<Measured> by_parts;
     std::optional<Measured> by_pattern;

@@ -1,4 +1,4 @@
-# What `cmake --install` adds to the targets: the CMake package `kusabi`, what a user reads, and a
+# Files that `cmake --install` adds to the targets: the CMake package `kusabi`, what a user reads, and a
 # project to start one's own from.
 include(CMakePackageConfigHelpers)
 

@@ -220,7 +220,7 @@ std::uint64_t Journal::check_beginning(const Facts& facts) {
     refuse(file_, "was written on a " + order + " machine; expected " + journal_order);
   }
   if (!words || start.substr(0, line_end + 1) + text != beginning_of(found)) {
-    refuse(file_, "is damaged where it says what it is of; expected another file");
+    refuse(file_, "has a damaged header; expected another file");
   }
   if (const auto what = difference(found, facts); !what.empty()) refuse(file_, what);
   return line_end + 1 + size;
@@ -250,7 +250,7 @@ void Journal::read_records(std::uint64_t at) {
   if (end_ == whole) return;
   warnings_.push_back(file_ + ": " + std::to_string(whole - end_) + " bytes from byte " +
                       std::to_string(end_) +
-                      " on are cut short or damaged; what they stood for is done again");
+                      " on are cut short or damaged; their results are computed again");
   if (ftruncate(descriptor_, static_cast<off_t>(end_)) != 0)
     refuse(file_, "cannot be written: " + system_error());
 }

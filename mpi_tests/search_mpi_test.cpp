@@ -10,12 +10,14 @@
 #include "engine/transport/mpi.hpp"
 #include "tests/engine/queens.hpp"
 #include "tests/engine/random_tree.hpp"
+#include "tests/support/thorough.hpp"
 
 namespace kusabi::engine {
 namespace {
 
 using examples::Queens;
 using examples::RandomTree;
+using test::thorough;
 
 TEST(MpiSearch, FindsWhatOneProcessFinds) {
   MpiTransport transport;
@@ -49,7 +51,7 @@ TEST(MpiSearch, GathersManySolutionsInOrder) {
 
 TEST(MpiSearch, OneSearchAfterAnotherOnTheSameTransport) {
   MpiTransport transport;
-  for (int round = 0; round < 50; ++round) {
+  for (int round = 0; round < (thorough ? 50 : 10); ++round) {
     Queens queens(4 + round % 3);
     const auto outcome = search(queens, transport);
     if (transport.rank() != 0) continue;

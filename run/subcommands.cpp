@@ -44,19 +44,18 @@ CommandList command_list() {
   all.push_back(bench_uts_subcommand());
   return {
       std::move(all),
-      {{"example", "writes a problem file of a family of structures"},
-       {"export", "writes what is solved here for the solvers of others"},
-       {"bench", "measures and tries the search engine"}},
-      {{"Can it stick?", {"patterns", "rays", "critical", "sweep"}},
-       {"What can friction hold under load?", {"hold"}},
-       {"What does a truss carry when its loads are not known exactly?", {"limit"}},
-       {"What is the optimum of a zero-one program?", {"mip"}},
-       {"Is it true?", {"verify"}},
-       {"What does it look like?", {"show", "draw", "report"}},
-       {"Is there a problem file to try?",
-        {"example space-truss", "example plane-truss", "example grid"}},
-       {"How do the solvers of others get it?", {"export mps", "export cbf", "export matrix"}},
-       {"How well does the search engine do?", {"bench scaling", "bench schedules", "bench uts"}}}};
+      {{"example", "problem files of parametric families"},
+       {"export", "programs and matrices as files for other solvers"},
+       {"bench", "measurements and tests of the search engine"}},
+      {{"Wedged configurations", {"patterns", "rays", "critical", "sweep"}},
+       {"Loads held by friction", {"hold"}},
+       {"Limit loads of trusses", {"limit"}},
+       {"Mixed zero-one programs", {"mip"}},
+       {"Verification", {"verify"}},
+       {"Summaries, pictures and reports", {"show", "draw", "report"}},
+       {"Generated problem files", {"example space-truss", "example plane-truss", "example grid"}},
+       {"Files for other solvers", {"export mps", "export cbf", "export matrix"}},
+       {"Measurements of the search engine", {"bench scaling", "bench schedules", "bench uts"}}}};
 }
 
 }  // namespace kusabi::run

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   const auto structure = problems::read_structure(problems::problem_text(argv[1]), argv[1]);
   const auto problem = problems::wedged_problem(structure);
   const auto friction = wedged::candidate_friction(problem, std::atof(argv[2]));
-  const auto cone = wedged::reaction_cone(structure, problem, friction);
+  const auto cone = wedged::reaction_cone(problem, friction);
 
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);

@@ -156,6 +156,45 @@ void CriticalEnds::prove_at_once() {
   bracket_.show();
 }
 
+Evidence CriticalEnds::form_of(std::uint32_t block) const {
+  return {.kind = Evidence::Kind::form,
+          .block = block,
+          .node = {},
+          .numbers = forms_.numbers[block]};
+}
+
+// A stiffness that cannot be enclosed leaves the proof in doubles (quadratic_is_dead).
+void CriticalEnds::prove_by_forms(QuadraticForms forms) {
+  if (!enclose()) {
+    bracket_.raise(forms.factor);
+    return;
+  }
+  forms_ = std::move(forms);
+  const bool holds = analysis_.by_first_rank([&] {
+    const auto accepts = test(candidate_friction(problem_, forms_.factor));
+    for (std::uint32_t block = 0; block < forms_.numbers.size(); ++block)
+      if (!accepts(form_of(block))) return false;
+    return true;
+  });
+  if (holds) {
+    bracket_.prove_lower(forms_.factor);
+    proved_lower_ = forms_.factor;
+  } else {
+    forms_ = {};
+  }
+  bracket_.show();
+}
+
+// Written by one rank.
+void CriticalEnds::record_forms() {
+  const auto record = recorder_(CriticalEnd::lower, forms_.factor,
+                                candidate_friction(problem_, forms_.factor));
+  if (!record) return;
+  for (std::uint32_t block = 0; block < forms_.numbers.size() && analysis_.is_first(); ++block)
+    record->add(form_of(block));
+  record->end({}, EndClaim::all_patterns, true);
+}
+
 bool CriticalEnds::roots_are_dead(double factor) {
   return analysis_.by_first_rank([&] {
     const auto friction = candidate_friction(problem_, factor);
@@ -289,6 +328,10 @@ engine::Status CriticalEnds::bisect() {
 // wedged, since K is definite; smaller coefficients than the least supported one are not computed.
 engine::Status CriticalEnds::prove_lower() {
   if (bracket_.lower_proved() && !recorder_) return engine::Status::solved;
+  if (forms_are_the_bound()) {
+    record_forms();
+    return engine::Status::solved;
+  }
   const double least = CriticalFriction::range(problem_).least;
   const auto all_dead = [](const DecidedEnd& decided) { return decided.all_dead(); };
   std::optional<double> dead;  // by the bounds of the solver
@@ -433,10 +476,13 @@ void CriticalEnds::prove(CriticalFindings& findings) {
         question_.list)
       stopped(CriticalPhase::list, list(findings));
   }
+  if (findings.status != engine::Status::solved && recorder_ && forms_are_the_bound())
+    record_forms();
   findings.lower = bracket_.lower();
   findings.upper = bracket_.upper();
   findings.lower_proved = bracket_.lower_proved();
   findings.upper_proved = bracket_.upper_proved();
+  findings.exact = stiffness_ && std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
   if (findings.patterns.empty()) note_patterns(findings);
   note_what_is_open(findings);
 }

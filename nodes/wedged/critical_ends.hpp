@@ -14,6 +14,7 @@
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
@@ -71,6 +72,10 @@ class CriticalEnds {
   /// its leaf.
   void prove_at_once();
 
+  /// Raises the lower bound to the coefficient of the forms and tests them there. If they do not
+  /// hold exactly, the bound stays.
+  void prove_by_forms(QuadraticForms forms);
+
   /// Proves the bounds or widens the bracket. Stores open points and the phase of a stop; patterns
   /// are stored on rank 0.
   void prove(CriticalFindings& findings);
@@ -83,6 +88,11 @@ class CriticalEnds {
   bool enclose();
   void know(std::vector<Configuration> found);
   bool roots_are_dead(double factor);
+  [[nodiscard]] Evidence form_of(std::uint32_t block) const;
+  [[nodiscard]] bool forms_are_the_bound() const {
+    return forms_.factor > 0 && forms_.factor == bracket_.lower();
+  }
+  void record_forms();
   DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, bool recorded);
   /// True if the error of the search may exceed the largest relaxation of a bound, while the exact
   /// test is available.
@@ -120,6 +130,7 @@ class CriticalEnds {
   bool far_apart_;  ///< unconstrained bodies with very different scales: results of the solver may
                     ///< be wrong
   double proved_lower_ = 0;
+  QuadraticForms forms_;  ///< none, or proved at their coefficient
   std::vector<Configuration> known_;       ///< feasible at the upper bound
   std::optional<PatternNode> known_leaf_;  ///< leaf of the bracket at that time
 };

@@ -16,6 +16,7 @@
 #include "nodes/wedged/critical/critical_start.hpp"
 #include "nodes/wedged/critical/smallest_search.hpp"
 #include "nodes/wedged/primal/primal_bracket.hpp"
+#include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
@@ -112,7 +113,7 @@ class SmallestWays {
   // Global search within a limit of nodes: small trees are solved, others get a lower bound for the
   // descent.
   void either() {
-    if (start() || search_patterns() || known_at_most()) return;
+    if (start() || search_patterns() || bound_by_forms() || known_at_most()) return;
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
     if (stopped(CriticalPhase::trial)) return;
@@ -148,8 +149,8 @@ class SmallestWays {
     return bracket_.is_one_cell(cells * grid_.width);
   }
 
-  // Search without a tree for patterns that stick at less friction than is known. @return whether the
-  // bracket is the answer, or there is no time for more
+  // Search without a tree for patterns that stick at less friction than is known. @return whether
+  // the bracket is the answer, or there is no time for more
   bool search_patterns() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto before = bracket_.upper();
@@ -158,6 +159,15 @@ class SmallestWays {
     if (stopped(CriticalPhase::primal)) return true;
     if (bracket_.upper() != before) ends_.prove_at_once();
     return stopped(CriticalPhase::primal) || is_answered();
+  }
+
+  // Lower bound without a tree. @return whether the bracket is the answer, or the time is over
+  bool bound_by_forms() {
+    if (problem_.contact_names.size() < fewest_for_forms) return false;
+    auto forms = quadratic_forms(analysis_, problem_, grid_, bracket_);
+    findings_.costs.push_back({CriticalPhase::form, forms.factor, 0, forms.evaluations});
+    if (forms.factor > 0) ends_.prove_by_forms(std::move(forms));
+    return stopped(CriticalPhase::form) || is_answered();
   }
 
   // True if any leaf is feasible at the largest coefficient, if the user specified one. A descent

@@ -64,68 +64,30 @@ bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& fi
   });
 }
 
-}  // namespace
+/// Enclosure of K for an optional test; nothing if it is too large, or there is no time.
+std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analysis,
+                                                         const PatternQuestion& question) {
+  if (question.structure == nullptr) return {};
+  auto enclosed = enclosed_within(analysis, *question.structure, enclosed_stiffness);
+  if (!enclosed || std::holds_alternative<std::string>(*enclosed)) return {};
+  return std::get<verify::EnclosedProblem>(*std::move(enclosed));
+}
 
-PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                              std::span<const double> friction, const PatternQuestion& question) {
-  PatternFindings findings;
-  auto options = question.tree;
-  const auto enclosed = enclosed_for_test(analysis, problem, question, findings.exact);
-  if (enclosed) {
-    options.thorough = true;
-    if (options.tolerances.sign <= conic::Tolerances{}.sign) options.tolerances.resolution = finest;
-  }
-  SignPatternTree tree(problem, friction, options);
-  std::vector<Configuration> known;
-  if (options.facets == 0 && !enclosed)
-    known = simple_leaves(analysis, problem, friction, options.tolerances);
-  auto search = question.search;
-  if (question.exists) search.limits.solutions = 1;
-  if (question.exists && options.facets == 0 && !enclosed && known.empty())
-    if (auto leaf = leaf_without_tree(analysis, problem, friction, options.tolerances))
-      known.push_back(std::move(*leaf));
-  // No search if the known patterns suffice.
-  const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
-  const bool enough = known.size() >= most;
-  if (enough) search.limits.nodes = 0;
-  const SignPatternOptions as_it_is{.tolerances = options.tolerances,
-                                    .branching = Branching::relative,
-                                    .tightening = Tightening::never};
-  const auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
-  inform(tree, prepared);
-  if (question.recorder) tree.report_to(question.recorder);
-  findings.bounds = proved_bounds(prepared);
-  std::optional<EvidenceCheck> check;
-  if (enclosed) {
-    const bool far_apart = findings.exact.scale_ratio > wide_scales;
-    check.emplace(problem, *enclosed, friction, findings.bounds,
-                  far_apart ? FarMotion::counted : FarMotion::left_out);
-    findings.exact.done = check->is_able();
-    // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
-    // modes.
-    if (!check->is_able() && problem.motions.cols() > 0)
-      findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
-    if (check->is_able() || problem.motions.cols() > 0)
-      tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
-  }
-  findings.outcome = analysis.search(tree, search);
-  if (question.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
-    search.limits.solutions = engine::Limits{}.solutions;
-    search.checkpoint = {};
-    findings.outcome = analysis.search(tree, search);
-  }
-  if (enough) findings.outcome.status = engine::Status::solution_limit;
-  std::vector<Configuration> leaves;
-  for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
-  if (!findings.whole()) add_missing(known, most, leaves);
-  findings.leaves = maximal_cones(std::move(leaves));
-  findings.tested = findings.outcome.tally().tested;
-  std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
-    return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
-  });
-  findings.exact.refused = findings.outcome.tally().refused;
-  findings.exact.ties = findings.outcome.tally().unproved;
-  findings.exact.doubted = findings.outcome.tally().doubted;
+// Patterns that are found without a tree; with --exists one that takes a search of its own.
+std::vector<Configuration> known_patterns(engine::Analysis& analysis,
+                                          const problems::WedgedProblem& problem,
+                                          std::span<const double> friction,
+                                          const PatternQuestion& question,
+                                          const conic::Tolerances& tolerances) {
+  auto known = simple_leaves(analysis, problem, friction, tolerances);
+  if (!question.exists || !known.empty()) return known;
+  if (auto leaf = leaf_without_tree(analysis, problem, friction, tolerances))
+    known.push_back(std::move(*leaf));
+  return known;
+}
+
+void sort_by_blocks(const problems::WedgedProblem& problem, std::span<const Preparation> prepared,
+                    PatternFindings& findings) {
   for (const auto& candidates : problems::blocks_of(problem)) {
     const auto& own = prepared[findings.blocks.size()];
     findings.blocks.push_back({.candidates = candidates,
@@ -153,6 +115,82 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
         break;
     }
   }
+}
+
+}  // namespace
+
+PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                              std::span<const double> friction, const PatternQuestion& question) {
+  PatternFindings findings;
+  auto options = question.tree;
+  const auto enclosed = enclosed_for_test(analysis, problem, question, findings.exact);
+  if (enclosed) {
+    options.thorough = true;
+    if (options.tolerances.sign <= conic::Tolerances{}.sign) options.tolerances.resolution = finest;
+  }
+  SignPatternTree tree(problem, friction, options);
+  std::vector<Configuration> known;
+  if (options.facets == 0 && !enclosed)
+    known = known_patterns(analysis, problem, friction, question, options.tolerances);
+  auto search = question.search;
+  if (question.exists) search.limits.solutions = 1;
+  // No search if the known patterns suffice.
+  const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
+  const bool enough = known.size() >= most;
+  if (enough) search.limits.nodes = 0;
+  const SignPatternOptions as_it_is{.tolerances = options.tolerances,
+                                    .branching = Branching::relative,
+                                    .tightening = Tightening::never};
+  const auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
+  inform(tree, prepared);
+  if (question.recorder) tree.report_to(question.recorder);
+  findings.bounds = proved_bounds(prepared);
+  std::optional<EvidenceCheck> check;
+  if (enclosed) {
+    const bool far_apart = findings.exact.scale_ratio > wide_scales;
+    check.emplace(problem, *enclosed, friction, findings.bounds,
+                  far_apart ? FarMotion::counted : FarMotion::left_out);
+    findings.exact.done = check->is_able();
+    // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
+    // modes.
+    if (!check->is_able() && problem.motions.cols() > 0)
+      findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
+    if (check->is_able() || problem.motions.cols() > 0)
+      tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
+  }
+  std::optional<verify::EnclosedProblem> of_unconstrained;
+  if (!enclosed && question.recorder && problem.motions.cols() > 0) {
+    // A certificate leaves degenerate nodes out. For unconstrained bodies the exact test shows of
+    // some that other leaves contain all their configurations.
+    of_unconstrained = enclosed_if_small(analysis, question);
+    if (of_unconstrained) {
+      check.emplace(problem, *of_unconstrained, friction, findings.bounds);
+      tree.judge_by(
+          [&check](const auto& evidence) {
+            return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
+          },
+          false);
+    }
+  }
+  findings.outcome = analysis.search(tree, search);
+  if (question.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
+    search.limits.solutions = engine::Limits{}.solutions;
+    search.checkpoint = {};
+    findings.outcome = analysis.search(tree, search);
+  }
+  if (enough) findings.outcome.status = engine::Status::solution_limit;
+  std::vector<Configuration> leaves;
+  for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
+  if (!findings.whole()) add_missing(known, most, leaves);
+  findings.leaves = maximal_cones(std::move(leaves));
+  findings.tested = findings.outcome.tally().tested;
+  std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
+    return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
+  });
+  findings.exact.refused = findings.outcome.tally().refused;
+  findings.exact.ties = findings.outcome.tally().unproved;
+  findings.exact.doubted = findings.outcome.tally().doubted;
+  sort_by_blocks(problem, prepared, findings);
   return findings;
 }
 

@@ -7,6 +7,7 @@
 
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/critical/critical_start.hpp"
+#include "nodes/wedged/tree/decided_leaves.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -40,22 +41,8 @@ std::vector<Configuration> simple_leaves(engine::Analysis& analysis,
                                          std::span<const double> friction,
                                          const conic::Tolerances& tolerances) {
   return analysis.by_first_rank([&] {
-    std::vector<Configuration> found;
-    const auto leaves = tried_leaves(problem, friction);
-    if (leaves.empty()) return found;
-    SignPatternTree tree(problem, friction,
-                         {.tolerances = tolerances, .precision = Precision::doubles});
-    tree.end_when(analysis.budget().stop());
-    try {
-      for (const auto& leaf : leaves) {
-        auto fate = tree.decide(leaf);
-        if (fate.leaf && fate.leaf->state == LeafState::alive)
-          found.push_back(std::move(*fate.leaf));
-      }
-    } catch (const support::Stopped&) {
-      return found;
-    }
-    return found;
+    return feasible_leaves(tried_leaves(problem, friction), problem, friction, tolerances,
+                           analysis.budget().stop());
   });
 }
 

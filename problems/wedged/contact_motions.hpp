@@ -1,5 +1,5 @@
 // Rigid-body modes of unconstrained bodies, restricted to contact degrees of freedom: G of
-// docs/theory/wedged.md, "Loose bodies".
+// docs/theory/wedged.md, "Unconstrained bodies".
 #pragma once
 
 #include <span>

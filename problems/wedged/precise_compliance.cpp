@@ -20,6 +20,7 @@
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
 #include "problems/wedged/tangential_springs.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -305,19 +306,17 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
 }
 
 Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
-    const Structure& structure) {
-  const auto enclosed =
-      enclosed_compliance(grounded_structure(structure, unconstrained_bodies(structure)));
-  const auto& f = enclosed.matrix;
+    const WedgedProblem& problem) {
+  const auto& f = problem.precise_compliance;
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> result = f.cast<long double>();
-  const Eigen::Index d = structure.dimension;
+  const Eigen::Index d = problem.dimension;
   for (Eigen::Index i = 0; i < f.rows(); ++i) {
     for (Eigen::Index j = 0; j < f.cols(); ++j) {
       // Norm of the block of two candidates.
       const long double together =
           result.block(d * (i / d), d * (j / d), d, d).cwiseAbs().maxCoeff();
       const long double unknown =
-          enclosed.error * std::sqrt(result(i, i)) * std::sqrt(result(j, j));
+          problem.precise_error * std::sqrt(result(i, i)) * std::sqrt(result(j, j));
       if (std::abs(result(i, j)) <= std::max(unknown, noise_of_decimals * together))
         result(i, j) = 0;
     }

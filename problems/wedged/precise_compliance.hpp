@@ -14,6 +14,8 @@
 
 namespace kusabi::problems {
 
+struct WedgedProblem;
+
 /// F in 104 bits with its error bound.
 struct EnclosedCompliance {
   /// F~, dm x dm, ordered as in WedgedProblem, length/force; exactly symmetric.
@@ -54,11 +56,10 @@ bool acts_on_supports_only(const Structure& structure, const Eigen::VectorXd& fo
 numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
                                     const support::LongWork& work = {});
 
-/// `enclosed_compliance` in long double precision, length/force. Entries that are not
-/// distinguishable from zero, or only by the rounding of directions in the file, are exactly zero.
-/// Unconstrained bodies have their grounding springs.
-/// @pre `wedged_problem` accepts the structure
+/// F of the problem in long double precision, length/force. Entries that are not distinguishable
+/// from zero, or only by the rounding of directions in the file, are exactly zero. Unconstrained
+/// bodies have their grounding springs.
 Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
-    const Structure& structure);
+    const WedgedProblem& problem);
 
 }  // namespace kusabi::problems

@@ -61,8 +61,8 @@ struct WedgedProblem {
   /// Unconstrained bodies: G, dm x p, their rigid-body modes restricted to contact degrees of
   /// freedom, ordered as K, each column scaled to a largest entry near 1. K is then only positive
   /// semidefinite, K G = 0; reactions are in equilibrium, G'r = 0, and u = F r + G alpha, where F
-  /// is that of the structure with grounding springs (docs/theory/wedged.md, "Loose bodies"). No
-  /// columns: all bodies are constrained.
+  /// is that of the structure with grounding springs (docs/theory/wedged.md, "Unconstrained
+  /// bodies"). No columns: all bodies are constrained.
   Eigen::MatrixXd motions;
   numbers::PreciseMatrix precise_motions;  ///< of which `motions` are roundings; or empty
   /// Bound of the error of an entry of `motions` and of `precise_motions`.

@@ -42,29 +42,31 @@ class Scaling final : public Bench {
  public:
   [[nodiscard]] std::string_view name() const override { return "bench scaling"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "how far the search scales, simulated";
+    return "simulated scaling of the search";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "How far the search scales, by simulation of up to 65536 ranks in virtual time.";
+    return "The parallel efficiency of the search on up to 65536 ranks, simulated in virtual time.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "--nodes 262144 --most-ranks 64";
   }
   void describe(OptionTable& table) override {
-    table.number("--nodes", &options_.nodes, above(0), "of the tree");
-    table.number("--node-us", &options_.node_microseconds, above(0), "to open a node").unit("us");
-    table.number("--latency-us", &options_.latency_microseconds, above(0), "that a message travels")
+    table.number("--nodes", &options_.nodes, above(0), "number of nodes of the tree");
+    table.number("--node-us", &options_.node_microseconds, above(0), "time to open a node")
+        .unit("us");
+    table.number("--latency-us", &options_.latency_microseconds, above(0), "latency of a message")
         .unit("us");
     table
         .number("--handling-us", &options_.handling_microseconds, above(0),
-                "that a message costs its sender, and its receiver")
+                "time that the sender, and also the receiver, spends on a message")
         .unit("us");
-    table.number("--bandwidth", &options_.gigabytes_a_second, above(0), "of the wires")
+    table.number("--bandwidth", &options_.gigabytes_a_second, above(0), "bandwidth of the network")
         .unit("GB/s");
-    table.number("--least-ranks", &options_.least_ranks, above(0), "the first row");
+    table.number("--least-ranks", &options_.least_ranks, above(0),
+                 "number of ranks of the first row");
     table.number("--most-ranks", &options_.most_ranks, above(0),
-                 "where to stop; each row has four times as many");
-    table.number("--seed", &options_.seed, above(0), "of the tree and of the schedule");
+                 "largest number of ranks; each row has four times as many as the one before");
+    table.number("--seed", &options_.seed, above(0), "random seed of the tree and of the schedule");
   }
 
  private:
@@ -76,15 +78,17 @@ class Schedules final : public Bench {
  public:
   [[nodiscard]] std::string_view name() const override { return "bench schedules"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "does any schedule change what a search finds?";
+    return "search results under random schedules of messages";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "Simulates searches under random schedules: does each find what one rank finds?";
+    return "Simulates searches under random schedules of messages and compares the results with "
+           "those of one rank.";
   }
   [[nodiscard]] std::string_view example() const override { return "--seeds 1000"; }
   void describe(OptionTable& table) override {
-    table.number("--seeds", &options_.seeds, above(0), "how many schedules");
-    table.number("--first-seed", &options_.first_seed, at_least(0), "of the first schedule");
+    table.number("--seeds", &options_.seeds, above(0), "number of schedules");
+    table.number("--first-seed", &options_.first_seed, at_least(0),
+                 "random seed of the first schedule");
   }
 
  private:
@@ -96,10 +100,11 @@ class Uts final : public Bench {
  public:
   [[nodiscard]] std::string_view name() const override { return "bench uts"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the Unbalanced Tree Search benchmark";
+    return "Unbalanced Tree Search benchmark";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "The Unbalanced Tree Search benchmark: are the published counts found, how fast.";
+    return "The Unbalanced Tree Search benchmark: comparison with the published numbers of nodes, "
+           "and speed.";
   }
   [[nodiscard]] std::string_view example() const override { return "--tree T1"; }
   void describe(OptionTable& table) override {
@@ -107,11 +112,11 @@ class Uts final : public Bench {
     constexpr double most_rounds = 1000;
     std::vector<std::pair<std::string, std::string>> trees;
     for (const auto& tree : benchmark::standard_trees()) trees.emplace_back(tree.name, tree.name);
-    table.choice("--tree", options_.tree, trees, "a standard tree");
+    table.choice("--tree", options_.tree, trees, "name of the standard tree");
     table.number("--work", &options_.work, between(1, about_a_second),
-                 "hashes a node, some 0.1 microseconds each");
+                 "number of hashes per node, about 0.1 microseconds each");
     table.number("--rounds", &options_.rounds, between(1, most_rounds),
-                 "searches, of which the fastest counts");
+                 "number of searches; the fastest is reported");
     table.serial();
   }
 

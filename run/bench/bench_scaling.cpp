@@ -47,8 +47,9 @@ void print_row(const BenchScalingOptions& options, int ranks) {
   const auto run = engine::simulate(benchmark::SizedTree(options.seed, options.nodes), ranks,
                                     options.seed, weather, {}, UINT64_MAX);
   if (run.outcome.opened() != options.nodes || run.left_behind != 0) {
-    throw std::runtime_error(fmt::format("{} ranks opened {} nodes of {}, {} messages left", ranks,
-                                         run.outcome.opened(), options.nodes, run.left_behind));
+    throw std::runtime_error(
+        fmt::format("{} ranks: {} of {} nodes opened, {} messages not received", ranks,
+                    run.outcome.opened(), options.nodes, run.left_behind));
   }
   const auto sum = sums(run.outcome);
   const double available = ranks * sum.end;
@@ -68,15 +69,17 @@ void print_row(const BenchScalingOptions& options, int ranks) {
 
 int bench_scaling(Session& session, const BenchScalingOptions& options) {
   if (session.ranks() > 1) {
-    throw WrongInput("kusabi bench scaling: simulates all ranks in one process, without mpirun");
+    throw WrongInput(
+        "kusabi bench scaling: was started on several ranks, but simulates all in one process; "
+        "expected one process");
   }
   fmt::print(
-      "A tree of {} nodes of {} us; messages take {} us and {} us of either end; {} GB/s.\n"
-      "Lost time in % of all ranks' time; gifts and refusals of an average rank.\n\n"
+      "A tree of {} nodes of {} us; latency {} us, {} us at either end; {} GB/s.\n"
+      "Lost time in % of all ranks' time; transfers and refusals per rank.\n\n"
       "{:>6} {:>10} {:>12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n",
       options.nodes, options.node_microseconds, options.latency_microseconds,
       options.handling_microseconds, options.gigabytes_a_second, "ranks", "efficiency", "seconds",
-      "ramp-up", "between", "tail", "messages", "gifts", "refusals", "gather ms");
+      "ramp-up", "between", "tail", "messages", "transfers", "refusals", "gather ms");
   for (int ranks = options.least_ranks; ranks <= options.most_ranks; ranks *= 4) {
     print_row(options, ranks);
   }

@@ -69,7 +69,7 @@ std::string fault(std::uint64_t seed) {
   const auto alone = engine::search(tree, depth_first);
   constexpr std::uint64_t most_steps = 10'000'000;
   const auto many = engine::simulate(tree, ranks, seed, weather, options, most_steps);
-  if (many.left_behind != 0) return fmt::format("{} messages left behind", many.left_behind);
+  if (many.left_behind != 0) return fmt::format("{} messages not received", many.left_behind);
   const auto& outcome = many.outcome;
   if (outcome.status != engine::Status::solved || outcome.open != 0) return "ended early";
   if (options.goal == Goal::all && outcome.opened() != alone.opened()) {
@@ -115,7 +115,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
     ++tried;
     if (const auto wrong = fault_or_exception(seed); !wrong.empty()) {
       ++failed_seeds;
-      fmt::print("seed {}: {}; again with: kusabi bench schedules --first-seed {} --seeds 1\n",
+      fmt::print("seed {}: {}; repeat with: kusabi bench schedules --first-seed {} --seeds 1\n",
                  seed, wrong, seed);
       std::fflush(stdout);
     }

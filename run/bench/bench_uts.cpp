@@ -90,12 +90,12 @@ engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
 }
 
 void print_ranks(const engine::Outcome<TimedTree>& outcome) {
-  fmt::print("{:<6} {:>12} {:>7} {:>9} {:>7} {:>12}\n", "rank", "opened", "share", "requests",
-             "gifts", "CPU seconds");
+  fmt::print("{:<6} {:>12} {:>7} {:>9} {:>9} {:>12}\n", "rank", "opened", "share", "requests",
+             "transfers", "CPU seconds");
   const auto row = [&](const std::string& name, std::uint64_t opened, std::uint64_t requests,
                        std::uint64_t transfers, double seconds) {
     const double share = 100 * static_cast<double>(opened) / static_cast<double>(outcome.opened());
-    fmt::print("{:<6} {:>12} {:>5.1f} % {:>9} {:>7} {:>12.3f}\n", name, opened, share, requests,
+    fmt::print("{:<6} {:>12} {:>5.1f} % {:>9} {:>9} {:>12.3f}\n", name, opened, share, requests,
                transfers, seconds);
   };
   std::uint64_t requests = 0;
@@ -135,8 +135,8 @@ Times times_of(const engine::Outcome<TimedTree>& outcome) {
 
 void print_times(const Times& times, std::uint64_t opened) {
   const auto line = [&](const char* name, double seconds) {
-    fmt::print("{:<10} {:>12.3f} CPU seconds {:>10.3f} million nodes a CPU second\n", name, seconds,
-               static_cast<double>(opened) / 1e6 / seconds);
+    fmt::print("{:<10} {:>12.3f} CPU seconds {:>10.3f} million nodes per CPU second\n", name,
+               seconds, static_cast<double>(opened) / 1e6 / seconds);
   };
   line("recursion", times.recursion);
   line("search", times.search);
@@ -170,7 +170,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
   print_ranks(fastest);
   fmt::print("\n");
   print_counts(fastest.tally().counts, standard.counts);
-  if (!right) fmt::print("WRONG: in one of the rounds something else was counted\n");
+  if (!right) fmt::print("WRONG: the counts of some round differ\n");
   fmt::print("\n");
   print_times(least, fastest.opened());
   return right ? solved : failed;

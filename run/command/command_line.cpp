@@ -95,8 +95,8 @@ std::string wrong_count(std::string_view said, const CommandList::Entry* entry) 
   if (row == nullptr) return std::string(said);
   if (row->value.empty()) return fmt::format("{} takes no value", row->name);
   if (said.find("received") != std::string_view::npos)
-    return fmt::format("{} is there more than once", row->name);
-  return fmt::format("{} is without its value, {}", row->name, row->expected);
+    return fmt::format("{} is given more than once", row->name);
+  return fmt::format("{} has no value; expected {}", row->name, row->expected);
 }
 
 // The first word of the call that CLI11 returns to `kusabi` itself; empty: none.
@@ -177,6 +177,8 @@ Asked parse(CommandList& list, int argc, const char* const* argv) {
   if (given(list, "--manual"))
     return {nullptr, entry == nullptr ? manual(list) : manual(list, *entry)};
   if (entry == nullptr) return {nullptr, overview(list), true};
+  if (const auto wrong = entry->table.replace_former_names(); !wrong.empty())
+    throw WrongCall(wrong);
   return {entry, {}};
 }
 

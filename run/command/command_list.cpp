@@ -18,13 +18,12 @@ std::string_view last_word(std::string_view name) {
 CommandList::CommandList(std::vector<std::unique_ptr<Subcommand>> subcommands,
                          std::vector<Group> groups, std::vector<Chapter> chapters)
     : groups_(std::move(groups)), chapters_(std::move(chapters)) {
-  own_.flag("--version", switched_,
-            "print the version, the commit, and the libraries and the compiler it is built with");
+  own_.flag("--version", switched_, "print version, commit, compiler and libraries");
   own_.flag("--manual", switched_,
-            "print the manual page of a subcommand or, without one, of all, for man -l -");
+            "print the manual page of a subcommand or, without one, of kusabi, for man -l -");
   own_.choice<std::string>("--completion", shell_,
                            {{"bash", "bash"}, {"zsh", "zsh"}, {"fish", "fish"}},
-                           "print what completes calls of kusabi in this shell");
+                           "print a completion script for this shell");
   for (auto& subcommand : subcommands) {
     auto& entry = entries_.emplace_back();
     entry.subcommand = std::move(subcommand);

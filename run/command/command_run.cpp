@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "engine/checkpoint.hpp"
 #include "engine/signals.hpp"
 #include "engine/together.hpp"
 #include "engine/transport/mpi.hpp"
@@ -19,7 +18,7 @@
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/supervision.hpp"
 #include "run/session/time_limit.hpp"
 #include "run/verdict/conclusion_text.hpp"
@@ -53,6 +52,9 @@ CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable&
 
 int CommandRun::execute() {
   check();
+  if (session_.speaks()) {
+    for (const auto& line : table_.warnings()) warn(line);
+  }
   settle_time_limit();
   command_.read(*this);
   open_outputs();
@@ -134,10 +136,9 @@ int CommandRun::stopped_before_the_search() {
   if (session_.speaks()) {
     const auto why =
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
-    print_warning(
-        fmt::format("stopped early ({}) while the problem was prepared: nothing is known yet, no "
-                    "file is written",
-                    status_name(why)));
+    print_warning(fmt::format(
+        "stopped early ({}) during the preparation of the problem: no results, no files",
+        status_name(why)));
   }
   return stopped_early;
 }
@@ -209,10 +210,8 @@ void CommandRun::open_outputs() {
       for (const auto& ending : row.endings) outputs.push_back({row.name, place_of(row) + ending});
     } else if (row.role == Role::input && row.named()) {
       read_too.push_back({row.name, *row.given});
-    } else if (row.role == Role::checkpoint || row.role == Role::restart ||
-               row.role == Role::state) {
-      // A resumed search keeps its state in the same file unless --checkpoint is given.
-      if (others.empty()) others.push_back({row.name, *row.given});
+    } else if (row.role == Role::state) {
+      others.push_back({row.name, *row.given});
     }
   }
   others.insert(others.end(), read_too.begin(), read_too.end());
@@ -239,44 +238,16 @@ void CommandRun::announce() {
   show_heading(folded(text, page().width));
 }
 
-engine::CheckpointOptions CommandRun::checkpoint(const CheckpointChoice& choice,
-                                                 std::uint64_t tree) {
-  if (keeping_) return {};
-  return {.file = choice.kept_in(),
-          .interval = choice.interval,
-          .on_improvement = choice.on_improvement,
-          .resume_from = restart_from(session_, choice.file, choice.restart, tree),
-          .problem = tree};
-}
-
-std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice,
-                                                  engine::Status why, bool saved) {
+std::vector<std::string> CommandRun::how_to_go_on(engine::Status why) {
+  if (!keeping_) return {};
   const int ranks = session_.ranks();
-  const auto call = [&](Role without) {
-    return fmt::format(
-        "{}kusabi {}{}", ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks), command_.name(),
-        table_.call([&](const OptionRow& row) { return row.role == without || row.stops == why; }));
-  };
-  if (keeping_) return {fmt::format("go on with: {}", call(Role::restart))};
-  const auto& checkpoint = choice.kept_in();
-  if (checkpoint.empty()) return {};
-  if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    return {"nothing is saved: no checkpoint could be written"};
-  }
-  std::vector<std::string> lines;
-  if (!saved) lines.emplace_back("the last checkpoint could not be written");
-  lines.push_back(fmt::format("go on{} with: {} --restart {}",
-                              saved ? "" : " from the one before it", call(Role::restart),
-                              quoted(checkpoint)));
-  return lines;
+  return {fmt::format("resume with: {}kusabi {}{}",
+                      ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks), command_.name(),
+                      table_.call([&](const OptionRow& row) { return row.stops == why; }))};
 }
 
 void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts problem) {
   if (choice.state.empty()) return;
-  if (!choice.kept_in().empty()) {
-    throw WrongInput(
-        "--resume: --checkpoint and --restart are another way to go on; expected one of the two");
-  }
   engine::Facts facts{{"kusabi", KUSABI_VERSION}, {"command", std::string(command_.name())}};
   std::move(problem.begin(), problem.end(), std::back_inserter(facts));
   for (auto& fact : table_.facts()) facts.push_back(std::move(fact));

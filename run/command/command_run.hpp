@@ -28,7 +28,7 @@
 #include "run/output/output_file.hpp"
 #include "run/output/output_folder.hpp"
 #include "run/output/page.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/session.hpp"
 #include "support/stop.hpp"
 
@@ -72,11 +72,6 @@ class CommandRun {
     return *std::move(result);
   }
 
-  /// Checkpoint that the engine writes, and the one that it resumes from.
-  /// @param tree fingerprint of the tree
-  /// @throws WrongInput if the checkpoint to resume from does not exist, or the one to write exists
-  engine::CheckpointOptions checkpoint(const CheckpointChoice& choice, std::uint64_t tree);
-
   /// Opens the state file of --resume, if given: everything finished so far, for this run and later
   /// ones.
   /// @param problem facts of the input, in addition to those of the options
@@ -93,10 +88,9 @@ class CommandRun {
   /// @param limits of the call
   engine::Supervision supervision(const engine::Limits& limits);
 
-  /// Lines for Subcommand::remarks: the call that resumes a search that stopped early.
-  /// @param saved true if its last state is in the checkpoint
-  [[nodiscard]] std::vector<std::string> how_to_go_on(const CheckpointChoice& choice,
-                                                      engine::Status why, bool saved);
+  /// Lines for Subcommand::remarks: the call that resumes an analysis that stopped early, if its
+  /// state is kept.
+  [[nodiscard]] std::vector<std::string> how_to_go_on(engine::Status why);
 
   // Outputs and Steps of Subcommand::results, on rank 0. A step makes its content when its turn
   // comes, and only if the output is requested, so an error in one step does not affect the others.

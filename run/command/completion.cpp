@@ -28,7 +28,7 @@ std::string within_quotes(std::string_view text) {
 std::string option_names(const OptionTable& table) {
   std::string names = "--help";
   for (const auto& row : table.rows()) {
-    if (row.named()) names += fmt::format(" {}", fmt::join(row.names(), " "));
+    if (row.named() && row.shown()) names += fmt::format(" {}", fmt::join(row.names(), " "));
   }
   return names;
 }
@@ -40,7 +40,7 @@ std::string bash_values(const OptionTable& table) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
-    if (!row.named() || row.value.empty()) continue;
+    if (!row.named() || !row.shown() || row.value.empty()) continue;
     const auto reply = !row.words.empty()   ? fmt::format("'{}'", fmt::join(row.words, " "))
                        : row.value == "DIR" ? std::string("-d")
                        : takes_a_file(row)  ? std::string("-f")
@@ -134,6 +134,7 @@ std::string zsh_arguments(const OptionTable& table) {
   std::string text = "_arguments '(- *)'{-h,--help}'[print help]'";
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
+    if (!row.shown()) continue;
     if (row.named()) {
       const auto name = row.letter.empty()
                             ? fmt::format("'{}", row.name)
@@ -166,7 +167,7 @@ _kusabi() {
     if (group_of(entry.name()).empty()) described(entry.name(), entry.subcommand->purpose());
   }
   for (const auto& group : list.groups()) described(group.name, group.purpose);
-  described("help", "what a subcommand does, and its options");
+  described("help", "help on a subcommand");
   fmt::format_to(out, "    )\n    _describe subcommand names\n    {}\n    return\n  fi\n",
                  zsh_arguments(list.own()));
   text += "  shift words; (( CURRENT-- ))\n  case $command in\n";
@@ -195,6 +196,7 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
   const auto out = std::back_inserter(text);
   bool files = false;
   for (const auto& row : table.rows()) {
+    if (!row.shown()) continue;
     if (!row.named()) {
       files = true;
       continue;
@@ -244,7 +246,7 @@ complete -c kusabi -s h -l help -d 'print help'
     offered("__kusabi_after", group.name, group.purpose);
     offered("__kusabi_at help", group.name, group.purpose);
   }
-  offered("__kusabi_after", "help", "what a subcommand does, and its options");
+  offered("__kusabi_after", "help", "help on a subcommand");
   fish_options(text, "__kusabi_after", list.own());
   for (const auto& entry : list.entries()) {
     const auto group = group_of(entry.name());

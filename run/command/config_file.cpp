@@ -68,7 +68,7 @@ support::SourcePosition position_of(const toml::key& key) {
 // Reason why an option cannot have a default; empty: it can.
 std::string_view no_default(const OptionRow& row) {
   if (row.name == "--serial" || row.name == "--config" || row.name == "--no-config")
-    return "is needed before this file is read; expected in the call only";
+    return "applies before this file is read; expected in the call only";
   if (row.role != Role::plain) return "names a file of one run; expected in the call only";
   return {};
 }
@@ -79,7 +79,7 @@ void check_key(const TomlReader& reader, const toml::key& key, const OptionTable
   if (row == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& each : table.rows()) {
-      if (each.named() && no_default(each).empty())
+      if (each.named() && each.shown() && no_default(each).empty())
         names.push_back(std::string_view(each.name).substr(2));
     }
     unknown(reader, key, "option", names);

@@ -18,9 +18,10 @@ std::vector<std::pair<std::string, double>> group_half_widths(const std::string&
     const auto equals = std::min(part.rfind('='), part.size());
     const auto value = number_in(part.substr(std::min(equals + 1, part.size())));
     if (equals == 0 || !value || *value < 0) {
-      throw WrongInput(fmt::format(
-          "--group-alpha '{}': expected NAME=NUMBER, not negative, with commas between them",
-          text));
+      throw WrongInput(
+          fmt::format("--group-alpha '{}': expected NAME=NUMBER,NAME=NUMBER,... with numbers that "
+                      "are not negative",
+                      text));
     }
     groups.emplace_back(part.substr(0, equals), *value);
     from = to + 1;

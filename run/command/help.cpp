@@ -97,8 +97,8 @@ std::string option_rules(const OptionRow& row) {
   } else if (!row.unit.empty()) {
     fmt::format_to(out, "In {}.", row.unit.starts_with("in ") ? row.unit.substr(3) : row.unit);
   }
-  if (!row.usual.empty()) fmt::format_to(out, " Unless given: {}.", row.usual);
-  if (!row.needs.empty()) fmt::format_to(out, " Needs {}.", row.needs);
+  if (!row.usual.empty()) fmt::format_to(out, " Default: {}.", row.usual);
+  if (!row.needs.empty()) fmt::format_to(out, " Requires {}.", row.needs);
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
@@ -122,8 +122,10 @@ std::string help(const CommandList::Entry& entry) {
                       usage(entry.table), entry.name(), command.example());
   std::string required;
   std::string optional;
-  for (const auto& row : entry.table.rows()) (row.required ? required : optional) += entry_of(row);
-  optional += entry_of("-h, --help", "print this");
+  for (const auto& row : entry.table.rows()) {
+    if (row.shown()) (row.required ? required : optional) += entry_of(row);
+  }
+  optional += entry_of("-h, --help", "print this help");
   if (!required.empty()) text += "\nRequired:\n" + required;
   text += "\nOptions:\n" + optional;
   if (const auto notes = command.notes(); !notes.empty())
@@ -139,13 +141,13 @@ std::string help(const CommandList& list, const CommandList::Group& group) {
     text += line_of(entry.name(), entry.subcommand->purpose());
     if (first.empty()) first = entry.name();
   }
-  return text + fmt::format("\nFor the options of one: kusabi help {}\n", first);
+  return text + fmt::format("\nOptions of a subcommand: kusabi help {}\n", first);
 }
 
 std::string overview(const CommandList& list) {
   std::string text =
       "Kusabi finds all wedged configurations of a structure with Coulomb friction, and\n"
-      "worst-case limit loads of trusses, and proves what it finds.\n\n"
+      "worst-case limit loads of trusses, and proves its answers.\n\n"
       "Usage:   kusabi SUBCOMMAND FILE [options]\n"
       "         mpirun -np RANKS kusabi SUBCOMMAND FILE [options]\n"
       "Example: kusabi patterns examples/space-truss.toml --mu 0.65\n";
@@ -156,11 +158,11 @@ std::string overview(const CommandList& list) {
   }
   text += "\nOptions of kusabi itself\n";
   for (const auto& row : list.own().rows()) text += entry_of(row);
-  text += entry_of("-h, --help", "print this");
+  text += entry_of("-h, --help", "print this help");
   return text +
-         "\nkusabi help SUBCOMMAND tells its options, with an example.\n"
-         "Exit codes: 0 answered (\"none\" is an answer), 1 failed or refused, 2 wrong call\n"
-         "or input, 3 ended early or something is left open.\n";
+         "\nOptions of a subcommand, with an example: kusabi help SUBCOMMAND\n"
+         "Exit codes: 0 answered (\"none\" is an answer), 1 failed or refused, 2 invalid\n"
+         "call or input, 3 stopped early or partly undecided.\n";
 }
 
 }  // namespace kusabi::run

@@ -15,34 +15,34 @@ namespace {
 constexpr std::string_view after = R"(.SH EXIT STATUS
 .TP
 0
-The whole question is answered; "none" is an answer.
+The analysis is complete; "none" is an answer.
 .TP
 1
 The run failed, or a proof was refused.
 .TP
 2
-The input or the call is wrong.
+The call or the input is invalid.
 .TP
 3
-Stopped early, or something is left open; what is said holds.
+The run stopped early or is partly undecided; all stated results hold.
 .SH ENVIRONMENT
 .TP
 .B KUSABI_CONFIG
-The file of defaults; if it is empty, there is none.
+File with defaults of options. An empty value means no file.
 .TP
 .B XDG_CONFIG_HOME
-The folder of
+Folder that contains
 .IR kusabi/config.toml ,
-where it is looked for otherwise; unless set,
+the file with defaults if KUSABI_CONFIG is not set. Default:
 .IR ~/.config .
 .TP
 .BR COLUMNS ", " NO_COLOR ", " TERM
-How answers look on a terminal.
+Layout and colours of output on a terminal.
 .SH FILES
 .TP
 .I config.toml
 Defaults of options: a table for each subcommand, whose keys are the options without their dashes.
-What the call has goes before it.
+Options on the command line override the file.
 )";
 
 // Text of a manual page: hyphens are ASCII hyphens, and no line begins with a macro.
@@ -89,7 +89,9 @@ std::string synopsis(const CommandList::Entry& entry) {
 std::string body(const CommandList::Entry& entry) {
   const auto& command = *entry.subcommand;
   std::string text;
-  for (const auto& row : entry.table.rows()) text += paragraph(row);
+  for (const auto& row : entry.table.rows()) {
+    if (row.shown()) text += paragraph(row);
+  }
   text +=
       fmt::format(".PP\nExample:\n.B kusabi {} {}\n", roff(entry.name()), roff(command.example()));
   if (const auto notes = command.notes(); !notes.empty())
@@ -117,13 +119,13 @@ std::string manual(const CommandList& list) {
 [\fIsubcommand\fR]
 .SH DESCRIPTION
 All wedged configurations of a structure with Coulomb friction, worst\-case limit loads of trusses,
-and the 0\-1 programs that they are.
-Each of the searches runs in one process, or on all ranks of an MPI job.
+and mixed zero\-one linear programs.
+Each search runs in one process, or on all ranks of an MPI job.
 .SH OPTIONS
 )";
   for (const auto& row : list.own().rows()) text += paragraph(row);
   text +=
-      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint what it can do; of a subcommand, its "
+      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint all subcommands; after a subcommand, its "
       "options.\n";
   text += ".SH SUBCOMMANDS\n";
   for (const auto& chapter : list.chapters()) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -180,12 +181,57 @@ void OptionTable::further_output(std::string name, std::string help) {
   file(std::move(name), named_, Role::output, std::move(help));
 }
 
+void OptionTable::problem(std::string& file) {
+  this->file("file", file, Role::input, "problem file (TOML)").required();
+}
+
+void OptionTable::result(std::string& file) {
+  this->file("file", file, Role::input, "result file (JSON)").required();
+}
+
+RowBuilder OptionTable::friction(double& coefficient) {
+  return number("--mu", &coefficient, above(0), "friction coefficient").required();
+}
+
+RowBuilder OptionTable::load_case(std::string& name, const std::string& otherwise) {
+  return text("--case", name, "NAME", "name of the load case" + otherwise);
+}
+
+RowBuilder OptionTable::group_alpha(std::string& half_widths) {
+  return text("--group-alpha", half_widths, "NAME=NUMBER,...",
+              "half-widths of uncertain loads or groups by name")
+      .unit("in the file's unit of force");
+}
+
+void OptionTable::pictures(std::string& folder, const std::string& each,
+                           const std::string& opened_by) {
+  file(
+      "--vtu", folder, Role::folder,
+      fmt::format("folder for a VTU picture of each {}; {} opens all in ParaView", each, opened_by))
+      .ends_in({"/" + opened_by});
+}
+
+void OptionTable::whole_states(bool& variable, const std::string& all,
+                               const std::string& otherwise) {
+  flag("--whole", variable,
+       fmt::format("displacements of all nodes, member forces and support reactions of all {} in "
+                   "the result file; otherwise of {}",
+                   all, otherwise))
+      .needs("--output")
+      .varies();
+}
+
+void OptionTable::prove(bool& variable, const std::string& how) {
+  flag("--prove", variable,
+       how + ". Default: only if the scales of the structure are more than 1e7 apart");
+}
+
 void OptionTable::quiet(std::string help) {
   flag("--quiet", switched_, std::move(help)).letter("-q").varies();
 }
 
 void OptionTable::serial() {
-  flag("--serial", switched_, "run in this process alone, without MPI").varies();
+  flag("--serial", switched_, "run in one process, without MPI").varies();
 }
 
 void OptionTable::time_limit(engine::Limits& limits) {
@@ -193,7 +239,7 @@ void OptionTable::time_limit(engine::Limits& limits) {
   add({.name = "--time-limit",
        .value = "TIME",
        .range = "seconds, 90s, 1h30m or slurm",
-       .help = "stop so long after the start; slurm: shortly before the job's end",
+       .help = "time limit, as 5400, 90s or 1h30m; slurm: shortly before the end of the Slurm job",
        .matters = false,
        .take = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {
@@ -212,23 +258,23 @@ void OptionTable::time_limit(engine::Limits& limits) {
 
 void OptionTable::node_limit(engine::Limits& limits) {
   number("--node-limit", &limits.nodes, above(0),
-         "stop when so many nodes have been opened, in all searches together")
+         "maximum number of opened nodes, in all searches together")
       .stops(engine::Status::node_limit)
       .varies();
 }
 
 void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
   file("--resume", choice.state, Role::state,
-       fmt::format("keep in this file, and others beside it, what is finished, and go on with it: "
-                   "the same call again begins, goes on or, at the end, gives the result again{}",
+       fmt::format("file for the state of the run, with further files beside it: the same call "
+                   "begins the run, resumes it, or repeats its result, on any number of ranks{}",
                    help));
   number("--resume-wait", &choice.patience, at_least(0),
-         "how long to wait for the end of another run that has that file")
+         "maximum waiting time for another run that uses this file")
       .unit("s")
       .needs("--resume")
       .varies();
-  if (find("--checkpoint-interval") != nullptr) return;
-  number("--checkpoint-interval", &choice.interval, above(0), "between two states of a search")
+  number("--checkpoint-interval", &choice.interval, above(0),
+         "time between two saved states of a search")
       .unit("s")
       .varies();
 }
@@ -237,25 +283,41 @@ void OptionTable::save_on(CheckpointChoice& choice) {
   word(
       "--save-on", {"interval", "improvement"}, "interval",
       [&choice](std::size_t word) { choice.on_improvement = word == 1; },
-      "when the state of a search is kept: at intervals, or also whenever it finds a better "
-      "solution")
+      "times at which the state is saved: at intervals, or also at each better solution")
       .varies();
 }
 
-void OptionTable::checkpoints(CheckpointChoice& choice) {
-  file("--checkpoint", choice.file, Role::checkpoint,
-       "keep the state of the search in this file and others beside it");
-  number("--checkpoint-interval", &choice.interval, above(0), "between two checkpoints")
-      .unit("s")
-      .varies();
-  file("--restart", choice.restart, Role::restart,
-       "go on from this checkpoint, on any number of ranks");
-  resume(choice);
+void OptionTable::former_name(std::string name, std::string option) {
+  auto help = fmt::format("former name of {}", option);
+  const auto role = find(option)->role;
+  add({.name = std::move(name),
+       .value = "FILE",
+       .expected = "the name of a file",
+       .help = std::move(help),
+       .replaced_by = std::move(option),
+       .role = role,
+       .take = [](const std::string&) { return std::string(); }});
+}
+
+std::string OptionTable::replace_former_names() {
+  for (auto& row : rows_) {
+    if (row.shown() || !row.given) continue;
+    auto& present = *std::ranges::find(rows_, row.replaced_by, &OptionRow::name);
+    if (present.given && present.given != row.given) {
+      return fmt::format("{} is a {}, which is given as {}, too; expected {} alone", row.name,
+                         row.help, run::quoted(*present.given), present.name);
+    }
+    present.take(*row.given);
+    present.given = std::exchange(row.given, std::nullopt);
+    warnings_.push_back(fmt::format("{} is a former name of {}; expected {}", row.name,
+                                    present.name, present.name));
+  }
+  return {};
 }
 
 void OptionTable::config(ConfigChoice& choice) {
-  file("--config", choice.file, Role::input, "take defaults of options from this TOML file");
-  flag("--no-config", choice.none, "take no defaults from any file");
+  file("--config", choice.file, Role::input, "TOML file with defaults of options");
+  flag("--no-config", choice.none, "ignore all files with defaults");
 }
 
 const OptionRow* OptionTable::find(std::string_view name) const {

@@ -44,13 +44,11 @@ constexpr Range between(double least, double most) {
 /// Role of an option outside its subcommand.
 enum class Role {
   plain,
-  input,       ///< a file that is read
-  output,      ///< a file that is opened before the search and written at its end
-  folder,      ///< a folder that is created before the search and filled at its end
-  evidence,    ///< files that are written while ranks search
-  checkpoint,  ///< the file that keeps the state of a search
-  restart,     ///< the file that a search resumes from
-  state,       ///< the file that keeps everything finished of an analysis
+  input,     ///< a file that is read
+  output,    ///< a file that is opened before the search and written at its end
+  folder,    ///< a folder that is created before the search and filled at its end
+  evidence,  ///< files that are written while ranks search
+  state,     ///< the file that keeps everything finished of an analysis
 };
 
 /// One option, or the file argument of a subcommand.
@@ -65,7 +63,8 @@ struct OptionRow {
   std::string usual{};               ///< default; empty: none
   std::string help{};
   bool required = false;
-  std::string needs{};  ///< an option that this one requires
+  std::string needs{};        ///< an option that this one requires
+  std::string replaced_by{};  ///< the option of which this is a former name, not shown; empty: none
   Role role = Role::plain;
   std::vector<std::string> endings{""};  ///< permitted endings of file names
   /// Status of a search that this option stops; a resumed call leaves the option out.
@@ -78,6 +77,8 @@ struct OptionRow {
   std::optional<std::string> given{};  ///< value in the call
 
   [[nodiscard]] bool named() const { return name.starts_with('-'); }
+  /// True if help, manual pages and completion show it.
+  [[nodiscard]] bool shown() const { return replaced_by.empty(); }
   /// All spellings in a call: {"-o", "--output"}.
   [[nodiscard]] std::vector<std::string> names() const {
     return letter.empty() ? std::vector{name} : std::vector{letter, name};
@@ -112,16 +113,12 @@ class RowBuilder {
 /// call is read, the option has no default.
 using NumberOption = std::variant<double*, std::optional<double>*, int*, unsigned*, std::uint64_t*>;
 
-/// Files that keep the state of a search, and that it resumes from.
+/// File that keeps the state of an analysis.
 struct CheckpointChoice {
-  std::string file;             ///< file of the state; empty: that of `restart`, if any
-  double interval = 600;        ///< seconds between two states
+  std::string state;            ///< file of --resume; empty: none
+  double interval = 600;        ///< seconds between two states of a search
   bool on_improvement = false;  ///< also when a better solution is found
-  std::string restart;          ///< file to resume from; empty: none
-  std::string state;            ///< file of --resume: resume or begin; empty: none
   double patience = 30;         ///< seconds to wait for a file that another run uses
-
-  [[nodiscard]] const std::string& kept_in() const { return file.empty() ? restart : file; }
 };
 
 /// A word of a call, quoted for a shell.
@@ -160,14 +157,28 @@ class OptionTable {
                   std::string help);
 
   // Options common to several subcommands.
-  void output(std::string help = "write the result to this JSON file");
+  void problem(std::string& file);  ///< the problem file, required
+  void result(std::string& file);   ///< the result file that is read, required
+  RowBuilder friction(double& coefficient);
+  /// @param otherwise meaning of a call without it, if it is permitted
+  RowBuilder load_case(std::string& name, const std::string& otherwise = "");
+  RowBuilder group_alpha(std::string& half_widths);
+  /// --vtu. @param each what a picture is of @param opened_by file that opens all
+  void pictures(std::string& folder, const std::string& each, const std::string& opened_by);
+  /// --prove. @param how meaning of the option
+  void prove(bool& variable, const std::string& how);
+  /// --whole. @param all the configurations of the result file @param otherwise those whose state
+  /// of the whole structure is in it without the option
+  void whole_states(bool& variable, const std::string& all, const std::string& otherwise);
+  void output(std::string help = "result file (JSON)");
   void further_output(std::string name, std::string help);
   void quiet(std::string help = "print errors only");
   void serial();
   void time_limit(engine::Limits& limits);
   void node_limit(engine::Limits& limits);
-  void checkpoints(CheckpointChoice& choice);  ///< including --resume
   void resume(CheckpointChoice& choice, const std::string& help = "");
+  /// Further spelling of an option: accepted with a warning, not shown.
+  void former_name(std::string name, std::string option);
   void save_on(CheckpointChoice& choice);  ///< for searches for an optimum
   void config(ConfigChoice& choice);
 
@@ -175,6 +186,12 @@ class OptionTable {
   [[nodiscard]] std::deque<OptionRow>& rows() { return rows_; }
   /// The row of that name; null if there is none.
   [[nodiscard]] const OptionRow* find(std::string_view name) const;
+
+  /// Moves values given by former names to the options of today.
+  /// @return an error message, if two of them differ; empty: none
+  [[nodiscard]] std::string replace_former_names();
+  /// Warnings about the call.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Options that results depend on, with their values or defaults.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
@@ -194,6 +211,7 @@ class OptionTable {
                   std::function<void(std::size_t)> take, std::string help);
 
   std::deque<OptionRow> rows_;  // at fixed addresses
+  std::vector<std::string> warnings_;
   // for switches that are only read through `OptionRow::given`
   bool switched_ = false;
   std::string named_;

@@ -50,7 +50,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
 const OptionRow* explained_by(const OptionTable& table, std::string_view word) {
   const OptionRow* found = nullptr;
   for (const auto& row : table.rows()) {
-    if (!row.named() || support::nearest(word, words_of(row.help)).empty()) continue;
+    if (!row.named() || !row.shown() || support::nearest(word, words_of(row.help)).empty())
+      continue;
     if (found == nullptr || row.help.size() < found->help.size()) found = &row;
   }
   return found;
@@ -59,7 +60,7 @@ const OptionRow* explained_by(const OptionTable& table, std::string_view word) {
 std::vector<std::string_view> names_of(const OptionTable& table) {
   std::vector<std::string_view> names{"help"};
   for (const auto& row : table.rows()) {
-    if (row.named()) names.push_back(without_dashes(row.name));
+    if (row.named() && row.shown()) names.push_back(without_dashes(row.name));
   }
   return names;
 }
@@ -94,12 +95,12 @@ std::string no_such_subcommand(const CommandList& list, std::string_view group,
       return fmt::format("{}; did you mean {}?", what, name);
   }
   if (word.find_first_of("./") != std::string_view::npos)
-    return fmt::format("a subcommand goes before {}; expected one of {}", as_typed(word), choices);
+    return fmt::format("a subcommand must precede {}; expected one of {}", as_typed(word), choices);
   return fmt::format("{}; expected one of {}", what, choices);
 }
 
 std::string subcommand_missing(const CommandList& list, std::string_view group) {
-  return fmt::format("{} is without its subcommand; expected one of {}", called(group),
+  return fmt::format("{} has no subcommand; expected one of {}", called(group),
                      fmt::join(list.words_after(group), ", "));
 }
 
@@ -122,7 +123,7 @@ std::string no_option_of_all(const CommandList& list, std::string_view word) {
   const auto option = word.substr(0, word.find('='));
   const auto what = fmt::format("kusabi itself has no option {}", option);
   if (!owners(list, option).empty())
-    return what + "; options of a subcommand go after it: kusabi SUBCOMMAND " + std::string(word);
+    return what + "; options of a subcommand follow it: kusabi SUBCOMMAND " + std::string(word);
   if (const auto meant = meant_by(without_dashes(word), names_of(list.own())); !meant.empty())
     return fmt::format("{}; did you mean --{}?", what, meant);
   return what + " (try kusabi --help)";
@@ -134,9 +135,8 @@ std::string one_word_too_many(const CommandList::Entry& entry, std::string_view 
     if (!row.named()) files.push_back(row.name);
   }
   if (files.empty())
-    return fmt::format("{} is one word too many; {} takes options only", as_typed(word),
-                       entry.name());
-  return fmt::format("{} is one word too many; {} takes one {}", as_typed(word), entry.name(),
+    return fmt::format("{} is superfluous; {} takes options only", as_typed(word), entry.name());
+  return fmt::format("{} is superfluous; {} takes one {}", as_typed(word), entry.name(),
                      fmt::join(files, ", one "));
 }
 

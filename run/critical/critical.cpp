@@ -19,8 +19,8 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
@@ -35,10 +35,11 @@ class Critical final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "critical"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the smallest friction at which anything can wedge";
+    return "smallest friction coefficient with a wedged configuration";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "The smallest friction coefficient at which anything can wedge, proved.";
+    return "The smallest friction coefficient at which the structure can stick, with a proved "
+           "lower and upper bound.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/wedge-in-groove.toml";
@@ -67,49 +68,45 @@ class Critical final : public Subcommand {
 };
 
 void Critical::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
-  table.choice(
-      "--method", options_.question.way,
-      {{"auto", wedged::CriticalWay::automatic},
-       {"descent", wedged::CriticalWay::descent},
-       {"global", wedged::CriticalWay::global},
-       {"newton", wedged::CriticalWay::newton},
-       {"bisection", wedged::CriticalWay::bisection}},
-      "searches for the smallest: the next two in turn, from --mu-max down, from zero up; or the "
-      "coefficients of all patterns that live at --mu-max");
-  table.number("--mu-max", &options_.question.most, above(0),
-               "no larger coefficient is of interest");
+  table.problem(options_.file);
+  table.choice("--method", options_.question.way,
+               {{"auto", wedged::CriticalWay::automatic},
+                {"descent", wedged::CriticalWay::descent},
+                {"global", wedged::CriticalWay::global},
+                {"newton", wedged::CriticalWay::newton},
+                {"bisection", wedged::CriticalWay::bisection}},
+               "search method. For the smallest coefficient: descent from --mu-max, global search "
+               "from zero, or automatic alternation of both. For the coefficients of all patterns "
+               "that stick at --mu-max: newton or bisection");
+  table.number("--mu-max", &options_.question.most, above(0), "upper limit of the search");
   table.number("--width", &options_.question.width, above(0),
-               "of the brackets; otherwise 1e-8, and 1e-6 of more than 100 candidates, of which "
-               "programs are then solved in double precision only");
+               "width of the brackets. Default: 1e-8; with more than 100 candidates 1e-6, and cone "
+               "programs are solved in double precision only");
   table.choice("--cuts", options_.question.tightening, cuts_words(),
-               "bound the reaction and the gap of each candidate on the way down and before the "
-               "ends are proved, which cuts nodes: of large held bodies, nowhere, or everywhere");
+               "compute bounds of the reaction and the gap of each candidate, which cut nodes: for "
+               "large constrained bodies (auto), never, or always");
   table.flag("--list", options_.question.list,
-             "list all patterns that are feasible at the upper bound; otherwise one that proves it "
-             "is enough");
+             "list all patterns that stick at the upper bound, not only the one that proves it");
   table
       .number("--list-limit", &options_.question.list_nodes, above(0),
-              "end that list when so many nodes have been opened for it")
+              "maximum number of nodes opened for this list")
       .needs("--list");
   table
       .number("--top", &options_.top, above(0),
-              "list so many of the patterns, those that begin to live first; all are in the file")
+              "maximum number of rows, smallest coefficients first; files contain all patterns")
       .varies();
   table.output();
-  table.further_output("--csv", "write the patterns to this file, a line each");
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "write a picture of each pattern that is listed to this folder, for ParaView: "
-            "critical.pvd opens them")
-      .ends_in({"/critical.pvd"});
+  table.further_output("--csv", "CSV file of the patterns, one row each");
+  table.pictures(vtu_, "listed pattern", "critical.pvd");
   table
       .file("--certificate", options_.certificate, Role::evidence,
-            "write the evidence of both ends to NAME.lower and NAME.upper, for kusabi verify")
+            "certificates of both bounds, NAME.lower and NAME.upper, for kusabi verify")
       .ends_in({".lower", ".upper"});
+  table.whole_states(options_.whole, "patterns",
+                     fmt::format("the first {}", whole_unless_requested));
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
-  table.resume(options_.checkpoint, "; --certificate has the ends proved anew");
+  table.resume(options_.checkpoint, "; with --certificate both bounds are proved anew");
   table.save_on(options_.checkpoint);
   table.quiet();
   table.serial();
@@ -118,18 +115,17 @@ void Critical::describe(OptionTable& table) {
 void Critical::check() const {
   if (!looks_for_smallest(options_.question.way) && !options_.question.most) {
     throw WrongInput(
-        "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
-        "for, or --method auto");
+        "--mu-max is missing; expected the friction coefficient of the list of patterns, or "
+        "--method auto");
   }
   if (!looks_for_smallest(options_.question.way) && !vtu_.empty()) {
     throw WrongInput(
-        "--vtu: only a search for the smallest keeps what it finds wedged; expected --method "
-        "auto, descent or global");
+        "--vtu: this method stores no configurations; expected --method auto, descent or global");
   }
   if (!looks_for_smallest(options_.question.way) && options_.question.list) {
     throw WrongInput(
-        "--list: the other methods list all patterns that stick at --mu-max; expected --method "
-        "auto, descent or global");
+        "--list: this method lists all patterns that stick at --mu-max; expected --method auto, "
+        "descent or global");
   }
   const double most = options_.question.most.value_or(wedged::usual_most);
   const double width = options_.question.width.value_or(wedged::usual_width);
@@ -184,10 +180,11 @@ void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& entry = entries[i];
     if (entry.reaction.empty()) continue;
-    series.add(numbered_vtu("pattern", i + 1, count),
-               grids.grid(fmt::format("what begins to live at friction coefficient {}",
-                                      entry.upper.value_or(entry.lower)),
-                          entry.block, entry.pattern, {}, entry.reaction, entry.displacement));
+    series.add(
+        numbered_vtu("pattern", i + 1, count),
+        grids.grid(fmt::format("configuration that becomes feasible at friction coefficient {}",
+                               entry.upper.value_or(entry.lower)),
+                   entry.block, entry.pattern, {}, entry.reaction, entry.displacement));
   }
   series.finish("critical.pvd", problem_line(problem_));
 }
@@ -211,7 +208,7 @@ Verdict Critical::verdict() const {
 
 std::vector<std::string> Critical::remarks(CommandRun& run) {
   if (findings_.status == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, findings_.status, false);
+  return run.how_to_go_on(findings_.status);
 }
 
 }  // namespace

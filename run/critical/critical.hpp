@@ -17,6 +17,7 @@ struct CriticalOptions {
   std::string file;  ///< problem file
   wedged::CriticalQuestion question;
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of rows
+  bool whole = false;       ///< whole state of every pattern in the result file
   std::string certificate;  ///< certificates of both bounds: NAME.lower and NAME.upper
   engine::Limits limits;    ///< limits of the search
   CheckpointChoice checkpoint;

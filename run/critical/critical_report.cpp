@@ -36,16 +36,18 @@ const char* way_name(wedged::CriticalWay way) {
   return "bisection";
 }
 
+/// @param whole nothing: signs, brackets and reactions only
 ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::CriticalEntry& entry,
-                        const WholeStateJson& whole) {
+                        const WholeStateJson* whole) {
   ordered_json json = pattern_json(problem, entry.block, entry.pattern);
   json["lower"] = entry.lower;
   json["upper"] = number_or_null(entry.upper);
   if (entry.reaction.empty()) return json;
   json["reaction"] = block_rows(problem, entry.block, entry.reaction);
+  if (whole == nullptr) return json;
   json["displacement"] = block_rows(problem, entry.block, entry.displacement);
-  whole.add_to(json, of_all_candidates(problem, entry.block, entry.reaction),
-               of_all_candidates(problem, entry.block, entry.displacement));
+  whole->add_to(json, of_all_candidates(problem, entry.block, entry.reaction),
+                of_all_candidates(problem, entry.block, entry.displacement));
   return json;
 }
 
@@ -76,6 +78,8 @@ const char* phase_name(wedged::CriticalPhase phase) {
       return "start";
     case wedged::CriticalPhase::primal:
       return "primal";
+    case wedged::CriticalPhase::form:
+      return "form";
     case wedged::CriticalPhase::list:
       return "list";
     case wedged::CriticalPhase::trial:
@@ -98,6 +102,12 @@ const char* phase_name(wedged::CriticalPhase phase) {
   return "upper end";
 }
 
+// Name in the table; result files keep that of their first version.
+const char* shown_name(wedged::CriticalPhase phase) {
+  if (phase == wedged::CriticalPhase::lower_end) return "lower bound";
+  return phase == wedged::CriticalPhase::upper_end ? "upper bound" : phase_name(phase);
+}
+
 // Searches, one per line, and their sum.
 std::string costs_text(const wedged::CriticalFindings& findings) {
   auto text =
@@ -106,7 +116,7 @@ std::string costs_text(const wedged::CriticalFindings& findings) {
   std::uint64_t programs = 0;
   const auto out = std::back_inserter(text);
   for (const auto& cost : findings.costs) {
-    fmt::format_to(out, "{:<12}  {:>12.10g}  {:>9}  {:>9}\n", phase_name(cost.phase), cost.friction,
+    fmt::format_to(out, "{:<12}  {:>12.10g}  {:>9}  {:>9}\n", shown_name(cost.phase), cost.friction,
                    cost.opened, cost.programs);
     opened += cost.opened;
     programs += cost.programs;
@@ -151,7 +161,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
-    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "dead at", "alive at",
+    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "absent at", "present at",
                    "in contact (U); others separated (R)");
   }
   std::size_t number = 0;
@@ -176,7 +186,10 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const WholeStateJson& whole) {
   auto patterns = ordered_json::array();
-  for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry, whole));
+  for (std::size_t i = 0; i < findings.patterns.size(); ++i) {
+    const bool all = options.whole || i < whole_unless_requested;
+    patterns.push_back(entry_json(problem, findings.patterns[i], all ? &whole : nullptr));
+  }
   ordered_json chosen = {{"method", way_name(options.question.way)},
                          {"cuts", name_of(options.question.tightening)},
                          {"width", wedged::grid_of(problem, options.question).width}};

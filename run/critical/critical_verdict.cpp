@@ -43,6 +43,7 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   // A bound of zero means only that nothing sticks without friction: the search has not advanced.
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
+  found.grounds = findings.exact ? Grounds::exact_arithmetic : Grounds::solver_bounds;
   using enum wedged::CriticalDoubt;
   found.wide = std::ranges::find(findings.open, wide_bracket) != findings.open.end();
   found.patterns_open = (findings.upper && findings.patterns.empty()) ||
@@ -55,6 +56,9 @@ Verdict critical_verdict(const CriticalOptions& options, const problems::WedgedP
   Verdict verdict{.ended = findings.status, .answer = critical_bracket(options, problem, findings)};
   if (findings.upper && !findings.patterns.empty())
     verdict.details.push_back(first_way(problem, findings.patterns.front()));
+  const bool answered = findings.status == engine::Status::solved && findings.upper;
+  if (!options.certificate.empty() && answered && !findings.upper_proved)
+    verdict.missing.emplace_back("The certificate does not prove the upper bound.");
   return verdict;
 }
 

@@ -24,20 +24,20 @@ class Draw final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "draw"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the answers in a result file as an image";
+    return "picture of the results in a file, as SVG";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "One of the answers in a result file as an image, or a sheet of all.";
+    return "A picture of one result in detail, or of all results in a file, as SVG.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "result.json --svg answers.svg";
   }
   void describe(OptionTable& table) override {
-    table.file("file", file_, Role::input, "the result, a JSON file").required();
-    table.further_output("--svg", "write the image to this SVG file instead of standard output");
+    table.result(file_);
+    table.further_output("--svg", "SVG file; default: standard output");
     table.number("--pattern", &pattern_, above(0),
-                 "draw this one in detail: a pattern or ray by its number, of kusabi limit 1 for "
-                 "the nominal load, 2 for the worst case");
+                 "number of the pattern or ray to draw in detail; of a result of kusabi limit 1 is "
+                 "the nominal load, 2 the worst case");
     table.quiet();
     table.serial();
   }
@@ -64,12 +64,14 @@ class Draw final : public Subcommand {
  private:
   void take_chart(const ResultReader& reader) {
     if (pattern_ > 0) {
-      throw WrongInput(
-          fmt::format("--pattern {}: {} is of a sweep, which has one chart; expected no --pattern",
-                      pattern_, file_));
+      throw WrongInput(fmt::format(
+          "--pattern {}: {} is the result of a sweep, which has one chart; expected no --pattern",
+          pattern_, file_));
     }
     chart_ = sweep_chart(reader, headline(result_verdict(reader)));
-    if (!chart_) throw WrongInput(fmt::format("{}: nothing is known that could be drawn", file_));
+    if (!chart_)
+      throw WrongInput(fmt::format(
+          "{}: has no results that could be drawn; expected a result with at least one", file_));
   }
 
   void take_scenes(const ResultReader& reader) {

@@ -196,23 +196,21 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on,
   std::error_code error;
   const auto kind = fs::status(name_, error).type();
   if (kind != fs::file_type::not_found && kind != fs::file_type::regular) {
-    refuse("is a device or a pipe, expected a file name");
+    refuse("is a device or a pipe; expected a file name");
   }
   whole_.emplace("--certificate", name_, input);
   const auto parts = parts_of(name_);
   for (const auto& part : parts) {
     if (is_being_written(part.file)) {
-      refuse(
-          fmt::format("{} is being written by another search; expected another name", part.file));
+      refuse(fmt::format("{} is in use by another search; expected another name", part.file));
     }
     const auto checkpoint = goes_on ? std::string{} : checkpoint_of(part.file);
     // Parts of a run that was killed before its first checkpoint are useless.
     if (!checkpoint.empty() && checkpoint != own) {
-      const bool is_state = first_line(checkpoint).starts_with("kusabi-state ");
       refuse(
-          fmt::format("{} is in the way, a part of a search that did not end; expected --{} {} to "
-                      "go on with it, or a new name",
-                      part.file, is_state ? "resume" : "restart", checkpoint));
+          fmt::format("{} belongs to an unfinished search; expected --resume {} to resume it, or a "
+                      "new name",
+                      part.file, checkpoint));
     }
   }
   const unsigned run = parts.empty() ? 1 : parts.back().run + 1;
@@ -222,8 +220,8 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on,
   }
   if (parts.empty()) {
     refuse(
-        fmt::format("there is no {}.part.*, so what the search has proved so far is not known; "
-                    "expected the name that it began with",
+        fmt::format("{}.part.*, the proofs of the search so far, do not exist; expected the name "
+                    "with which the search began",
                     name_));
   }
   for (const auto& part : parts) {
@@ -258,8 +256,7 @@ void CertificateFile::close() {
 
 void CertificateFile::require_parts() const {
   if (!failed_) return;
-  throw std::runtime_error(
-      fmt::format("{}: a part could not be written in full; is the disk full?", name_));
+  throw std::runtime_error(fmt::format("{}: a part is incomplete; the disk may be full", name_));
 }
 
 void CertificateFile::put_in_place(const std::string& header) {
@@ -270,8 +267,8 @@ void CertificateFile::put_in_place(const std::string& header) {
   });
   if (own != session_.ranks()) {
     throw std::runtime_error(
-        fmt::format("{}: {} parts expected, {} found; do all ranks write to the same folder?",
-                    name_, session_.ranks(), own));
+        fmt::format("{}: {} of {} parts exist; expected a folder that all ranks share", name_, own,
+                    session_.ranks()));
   }
   write_whole(*whole_, header, parts);
   drop();
@@ -282,8 +279,10 @@ void put_earlier_certificate_in_place(const std::string& name, const std::string
   const auto parts = parts_of(name);
   if (!is_whole(name, header)) {
     if (parts.empty()) {
-      throw std::runtime_error(fmt::format(
-          "{}: is not there, nor are its parts; expected them, or another --resume", name));
+      throw std::runtime_error(
+          fmt::format("{}: neither the certificate nor its parts exist; expected one of them, or "
+                      "another --resume",
+                      name));
     }
     for (const auto& part : parts) require_tree(part, of_tree(tree));
     OutputFile whole("--certificate", name, input);

@@ -42,6 +42,8 @@ const char* kind_name(wedged::Evidence::Kind kind) {
       return "dead";
     case Kind::cut:
       return "cut";
+    case Kind::form:
+      return "form";
     case Kind::alive:
       return "alive";
     case Kind::marginal:

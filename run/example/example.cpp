@@ -40,7 +40,7 @@ class Example : public Subcommand {
   [[nodiscard]] virtual problems::Structure structure() const = 0;
 
   static void describe_output(OptionTable& table) {
-    table.output("write to this file instead of standard output");
+    table.output("problem file to write; default: standard output");
   }
 
  private:
@@ -51,18 +51,19 @@ class SpaceTruss final : public Example {
  public:
   [[nodiscard]] std::string_view name() const override { return "example space-truss"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a space truss against an inclined wall";
+    return "space truss against an inclined wall";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "A space truss against an inclined wall; the candidates are rows x depth.";
+    return "A space truss against an inclined wall, with rows x depth contact candidates.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "--rows 8 --depth 5 --output truss.toml";
   }
   void describe(OptionTable& table) override {
-    table.number("--rows", &size_.rows, above(0), "rows of nodes along y");
-    table.number("--depth", &size_.depth, above(0), "planes of nodes along z");
-    table.number("--bays", &size_.bays, above(0), "bays between the wall and the obstacle");
+    table.number("--rows", &size_.rows, above(0), "number of rows of nodes along y");
+    table.number("--depth", &size_.depth, above(0), "number of planes of nodes along z");
+    table.number("--bays", &size_.bays, above(0),
+                 "number of bays between the wall and the obstacle");
     describe_output(table);
   }
 
@@ -78,28 +79,29 @@ class PlaneTruss final : public Example {
  public:
   [[nodiscard]] std::string_view name() const override { return "example plane-truss"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a plane truss against an inclined wall";
+    return "plane truss against an inclined wall";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "A plane truss against an inclined wall; the candidates are the rows.";
+    return "A plane truss against an inclined wall, with one contact candidate in each row.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "--rows 12 --output truss.toml";
   }
   void describe(OptionTable& table) override {
     using problems::Verticals;
-    table.number("--rows", &size_.rows, above(0), "rows of nodes along y, 1 m apart");
-    table.number("--bays", &size_.bays, above(0), "bays between the wall and the obstacle");
-    table.number("--width", &size_.width, above(0), "of the lowest row").unit("m");
-    table.number("--lean", &size_.lean, at_least(0), "of the obstacle from the vertical")
+    table.number("--rows", &size_.rows, above(0), "number of rows of nodes along y, 1 m apart");
+    table.number("--bays", &size_.bays, above(0),
+                 "number of bays between the wall and the obstacle");
+    table.number("--width", &size_.width, above(0), "width of the lowest row").unit("m");
+    table.number("--lean", &size_.lean, at_least(0), "angle of the obstacle to the vertical")
         .unit("degrees");
     table.choice("--brace", size_.verticals,
                  {{"none", Verticals::none}, {"inner", Verticals::inner}, {"all", Verticals::all}},
-                 "bars from row to row besides the diagonals: none, in the inner columns, or on "
-                 "the obstacle, too");
+                 "vertical bars in addition to the diagonals: none, in the inner columns, or also "
+                 "along the obstacle");
     table.flag("--paper", paper_,
-               "the truss of the wedged paper's section 7.2 with that many rows, in which all else "
-               "is settled");
+               "truss of section 7.2 of the paper on wedged configurations, which is given by its "
+               "number of rows");
     describe_output(table);
   }
   void check() const override {
@@ -107,8 +109,7 @@ class PlaneTruss final : public Example {
     if (paper_ && (size_.bays != usual.bays || size_.width != usual.width ||
                    size_.lean != usual.lean || size_.verticals != usual.verticals)) {
       throw WrongInput(
-          "--paper: the paper has one truss for each number of rows; expected --rows "
-          "and nothing else");
+          "--paper: the truss of the paper is given by its number of rows; expected --rows only");
     }
   }
 
@@ -125,14 +126,14 @@ class Grid final : public Example {
  public:
   [[nodiscard]] std::string_view name() const override { return "example grid"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a plane grid truss for limit analysis";
+    return "plane grid truss for limit analysis";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "A plane grid truss, braced crosswise, with loads for limit analysis.";
+    return "A plane grid truss with crossed diagonals and loads for limit analysis.";
   }
   [[nodiscard]] std::string_view example() const override { return "--bays 10 --output grid.toml"; }
   void describe(OptionTable& table) override {
-    table.number("--bays", &bays_, above(0), "bays along each axis").required();
+    table.number("--bays", &bays_, above(0), "number of bays along each axis").required();
     describe_output(table);
   }
 

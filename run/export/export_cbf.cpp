@@ -31,12 +31,11 @@ class ExportCbf final : public ExportedFile {
  public:
   [[nodiscard]] std::string_view name() const override { return "export cbf"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the cone program of a node of the sign patterns";
+    return "cone program of one node of the tree, as CBF";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "The cone program of a node of the sign patterns in the Conic Benchmark Format, for "
-           "solvers of "
-           "second-order cone programs.";
+    return "The cone program of one node of the tree of sign patterns in the Conic Benchmark "
+           "Format, for solvers of second-order cone programs.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/two-bars.toml --mu 2 --output node.cbf";
@@ -60,11 +59,11 @@ class ExportCbf final : public ExportedFile {
 
 void ExportCbf::describe(OptionTable& table) {
   describe_input(table);
-  table.number("--mu", &coefficient_, above(0), "friction coefficient").required();
+  table.friction(coefficient_);
   table.text("--contact", contact_names_, "NODE,NODE,...",
-             "the candidates held in contact: U of the node; none of the root");
+             "candidates in contact at the node (U); none at the root");
   table.text("--separated", separated_names_, "NODE,NODE,...",
-             "those held separated: R of the node");
+             "candidates separated at the node (R)");
   describe_output(table);
 }
 
@@ -83,8 +82,8 @@ support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view opti
       if (longer && begins(names[i])) longest = i;
     }
     if (longest == names.size()) {
-      throw WrongInput(fmt::format("{}: no contact candidate of {} is called '{}'; expected {}",
-                                   option, file(), text.substr(0, text.find_first_of(separators)),
+      throw WrongInput(fmt::format("{}: {} has no contact candidate '{}'; expected {}", option,
+                                   file(), text.substr(0, text.find_first_of(separators)),
                                    fmt::join(names, " or ")));
     }
     set.insert(static_cast<int>(longest));
@@ -100,12 +99,12 @@ void ExportCbf::prepare(CommandRun& run) {
   contact_ = set_of(contact_names_, "--contact");
   separated_ = set_of(separated_names_, "--separated");
   if (contact_.meets(separated_)) {
-    throw WrongInput(fmt::format("--separated: {} is in --contact, too; expected it in one of them",
+    throw WrongInput(fmt::format("--separated: {} is also in --contact; expected it in one of them",
                                  candidate_names(problem_, contact_ & separated_).front()));
   }
   if (candidate_names(problem_, separated_).size() == problem_.contact_names.size()) {
     throw WrongInput(
-        "--separated: all candidates, and none is left to carry a reaction; expected fewer");
+        "--separated: all candidates are separated, so none can have a reaction; expected fewer");
   }
 }
 
@@ -118,10 +117,10 @@ Names ExportCbf::comments(double unit) const {
                   "coefficient {}.",
                   listed(candidate_names(problem_, contact_)),
                   listed(candidate_names(problem_, separated_)), coefficient_),
-      "Maximise t: the optimal objective is the margin t*. Above zero: there may be wedged "
-      "configurations; below: there are none.",
-      fmt::format("F is divided by its mean normal part, {} {}/{}; so t has no unit.", unit,
-                  problem_.units.length, problem_.units.force)};
+      "Maximise t; the optimal objective is the margin t*. If t* < 0, no wedged configuration has "
+      "this pattern.",
+      fmt::format("F is divided by its mean normal compliance, {} {}/{}, so that t has no unit.",
+                  unit, problem_.units.length, problem_.units.force)};
   for (std::size_t i = 0; i < problem_.contact_names.size(); ++i) {
     lines.push_back(fmt::format("columns {} to {}: reaction at {}: n, {}; friction {}", d * i,
                                 d * i + d - 1, problem_.contact_names[i], d == 2 ? "t1" : "t1, t2",

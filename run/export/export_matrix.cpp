@@ -25,7 +25,7 @@ class ExportMatrix final : public ExportedFile {
  public:
   [[nodiscard]] std::string_view name() const override { return "export matrix"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the condensed stiffness, or its inverse";
+    return "condensed stiffness or compliance, as Matrix Market";
   }
   [[nodiscard]] std::string_view description() const override {
     return "The stiffness condensed onto the contact candidates, or its inverse, as a Matrix "
@@ -51,8 +51,8 @@ void ExportMatrix::describe(OptionTable& table) {
   describe_input(table);
   table.choice("--matrix", choice_,
                {{"stiffness", Matrix::stiffness}, {"compliance", Matrix::compliance}},
-               "K of r = K u, or F = K^-1, both of the displacements and reactions of the contact "
-               "candidates");
+               "stiffness K of r = K u, or compliance F = K^-1, of the displacements u and "
+               "reactions r of the contact candidates");
   describe_output(table);
 }
 
@@ -71,12 +71,13 @@ std::vector<std::string> ExportMatrix::comments() const {
                               problem_.units.force, problem_.units.length)
                 : fmt::format("The compliance F of the contact candidates: u = F r, in {}/{}.",
                               problem_.units.length, problem_.units.force),
-      "Each has its displacements in its own frame: n out of the obstacle, t along it."};
+      "Each candidate has its own frame: n out of the obstacle, t along it."};
   for (const auto& [node, nodes, motions] : problem_.unconstrained_bodies) {
     lines.push_back(fmt::format("The body of node {} {}: {}", node, motions,
-                                stiffness ? "K is only semidefinite."
-                                          : "F is that with springs that hold it, right for "
-                                            "reactions in equilibrium up to these motions."));
+                                stiffness
+                                    ? "K is only semidefinite."
+                                    : "F includes grounding springs; it gives the displacements of "
+                                      "reactions in equilibrium, up to these motions."));
   }
   constexpr const char* axes[] = {"n", "t1", "t2"};
   int row = 0;

@@ -34,7 +34,7 @@ class ExportMps final : public ExportedFile {
  public:
   [[nodiscard]] std::string_view name() const override { return "export mps"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "programs of limit analysis as free MPS";
+    return "programs of limit analysis, as free MPS";
   }
   [[nodiscard]] std::string_view description() const override {
     return "The programs of limit analysis as free MPS, for solvers of (0-1) linear programs.";
@@ -71,21 +71,17 @@ void ExportMps::describe(OptionTable& table) {
                {{"worst-case", Program::worst_case},
                 {"kinematic", Program::kinematic},
                 {"static", Program::statics}},
-               "the 0-1 program (29) of the worst case, or the linear programs of the dead load as "
-               "it is: (15), or (5), whose optimum is minus the load factor");
+               "program: 0-1 program (29) of the worst case, or a linear program for the nominal "
+               "dead load: kinematic (15), or static (5), whose optimum is minus the load factor");
   table
       .number("--alpha", &alpha_, at_least(0),
-              "of the worst case: the uncertain components of the dead load are known up to +- "
-              "this")
+              "half-width of each uncertain load, for --program worst-case")
       .unit("in the file's unit of force");
-  table
-      .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
-            "likewise, of the uncertain loads or groups with these names")
-      .unit("in the file's unit of force");
+  table.group_alpha(group_alpha_);
   table.number("--big-m", &asked_m_, above(0),
-               "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
-               "Without it a safe one is derived for each component");
-  table.text("--case", load_case_, "NAME", "of the load cases of the file, this one");
+               "M of (29), for motions with f_R'u = 1 in the unit of force; 5 in the paper. "
+               "Default: a safe value for each component, derived from the problem");
+  table.load_case(load_case_);
   describe_output(table);
 }
 
@@ -93,10 +89,7 @@ void ExportMps::check() const {
   const bool of_worst_case = choice_ == Program::worst_case;
   group_half_widths(group_alpha_);
   if (!of_worst_case && (alpha_ || asked_m_ || !group_alpha_.empty())) {
-    throw WrongInput(
-        "--alpha, --group-alpha, --big-m: of a program without uncertainty; expected --program "
-        "worst-case, or "
-        "neither");
+    throw WrongInput("--alpha, --group-alpha, --big-m: require --program worst-case");
   }
 }
 
@@ -116,7 +109,7 @@ void ExportMps::settle_half_widths() {
     throw WrongInput(
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (!alpha_) throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
+  if (!alpha_) throw WrongInput("--program worst-case: requires --alpha");
   // Loads on supported displacements are not part of the program.
   std::erase_if(one->uncertain,
                 [&](const auto& column) { return *alpha_ * column.half_width == 0; });
@@ -132,8 +125,8 @@ void ExportMps::search(CommandRun& run) {
   const auto derived = limit::safe_big_m(analysis, *problem_, *alpha_);
   if (!derived)
     throw WrongInput(
-        "--alpha: no safe M of (29) was found, as where a load is carried at no factor "
-        "(kusabi limit says whether); expected a smaller one, or --big-m as well");
+        "--alpha: no safe M of (29) was found, perhaps because a load is not carried at any factor "
+        "(see kusabi limit); expected a smaller alpha, or --big-m");
   big_m_ = *derived;
 }
 
@@ -164,19 +157,19 @@ linear::MixedProgram ExportMps::program() const {
 std::vector<std::string> ExportMps::comments_on_worst_case() const {
   const auto alpha = problems::common_half_width(*problem_, *alpha_);
   std::vector<std::string> lines{
-      alpha ? fmt::format("Its uncertain components are known up to +- {} {} times their weights.",
+      alpha ? fmt::format("Its uncertain components have half-widths of {} {} times their weights.",
                           *alpha, problem_->units.force)
-            : std::string("Its uncertain components are known up to half-widths of their own."),
-      "Minimise: the optimal objective is the worst-case load factor, lambda_min.",
-      "u: the collapse mode, with f_R'u = 1; z: how much each member is stretched or shortened; "
-      "gamma: the size of each uncertain",
-      "component's displacement; tau: 1 if that is positive, 0 if it is negative."};
+            : std::string("Its uncertain components have individual half-widths."),
+      "Minimise; the optimal objective is the worst-case load factor, lambda_min.",
+      "u: collapse mode, with f_R'u = 1; z: absolute elongation of each member; gamma: absolute "
+      "displacement of each uncertain",
+      "component; tau: 1 if that displacement is positive, 0 if it is negative."};
   if (asked_m_) {
     lines.push_back(
-        fmt::format("M is {}, as asked for; too small a one cuts the optimum off.", *asked_m_));
+        fmt::format("M is {}, as given; if it is too small, it cuts off the optimum.", *asked_m_));
   } else if (big_m_.size() > 0) {
     lines.push_back(fmt::format(
-        "M is {:g} to {:g}, component by component: derived, so that no optimum is cut off.",
+        "M is {:g} to {:g}, derived for each component such that no optimum is cut off.",
         big_m_.minCoeff(), big_m_.maxCoeff()));
   }
   return lines;
@@ -190,20 +183,19 @@ std::vector<std::string> ExportMps::comments() const {
                   problem_->units.length)};
   switch (choice_) {
     case Program::statics:
+      lines.emplace_back("The static principle (5) of limit analysis with the nominal dead load.");
       lines.emplace_back(
-          "The static principle (5) of limit analysis, with the dead load as it is.");
-      lines.emplace_back("Minimise: the optimal objective is minus the load factor; q: forces.");
+          "Minimise; the optimal objective is minus the load factor. q: member forces.");
       break;
     case Program::kinematic:
       lines.emplace_back(
-          "The kinematic principle (15) of limit analysis, with the dead load as it is.");
+          "The kinematic principle (15) of limit analysis with the nominal dead load.");
       lines.emplace_back(
-          "Minimise: the optimal objective is the load factor. u: the collapse mode, with "
-          "f_R'u = 1; z: how much each member is stretched or shortened.");
+          "Minimise; the optimal objective is the load factor. u: collapse mode, with f_R'u = 1; "
+          "z: absolute elongation of each member.");
       break;
     case Program::worst_case: {
-      lines.emplace_back(
-          "The 0-1 program (29) of limit analysis with a dead load that is not known exactly.");
+      lines.emplace_back("The 0-1 program (29) of limit analysis with an uncertain dead load.");
       const auto more = comments_on_worst_case();
       lines.insert(lines.end(), more.begin(), more.end());
     }

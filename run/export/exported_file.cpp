@@ -9,11 +9,11 @@
 namespace kusabi::run {
 
 void ExportedFile::describe_input(OptionTable& table) {
-  table.file("file", file_, Role::input, "the problem, a TOML file").required();
+  table.problem(file_);
 }
 
 void ExportedFile::describe_output(OptionTable& table) {
-  table.output("write to this file instead of standard output");
+  table.output("file to write; default: standard output");
   table.serial();
 }
 

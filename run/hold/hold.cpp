@@ -23,11 +23,12 @@ class Hold final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "hold"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "which loads friction can hold, and from which friction on";
+    return "loads that contact with friction can hold";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "From which friction coefficient on the dead load can be held; with --mu, which factors "
-           "of the reference load can be held beside it, proved.";
+    return "The smallest friction coefficient at which the structure can hold its dead load; with "
+           "--mu, the factors of the reference load that it can hold in addition. With proved "
+           "bounds.";
   }
   [[nodiscard]] std::string_view example() const override { return "examples/ladder.toml"; }
   void describe(OptionTable& table) override;
@@ -49,13 +50,12 @@ class Hold final : public Subcommand {
 };
 
 void Hold::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.problem(options_.file);
   table.number("--mu", &options_.mu, at_least(0),
-               "the friction coefficient at which loads are to be held; without it, the smallest "
-               "one that holds the dead load");
-  table.text("--case", options_.load_case, "NAME", "of the load cases of the file, this one");
+               "friction coefficient. Default: the smallest one for the dead load is computed");
+  table.text("--case", options_.load_case, "NAME", "load case of the file");
   table.number("--mu-max", &options_.question.most, above(0),
-               "no larger coefficient is of interest");
+               "upper limit of the search for the smallest coefficient");
   table.output();
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
@@ -67,12 +67,12 @@ void Hold::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
 }
 
-// Without a load there is nothing to hold.
+// Files without the requested load are refused.
 void Hold::refuse_without_loads() const {
   const bool dead = loaded_.has_dead_part();
   if (dead || (options_.mu && loaded_.has_reference)) return;
   throw WrongInput(fmt::format(
-      "{}: no {} acts on it; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
+      "{}: there is no {}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
       options_.file, options_.mu ? "load" : "dead load",
       options_.mu ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
 }
@@ -81,8 +81,9 @@ void Hold::prepare(CommandRun& run) {
   structure_ = problems::read_structure(text_, options_.file);
   warn_all(run.session(), structure_.warnings);
   if (options_.load_case.empty() && !problems::load_cases(structure_).empty()) {
-    throw WrongInput(fmt::format("{}: it has load cases; expected --case with one of them: {}",
-                                 options_.file, problems::choice_of_load_cases(structure_)));
+    throw WrongInput(
+        fmt::format("{}: the file has load cases; expected --case with one of them: {}",
+                    options_.file, problems::choice_of_load_cases(structure_)));
   }
   structure_ = problems::in_chosen_case(std::move(structure_), options_.load_case);
   loaded_ =

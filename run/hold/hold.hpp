@@ -1,5 +1,6 @@
-// `kusabi hold FILE`: states under load. Without --mu the smallest friction coefficient at which
-// the dead load can be held; with it the factors of the reference load that can be held beside it.
+// `kusabi hold FILE`: states of equilibrium under load. Without --mu the smallest friction
+// coefficient at which the dead load can be held; with it the factors of the reference load that
+// can be held in addition.
 #pragma once
 
 #include <memory>
@@ -14,13 +15,13 @@ namespace kusabi::run {
 
 struct HoldOptions {
   std::string file;          ///< problem file
-  std::optional<double> mu;  ///< absent: the coefficient is the question
+  std::optional<double> mu;  ///< absent: the smallest coefficient is requested
   std::string load_case;
   wedged::HoldQuestion question;
   engine::Limits limits;
 };
 
-/// What was found: one of both.
+/// One of both is present after the search.
 struct HoldFindings {
   std::optional<wedged::HoldingFriction> friction{};
   std::optional<wedged::HeldFactors> factors{};

@@ -140,8 +140,9 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
   }
   if (!any) {
     verdict.details.emplace_back(
-        "\"Can\" is not \"will\": whether it does depends on how it was put there; outside, no "
-        "history holds it.");
+        "\"Can hold\" means that a state of equilibrium exists; whether it is reached depends on "
+        "the "
+        "history of loading. Loads outside these bounds are held after no history.");
   }
   return verdict;
 }

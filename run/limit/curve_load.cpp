@@ -29,8 +29,8 @@ Eigen::MatrixXd of_result(const std::string& text, const std::string& file,
       const auto node = std::ranges::find(names, name);
       if (node == names.end() || std::ssize(force) != problem.dimension) {
         throw InputError(file, {},
-                         fmt::format("the critical part of the load at {} is not of this problem; "
-                                     "expected the result of one with its nodes",
+                         fmt::format("the critical part of the load at {} belongs to another "
+                                     "problem; expected a result with the same nodes",
                                      support::in_quotes(name)));
       }
       forces.col(node - names.begin()) =
@@ -38,7 +38,7 @@ Eigen::MatrixXd of_result(const std::string& text, const std::string& file,
     }
   } catch (const nlohmann::json::exception&) {
     throw InputError(file, {},
-                     "is no result file with a critical_part; expected that of kusabi limit with "
+                     "is not a result file with a critical_part; expected a result of kusabi limit "
                      "--alpha, or a TOML file with [[loads]]");
   }
   return forces;
@@ -62,8 +62,8 @@ Eigen::VectorXd curve_load(const std::string& text, const std::string& file,
   }
   if (load.isZero(0.0)) {
     throw InputError(file, {},
-                     "the load is zero wherever the structure can move; expected a force at a node "
-                     "and along an axis that are free");
+                     "the load is zero at all free displacements; expected a force at a free node "
+                     "along a free axis");
   }
   return load;
 }

@@ -37,16 +37,15 @@ std::vector<NamedCurve> curves_of(const CurveReport& report) {
       problems::common_half_width(problem, options.question.alpha.value_or(0)).value_or(1);
   std::vector<NamedCurve> list;
   if (answer.curve) {
-    list.push_back({&*answer.curve, "curve", "critical",
-                    "the critical load in proportion, beta times", alpha});
+    list.push_back({&*answer.curve, "curve", "critical", "beta times the critical load", alpha});
   }
   if (answer.worst_curve) {
-    list.push_back({&*answer.worst_curve, "worst_curve", "worst",
-                    "the worst case with beta times alpha", alpha});
+    list.push_back(
+        {&*answer.worst_curve, "worst_curve", "worst", "worst case for beta times alpha", alpha});
   }
   if (answer.load_curve) {
     list.push_back({&*answer.load_curve, "load_curve", "load",
-                    "the load of --curve-load in proportion, beta times",
+                    "beta times the load of --curve-load",
                     options.question.curve_load->cwiseAbs().maxCoeff()});
   }
   return list;
@@ -79,7 +78,7 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
     text += "  not found\n";
     return;
   }
-  text += "        beta       factor  collapse mode from there on\n";
+  text += "        beta       factor  collapse mode above this beta\n";
   double error = 0;
   for (const auto& piece : curve.pieces) {
     const auto mode = named_mode(problem, piece);
@@ -96,7 +95,7 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
   const auto& last = curve.pieces.back();
   fmt::format_to(out, "  {:>10.6f} {:>12.6f}\n", last.to, last.factor_at_end);
   if (curve.end) {
-    fmt::format_to(out, "  {:>10.6f}     carried at no factor{}, nor beyond\n",
+    fmt::format_to(out, "  {:>10.6f}     not carried at any factor from here on{}\n",
                    curve.end->not_carried_at, curve.end->proved ? ", proved" : "");
   }
   if (curve.proved()) fmt::format_to(out, "  proved to within {:.1e}\n", error);

@@ -28,8 +28,8 @@
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
 
@@ -40,12 +40,11 @@ class Limit final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "limit"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the worst-case limit load of a truss";
+    return "collapse load factor of a truss, and its worst case";
   }
   [[nodiscard]] std::string_view description() const override {
     return "The load factor at which a truss collapses, and its worst case under loads that are "
-           "not known "
-           "exactly.";
+           "not known exactly.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/paper/limit-3x3.toml --alpha 40";
@@ -79,62 +78,49 @@ class Limit final : public Subcommand {
 
 void Limit::describe(OptionTable& table) {
   constexpr double most_samples = 1e8;
-  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.problem(options_.file);
   table
       .number("--alpha", &options_.asked.alpha, at_least(0),
-              "the uncertain parts of the dead load are known up to +- this, but those that have "
-              "an alpha of their own")
+              "half-width of each uncertain load, unless the file gives it another one")
       .unit("in the file's unit of force")
       .swept();
-  table.text("--case", options_.load_case, "NAME",
-             "of the load cases of the file, this one; without it all, one after another");
-  table
-      .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
-            "likewise, of the uncertain loads or groups with these names")
-      .unit("in the file's unit of force");
-  table.choice(
-      "--cuts", options_.question.method,
-      {{"none", limit::LimitMethod::fixed},
-       {"disjunctive", limit::LimitMethod::disjunctive},
-       {"tighten", limit::LimitMethod::tightened},
-       {"static", limit::LimitMethod::static_cuts},
-       {"all", limit::LimitMethod::all}},
-      "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
-      "disjunctive ones (the paper's method), a tightened M, or all of these. With none or "
-      "disjunctive and --big-m: as printed in the paper");
+  table.load_case(options_.load_case, ". Default: all load cases of the file");
+  table.group_alpha(group_alpha_);
+  table.choice("--cuts", options_.question.method,
+               {{"none", limit::LimitMethod::fixed},
+                {"disjunctive", limit::LimitMethod::disjunctive},
+                {"tighten", limit::LimitMethod::tightened},
+                {"static", limit::LimitMethod::static_cuts},
+                {"all", limit::LimitMethod::all}},
+               "method for the worst case: static cuts, or the 0-1 program (29) of the paper with "
+               "no cuts, disjunctive cuts (the paper's method), a tightened M, or all of these. "
+               "With --big-m, none and disjunctive are as printed in the paper");
   table
       .number("--big-m", &options_.question.big_m, above(0),
-              "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
-              "Without it a safe one is derived")
+              "M of (29), for motions with f_R'u = 1 in the unit of force; 5 in the paper. "
+              "Default: a safe value, derived from the problem")
       .needs("--cuts");
-  table.number(
-      "--samples", &options_.question.samples, between(1, most_samples),
-      "compare with so many random dead loads; --cuts none and disjunctive start from the best");
-  table.number("--seed", &options_.question.seed, at_least(0), "of the random dead loads");
+  table.number("--samples", &options_.question.samples, between(1, most_samples),
+               "number of random dead loads for comparison; --cuts none and disjunctive start from "
+               "the worst of them");
+  table.number("--seed", &options_.question.seed, at_least(0), "random seed for --samples");
   table.flag("--curve", options_.question.curve,
-             "how the load factor falls as the critical load, or alpha, grows from zero");
+             "curves of the load factor over multiples of the critical load, and over alpha");
   table.file("--curve-load", options_.curve_load, Role::input,
-             "how it falls as the load in this file grows: [[loads]] of nodes and force, or an "
-             "earlier result, of which it is the critical part");
+             "curve of the load factor over multiples of the load in this file: [[loads]] with "
+             "nodes and forces, or the critical load of an earlier result");
   table.number("--curve-to", &options_.question.curve_to, between(1e-9, 1e9),
-               "how far curves go, in multiples of that load or of alpha");
+               "end of the curves, in multiples of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
-             "write the curves to this file, a line a breakpoint");
+             "CSV file of the curves, one row per breakpoint");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
   table.save_on(options_.checkpoint);
   table.output();
-  table.further_output("--csv",
-                       "write the members to this file, a line each: forces, utilisation, yield");
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "write pictures of the collapse, nominal and in the worst case, to this folder, for "
-            "ParaView: limit.pvd opens them")
-      .ends_in({"/limit.pvd"});
-  table
-      .file("--certificate", certificate_, Role::output,
-            "write the evidence to this file, for kusabi verify")
+  table.further_output("--csv", "CSV file of the members: forces, utilisation, yielding");
+  table.pictures(vtu_, "collapse, nominal and worst case", "limit.pvd");
+  table.file("--certificate", certificate_, Role::output, "certificate file, for kusabi verify")
       .matters();
   table.quiet();
   table.serial();
@@ -144,10 +130,10 @@ void Limit::check() const {
   group_half_widths(group_alpha_);
   if (options_.question.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
-    throw WrongInput("--curve-csv: no curve is asked for; expected --curve or --curve-load, too");
+    throw WrongInput("--curve-csv: requires --curve or --curve-load");
   }
   if (options_.question.curve_to != limit::LimitQuestion{}.curve_to) {
-    throw WrongInput("--curve-to: no curve is asked for; expected --curve or --curve-load, too");
+    throw WrongInput("--curve-to: requires --curve or --curve-load");
   }
 }
 
@@ -160,9 +146,8 @@ void Limit::refuse_without_worst_case() const {
   if (question.curve) option = "--curve";
   if (option == nullptr) return;
   throw WrongInput(
-      fmt::format("{}: it is of a worst case, and how far uncertain loads may go is not known; "
-                  "expected --alpha, "
-                  "or alpha in the groups of the file",
+      fmt::format("{}: requires half-widths of the uncertain loads; expected --alpha, or alpha in "
+                  "the groups of the file",
                   option));
 }
 
@@ -243,14 +228,14 @@ void Limit::search(CommandRun& run) {
     }
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(
-        "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
+        "--cuts: (29) is infeasible, since its M is too small; expected a larger --big-m, or none");
   }
   const auto no_safe_m = [](const LimitCase& each) {
     return each.found.answer.worst && each.found.answer.worst->no_safe_m;
   };
   if (run.shows() && std::ranges::any_of(cases_, no_safe_m)) {
     print_message(
-        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
+        "--cuts: no safe M was found, so (29) was not solved; the bounds are those of static "
         "cuts\n");
   }
 }
@@ -276,15 +261,15 @@ std::vector<Step> Limit::results(CommandRun& run) {
 
 const char* Limit::why_no_certificate() const {
   const auto& worst = cases_.front().found.answer.worst;
-  if (worst && worst->as_printed) return "the search was stopped before the two ends were proved";
+  if (worst && worst->as_printed) return "the search stopped before both bounds were proved";
   return "not every load case has its bounds proved";
 }
 
 Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
   if (!certificate_.empty() && !have_statements(cases_)) {
-    verdict.missing.push_back(
-        fmt::format("No certificate ({} is as it was): {}.", certificate_, why_no_certificate()));
+    verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
+                                          certificate_, why_no_certificate()));
   }
   return verdict;
 }
@@ -292,7 +277,7 @@ Verdict Limit::verdict() const {
 std::vector<std::string> Limit::remarks(CommandRun& run) {
   const auto ended_by = verdict().ended;
   if (ended_by == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, ended_by, false);
+  return run.how_to_go_on(ended_by);
 }
 
 }  // namespace

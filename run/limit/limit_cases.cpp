@@ -36,7 +36,7 @@ const char* state_of(const limit::LimitAnswer& answer) {
 
 std::string found_text(const limit::LimitAnswer& answer) {
   if (is_carried_at_none(answer)) {
-    return fmt::format("carried at no factor{}", answer.whole() ? ", proved" : ", open");
+    return fmt::format("not carried at any factor{}", answer.whole() ? ", proved" : ", open");
   }
   if (!answer.nominal) return "open";
   auto text = fmt::format("nominal {:.10g}", answer.nominal->factor);
@@ -88,9 +88,10 @@ std::string cases_text(std::span<const LimitCase> cases) {
     fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found.answer));
   if (cases.front().found.answer.worst)
     fmt::format_to(out, "in all cases: {}\n", interval_text(interval_of_all(cases)));
-  fmt::format_to(out, "{} {}\n\nload case {}\n",
-                 all_whole(cases) ? "the least factor is that of" : "the least that is known is of",
-                 governing(cases).name, governing(cases).name);
+  fmt::format_to(
+      out, "{} {}\n\nload case {}\n",
+      all_whole(cases) ? "the least factor is that of" : "the least known factor is that of",
+      governing(cases).name, governing(cases).name);
   return text;
 }
 

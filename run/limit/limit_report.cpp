@@ -48,13 +48,13 @@ void write_zero(std::string& text, const char* load, const limit::LimitCollapse&
                    load);
   } else if (collapse.least && *collapse.least > 0) {
     fmt::format_to(std::back_inserter(text),
-                   "  {} alone is not carried: factors from {:.10g} to {:.10g} are\n", load,
+                   "  {} is carried only at load factors from {:.10g} to {:.10g}\n", load,
                    *collapse.least, collapse.factor);
   }
 }
 
 const char* without_proof(bool proved) {
-  return proved ? "" : " (as the simplex method finds it: not proved)";
+  return proved ? "" : " (computed by the simplex method, not proved)";
 }
 
 void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
@@ -77,7 +77,7 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   fmt::format_to(out, "  and at most {:.10g}{}\n", worst.ends.upper,
                  without_proof(worst.ends.upper_proved));
   if (worst.search == engine::Status::solved) {
-    text += "  open: these two ends are not shown to be one\n";
+    text += "  open: the two bounds differ\n";
   }
 }
 
@@ -88,7 +88,7 @@ void write_interval(std::string& text, const LimitProblem& problem,
   text += "  " + interval_text(interval) + '\n';
   const auto& reversed = answer.reversed;
   if (!reversed || reversed->zeta.size() == 0 || interval.least.upper <= 0) return;
-  text += "  the load of the largest least factor:\n" + critical_load_text(problem, reversed->zeta);
+  text += "  load with the largest least factor:\n" + critical_load_text(problem, reversed->zeta);
 }
 
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
@@ -103,15 +103,14 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
   const auto along = std::ranges::count_if(
       problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
   if (along > 0) {
-    fmt::format_to(out,
-                   "  {} of them act along the reference load: factors are what it may be "
-                   "besides\n",
-                   along);
+    fmt::format_to(
+        out, "  {} of them act along the reference load; load factors come in addition to them\n",
+        along);
   }
   if (worst.status == RootStatus::not_carried) {
-    fmt::format_to(out,
-                   "  some admissible dead load is carried at no load factor, of either sign{}\n",
-                   worst.proved ? ", proved" : without_proof(false));
+    fmt::format_to(
+        out, "  some admissible dead load is not carried at any load factor of either sign{}\n",
+        worst.proved ? ", proved" : without_proof(false));
     text += critical_load_text(problem, worst.zeta);
   } else {
     write_ends(text, worst);
@@ -140,11 +139,11 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
 // Reason why there is no nominal factor.
 std::string no_nominal(const limit::LimitAnswer& answer) {
   if (answer.status == limit::LoadStatus::not_carried) {
-    return fmt::format("the nominal dead load is carried at no load factor, of either sign{}\n",
+    return fmt::format("the nominal dead load is not carried at any load factor of either sign{}\n",
                        answer.no_factor_proved ? ", proved" : without_proof(false));
   }
   if (answer.rest != engine::Status::solved) {
-    return fmt::format("stopped early ({}), before the nominal load factor was found\n",
+    return fmt::format("stopped early ({}) before the nominal load factor was found\n",
                        status_name(answer.rest));
   }
   return "open: the simplex method failed on the nominal load factor\n";
@@ -171,8 +170,8 @@ std::string LimitReport::table(const Page& page) const {
   }
   text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {
-    text += page.warning(fmt::format("stopped early ({}): not all that was asked for is here\n",
-                                     status_name(answer.rest)));
+    text += page.warning(
+        fmt::format("stopped early ({}): the results are incomplete\n", status_name(answer.rest)));
   }
   return text;
 }

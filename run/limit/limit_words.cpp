@@ -73,7 +73,7 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   }
   if (others.empty()) return {};
   std::ranges::stable_sort(others, std::greater(), [&](int i) { return used(i); });
-  std::string text = "  utilisation of the others:";
+  std::string text = "  utilisation of other members:";
   const auto full = static_cast<std::size_t>(
       std::ranges::count_if(others, [&](int i) { return used(i) >= in_full; }));
   if (full > 0) text += fmt::format(" {} at 100 %,", full);
@@ -83,7 +83,8 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   for (const int i : others)
     text += fmt::format(" {} {:.1f} %,", problems::member_name(problem, i), 100 * used(i));
   text.pop_back();
-  return text + (all > most_named ? fmt::format("; {} less\n", all - most_named) : "\n");
+  return text +
+         (all > most_named ? fmt::format("; {} others have less\n", all - most_named) : "\n");
 }
 
 std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorXd& zeta) {

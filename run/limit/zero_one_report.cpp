@@ -30,8 +30,8 @@ std::string ends_text(const LimitZeroOne& zero_one) {
 
 std::string printed_ends_text(const LimitWorstCase& worst) {
   return fmt::format(
-      "  load factor {}: the ends of the 0-1 program (29) with {}, not "
-      "proved: right if its M is large enough\n",
+      "  load factor {}: bounds of the 0-1 program (29) with {}, valid if its M is large enough "
+      "(not proved)\n",
       ends_text(*worst.zero_one), m_text(*worst.zero_one));
 }
 
@@ -41,15 +41,15 @@ std::string zero_one_text(const LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   const bool not_carried = worst.status == limit::RootStatus::not_carried;
   if (!worst.as_printed || not_carried) {
-    fmt::format_to(out, "  the 0-1 program (29) by itself, {}: {} (not proved)\n", m_text(zero_one),
+    fmt::format_to(out, "  the 0-1 program (29) alone, {}: {} (not proved)\n", m_text(zero_one),
                    ends_text(zero_one));
   }
   if (is_refuted(worst)) {
-    text += not_carried ? "  it is wrong: no M is large enough where a load is not carried\n"
+    text += not_carried ? "  it is wrong: no M is large enough if a load is not carried\n"
                         : "  it is wrong: its M is too small\n";
   }
   if (zero_one.start) {
-    fmt::format_to(out, "  it began with the best of the random dead loads, {:.10g}\n",
+    fmt::format_to(out, "  it started from the worst of the random dead loads, {:.10g}\n",
                    *zero_one.start);
   }
   if (zero_one.cut_rounds > 0) {

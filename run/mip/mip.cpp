@@ -15,8 +15,8 @@
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/values.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -47,25 +47,14 @@ std::uint64_t program_fingerprint(const ProgramFile& file) {
   return fingerprint.value();
 }
 
-// Fingerprint of the tree: a checkpoint belongs to a tree, which depends on the options.
-std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options) {
-  support::Fingerprint fingerprint;
-  fingerprint.add(program);
-  fingerprint.add(static_cast<int>(options.cuts));
-  fingerprint.add(static_cast<int>(options.branching));
-  fingerprint.add(static_cast<int>(options.tighten));
-  fingerprint.add(static_cast<int>(options.dive));
-  return fingerprint.value();
-}
-
 class Mip final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "mip"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the optimum of a mixed zero-one linear program";
+    return "optimum of a mixed zero-one linear program";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "The optimum of a mixed zero-one linear program, with its bound.";
+    return "The optimum of a mixed zero-one linear program, with a bound that proves it.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "tests/programs/assignment.mps";
@@ -94,34 +83,34 @@ void Mip::describe(OptionTable& table) {
   using engine::Order;
   using zero_one::ZeroOneBranching;
   using zero_one::ZeroOneCuts;
-  table
-      .file("file", options_.file, Role::input,
-            "the program, in MPS (.mps) or CPLEX LP (.lp) format")
+  table.file("file", options_.file, Role::input, "program file, MPS (.mps) or CPLEX LP (.lp)")
       .required();
   table.choice("--cuts", options_.cuts,
                {{"none", ZeroOneCuts::none}, {"disjunctive", ZeroOneCuts::disjunctive}},
-               "cuts at the root");
+               "kind of cuts at the root");
   table.choice("--branching", options_.branching,
                {{"paper", ZeroOneBranching::paper}, {"look-ahead", ZeroOneBranching::look_ahead}},
-               "split nodes by the largest tau (1 - tau) as the paper does, or by what the "
-               "children's bounds gain: the same optimum from fewer nodes that cost more");
+               "branching rule: largest tau (1 - tau), as in the paper, or largest gain of the "
+               "children's bounds (fewer nodes of higher cost); the optimum is the same");
   table.choice("--order", options_.order,
                {{"depth-first", Order::depth_first},
                 {"best-first", Order::best_first},
                 {"hybrid", Order::hybrid}},
-               "which node is opened next: the same optimum");
-  table.flag("--no-tighten", options_.tighten, "leave big Ms as they are", false);
-  table.flag("--no-dive", options_.dive, "do not look for points before the search", false);
+               "order in which nodes are opened; the optimum is the same");
+  table.flag("--no-tighten", options_.tighten, "do not tighten coefficients M", false);
+  table.flag("--no-dive", options_.dive, "do not dive for a first point before the search", false);
   table.output();
-  table.further_output("--csv", "write the columns of the point found to this file, a line each");
+  table.further_output("--csv", "CSV file of the best point, one row per nonzero column");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table
       .number("--gap", &options_.limits.gap, above(0),
-              "stop when objective and bound differ by so much, relative to the objective")
+              "relative difference of objective and bound at which the search stops")
       .stops(engine::Status::gap_limit)
       .varies();
-  table.checkpoints(options_.checkpoint);
+  table.resume(options_.checkpoint);
+  table.former_name("--checkpoint", "--resume");
+  table.former_name("--restart", "--resume");
   table.save_on(options_.checkpoint);
   table.quiet();
   table.serial();
@@ -136,8 +125,6 @@ void Mip::read(CommandRun& run) {
 void Mip::prepare(CommandRun& run) {
   fingerprint_ = program_fingerprint(program_);
   search_options_.order = options_.order;
-  search_options_.checkpoint =
-      run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
   run.keep_state(options_.checkpoint, {{"the program", hexadecimal(fingerprint_)}});
   auto limits = options_.limits;
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - began_;
@@ -150,7 +137,7 @@ void Mip::prepare(CommandRun& run) {
 std::string Mip::announcement(const std::string& ranks) const {
   const auto& [name, constant, columns, rows, entries] = program_.mixed.program;
   return fmt::format("{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}",
-                     name.empty() ? "a program without a name" : name, rows.size(), columns.size(),
+                     name.empty() ? "unnamed program" : name, rows.size(), columns.size(),
                      program_.mixed.binaries.size(), entries.size(),
                      program_.maximise ? "maximise" : "minimise", ranks);
 }
@@ -177,7 +164,7 @@ Verdict Mip::verdict() const {
 std::vector<std::string> Mip::remarks(CommandRun& run) {
   const auto& outcome = found_->outcome;
   if (outcome.status == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+  return run.how_to_go_on(outcome.status);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ std::string MipReport::table(const Page& page) const {
   const auto& counts = found.tree.prepared().counts;
   fmt::format_to(out,
                  "{} nodes; {} linear programs, {} of them at the root; {} cuts in {} rounds; {} "
-                 "coefficients made smaller\n",
+                 "coefficients reduced\n",
                  found.outcome.opened(), tally.programs + counts.programs, counts.programs,
                  counts.cuts, counts.cut_rounds, counts.tightened);
   RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});

@@ -82,11 +82,12 @@ OutputFile::OutputFile(const std::string& option, const std::string& name,
   };
   std::error_code error;
   const auto kind = fs::status(name, error).type();
-  if (kind == fs::file_type::directory) refuse("is a folder, expected a file name");
+  if (kind == fs::file_type::directory) refuse("is a folder; expected a file name");
   if (kind == fs::file_type::not_found || kind == fs::file_type::regular) {
     place_ = fs::weakly_canonical(fs::absolute(name), error);
     if (error) refuse(error.message());
-    if (fs::equivalent(place_, input, error)) refuse("is the problem file itself");
+    if (fs::equivalent(place_, input, error))
+      refuse("would overwrite the problem file; expected another name");
     if (const auto why = open_beside(); !why.empty()) refuse("cannot be written: " + why);
   } else {
     // A device or a pipe is opened directly.
@@ -133,22 +134,22 @@ void OutputFile::put_in_place() {
   if (is_standard_output()) {
     std::cout.flush();
     flush_standard_output();
-    if (!std::cout) throw std::runtime_error("standard output could not be written in full");
+    if (!std::cout) throw std::runtime_error("standard output is incomplete: writing failed");
     return;
   }
   const auto fail = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("{}: {}", place_.string(), why));
   };
   file_.close();
-  if (!file_) fail("could not be written in full; is the disk full?");
+  if (!file_) fail("the file is incomplete; the disk may be full");
   if (beside_.empty()) return;
   // Some file systems report a full disk only here; others do not support fsync.
   if (fsync(lock_) != 0 && errno != EINVAL && errno != ENOTSUP) {
-    fail(fmt::format("could not be written in full: {}", std::strerror(errno)));
+    fail(fmt::format("the file is incomplete: {}", std::strerror(errno)));
   }
   std::error_code error;
   fs::rename(beside_, place_, error);
-  if (error) fail("cannot be put in place: " + error.message());
+  if (error) fail("cannot be renamed to its final name: " + error.message());
   beside_.clear();
 }
 

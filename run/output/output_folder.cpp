@@ -19,11 +19,11 @@ OutputFolder::OutputFolder(std::string option, const std::string& name, std::str
   if (fs::is_directory(place_, error)) return;
   if (fs::exists(place_, error)) {
     throw WrongInput(
-        fmt::format("{} {}: is no folder, expected one, or a new name", option_, name));
+        fmt::format("{} {}: is not a folder; expected a folder or a new name", option_, name));
   }
   made_ = fs::create_directory(place_, error);
   if (error) {
-    throw WrongInput(fmt::format("{} {}: cannot be made: {}", option_, name, error.message()));
+    throw WrongInput(fmt::format("{} {}: cannot be created: {}", option_, name, error.message()));
   }
 }
 

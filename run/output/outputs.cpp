@@ -57,11 +57,12 @@ void check_outputs(const std::string& input, const std::vector<NamedFile>& outpu
   }
   for (auto file = all.begin(); file != all.end(); ++file) {
     if (!input.empty() && same(file->name, input)) {
-      throw WrongInput(fmt::format("{} {}: is the problem file itself", file->option, file->name));
+      throw WrongInput(fmt::format("{} {}: would overwrite the problem file; expected another name",
+                                   file->option, file->name));
     }
     for (auto before = all.begin(); before != file; ++before) {
       if (!same(before->name, file->name)) continue;
-      throw WrongInput(fmt::format("{} {}: is the file of {}, too; expected another name",
+      throw WrongInput(fmt::format("{} {}: is also the file of {}; expected another name",
                                    file->option, file->name, before->option));
     }
   }

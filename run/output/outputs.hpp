@@ -13,10 +13,10 @@ struct NamedFile {
   std::string name;    ///< empty: the option was not given
 };
 
-/// Throws if two outputs are the same file, if one is the input, or if one cannot be written. Same
-/// are: names of one destination, links followed; two names of one file (hard links); one pipe or
-/// device. /dev/null may be used several times. Checkpoints are checked in run/session/restart.hpp;
-/// name them in `others`.
+/// Throws if two outputs are the same file, if one is the input, or if one cannot be written. Names
+/// of one destination (links are followed), names of one file (hard links), and names of one pipe
+/// or device are the same; /dev/null may be used several times. State files are checked in
+/// run/session/kept_state.hpp and named in `others`.
 /// @param input the input file
 /// @param outputs files to be opened as OutputFile; a certificate written in parts uses PLACE and
 ///        all names that begin with PLACE.part.

@@ -18,7 +18,7 @@ constexpr std::size_t most_lines = 16;
 // times are kept as nodes and seconds, which can be added, and divided when printed.
 constexpr std::size_t opened_column = 0;
 constexpr std::size_t share_column = 1;
-constexpr std::string_view after_own[] = {"requests", "gifts", "messages", "idle", "seconds"};
+constexpr std::string_view after_own[] = {"requests", "transfers", "messages", "idle", "seconds"};
 
 // The first column, and as many others as fit; further columns below, with the first repeated.
 std::string side_by_side(const std::vector<std::vector<std::string>>& lines, std::size_t width) {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/analysis.hpp"
-#include "engine/checkpoint.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "nodes/wedged/tree/facets.hpp"
@@ -23,8 +22,8 @@
 #include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
@@ -40,12 +39,12 @@ class Patterns final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "patterns"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "every sign pattern of wedged configurations";
+    return "all sign patterns of wedged configurations";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "Which candidates can stay in contact and which separate, with a configuration that "
-           "shows it, "
-           "and that there are no other patterns.";
+    return "Lists all combinations of contact and separation for which the structure sticks, each "
+           "with one configuration. The list is complete up to rounding errors; --certificate and "
+           "kusabi verify prove it.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/space-truss.toml --mu 0.65";
@@ -79,45 +78,44 @@ class Patterns final : public Subcommand {
   std::optional<CertificateFile> certificate_;
   std::optional<wedged::PatternFindings> findings_;
   std::vector<wedged::PatternBracket> brackets_;  // on rank 0, if requested
-  bool goes_on_ = false;  // a checkpoint exists from which the search can be resumed
+  bool goes_on_ = false;  // a state is kept from which the search can be resumed
 };
 
 void Patterns::describe(OptionTable& table) {
   using wedged::Branching;
   using wedged::FacetBound;
-  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
-  table.number("--mu", &options_.friction, above(0), "friction coefficient").required().swept();
+  table.problem(options_.file);
+  table.friction(options_.friction).swept();
   // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
   // to find.
   table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
-               "a margin t* up to this size is a tie, neither positive nor negative");
-  table.choice(
-      "--branching", options_.branching,
-      {{"auto", Branching::automatic},
-       {"paper", Branching::product},
-       {"relative", Branching::relative},
-       {"deepest", Branching::deepest},
-       {"weighed", Branching::weighed}},
-      "split nodes by the largest u_n r_n as the paper does, by its size relative to the "
-      "candidate's compliance, where both children lose most, by a mean of these two, or by what "
-      "samples of the trees say: the same patterns from more or fewer nodes");
+               "margins |t*| up to this value are degenerate, neither positive nor negative");
+  table.choice("--branching", options_.branching,
+               {{"auto", Branching::automatic},
+                {"paper", Branching::product},
+                {"relative", Branching::relative},
+                {"deepest", Branching::deepest},
+                {"weighed", Branching::weighed}},
+               "branching rule: largest u_n r_n (paper), the same relative to the compliance "
+               "(relative), largest loss of both children (deepest), a weighted mean of these two "
+               "(weighed), or the rule with the smallest sampled tree (auto). The patterns are the "
+               "same, the number of nodes differs");
   table.choice(
       "--cuts", options_.tightening, cuts_words(),
-      "bound the reaction and the gap of each candidate before the tree is searched, which "
-      "cuts its nodes: of held bodies where the tree is large, nowhere, or everywhere");
+      "compute bounds of the reaction and the gap of each candidate before the search, which cut "
+      "nodes: for constrained bodies with a large tree (auto), never, or always");
   table.number("--probe", &options_.probes, between(0, 1000),
-               "before a node is split, solve both children of so many candidates, and take one of "
-               "which a child is dead, or else the one whose children have least left: fewer nodes "
-               "and a smaller certificate, in more time; 8 is enough");
+               "number of candidates for strong branching at each node: fewer nodes and a smaller "
+               "certificate, but more time; 8 is enough");
   table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
-               "bound nodes with the friction cones themselves, or with polyhedral ones around "
-               "them, and put each pattern that these let live to the test of the cones");
+               "friction cones of the search: second-order cones, or polyhedral cones around them, "
+               "with a test of each resulting pattern against the second-order cones");
   Range facets = between(FacetBound::fewest, FacetBound::most);
   facets.even = true;
-  table.number("--facets", &options_.facets, facets, "of each polyhedral cone").needs("--method");
+  table.number("--facets", &options_.facets, facets, "number of facets per cone").needs("--method");
   table
       .flag("--candidates", options_.list_candidates,
-            "list the patterns that the polyhedral cones let live, and what the test says of each")
+            "list the patterns of the polyhedral cones, each with the result of its test")
       .needs("--method")
       .varies();
   table
@@ -126,69 +124,70 @@ void Patterns::describe(OptionTable& table) {
                {"margin", PatternSort::margin},
                {"contact", PatternSort::contact},
                {"critical", PatternSort::critical}},
-              "the table: as found, by the largest margin, by the fewest candidates in contact, or "
-              "by the "
-              "friction coefficient that each pattern begins to live at, which is then computed: "
-              "some ten "
-              "programs a pattern")
+              "order of the table: as found, by largest margin, by fewest candidates in contact, "
+              "or by the friction coefficient at which each pattern first sticks, which costs some "
+              "ten cone programs per pattern")
       .varies();
   table
       .number("--group", &options_.group, between(0, 1000),
-              "list patterns whose contact sets differ in at most so many candidates, step by "
-              "step, as one line, the firmest first; the groups are in the result file, too; "
-              "without it a terminal shows more than 40 patterns in groups around the firmest, "
-              "with 0 all")
+              "list as one line the patterns whose contact sets differ in at most so many "
+              "candidates, directly or through others; groups are also in the result file. "
+              "Default: no groups, but on a terminal more than 40 patterns are grouped around "
+              "those with the largest margins; 0 lists all")
       .varies();
-  table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file")
+  table
+      .number("--top", &options_.top, above(0),
+              "maximum number of rows; files contain all patterns")
       .varies();
   // Order by the number of decided signs, see SignPatternTree::bound.
   table
       .choice("--order", options_.order,
               {{"depth-first", engine::Order::depth_first},
                {"breadth-first", engine::Order::best_first}},
-              "which node is opened next: the same patterns; breadth-first keeps many nodes")
+              "order in which nodes are opened; the patterns are the same, breadth-first needs "
+              "more memory")
       .varies();
   table.output();
-  table.further_output("--csv", "write the patterns to this file, a line each");
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "write a picture of each pattern to this folder, for ParaView: patterns.pvd opens them")
-      .ends_in({"/patterns.pvd"});
+  table.further_output("--csv", "CSV file of the patterns, one row each");
+  table.pictures(vtu_, "pattern", "patterns.pvd");
+  table.whole_states(
+      options_.whole, "patterns",
+      fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
-  table.number("--pattern-limit", &options_.limits.solutions, above(0), "stop at so many patterns")
+  table
+      .number("--pattern-limit", &options_.limits.solutions, above(0), "maximum number of patterns")
       .stops(engine::Status::solution_limit)
       .varies();
-  table.checkpoints(options_.checkpoint);
+  table.resume(options_.checkpoint);
+  table.former_name("--checkpoint", "--resume");
+  table.former_name("--restart", "--resume");
   table.file("--trace", trace_, Role::output,
-             "write what each rank did when to this file, for ui.perfetto.dev");
+             "file for the timeline of all ranks, for ui.perfetto.dev");
   table.file("--certificate", options_.certificate, Role::evidence,
-             "write the evidence to this file, for kusabi verify");
+             "certificate file, for kusabi verify");
   table.flag("--exists", options_.exists,
-             "only whether there is any: one pattern, or the proof that there is none; large "
-             "blocks are first searched without a tree");
-  table.flag("--prove", options_.prove,
-             "put every node to the exact test of kusabi verify while it is searched; without it "
-             "this is done where the scales of the structure are more than 1e7 apart");
+             "find one pattern, or prove that there is none; large blocks are first searched "
+             "without a tree");
+  table.prove(options_.prove, "test every node exactly, as kusabi verify does");
   table.quiet();
   table.serial();
 }
 
 void Patterns::check() const {
   if (options_.facets != PatternsOptions{}.facets && !options_.polyhedral) {
-    throw WrongInput("--facets: of cones that are not polyhedral; expected --method polyhedral");
+    throw WrongInput("--facets: requires --method polyhedral");
   }
   if (options_.list_candidates && !options_.polyhedral) {
-    throw WrongInput(
-        "--candidates: of cones that are not polyhedral; expected --method polyhedral");
+    throw WrongInput("--candidates: requires --method polyhedral");
   }
   if (options_.exists && !options_.certificate.empty()) {
     throw WrongInput(
-        "--certificate: of one pattern kusabi critical writes a certificate, of all kusabi "
-        "patterns without --exists; expected one of --exists and --certificate");
+        "--certificate: --exists writes no certificate; expected --certificate without --exists, "
+        "or kusabi critical --certificate");
   }
   if (options_.probes > 0 && options_.polyhedral)
-    throw WrongInput("--probe: of polyhedral cones; expected --method cones");
+    throw WrongInput("--probe: requires --method cones");
 }
 
 void Patterns::read(CommandRun& run) {
@@ -223,10 +222,10 @@ void Patterns::prepare(CommandRun& run) {
   friction_ = friction_at(problem_, options_.friction, options_.file);
   agree(run.session(), problem_);
   if (options_.polyhedral && problem_.dimension == 2) {
-    throw WrongInput(fmt::format(
-        "--method polyhedral: {} is in the plane, where the friction cone is a polyhedron already; "
-        "expected --method cones",
-        options_.file));
+    throw WrongInput(
+        fmt::format("--method polyhedral: {} is a plane problem, whose friction cones are "
+                    "polyhedral already; expected --method cones",
+                    options_.file));
   }
   question_.tree = {.tolerances = {.sign = options_.tolerance},
                     .branching = options_.branching,
@@ -239,14 +238,11 @@ void Patterns::prepare(CommandRun& run) {
   question_.exists = options_.exists;
   auto& search = question_.search;
   search.order = options_.order;
-  const auto fingerprint = tree_fingerprint();
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
-  search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
   // If an earlier run has finished, no further evidence is recorded.
-  certificate_.emplace(
-      run.session(), run.has_searched() ? std::string() : options_.certificate, options_.file,
-      fingerprint, !options_.checkpoint.restart.empty() || run.has_begun_to_search(),
-      options_.checkpoint.state.empty() ? search.checkpoint.file : options_.checkpoint.state);
+  certificate_.emplace(run.session(), run.has_searched() ? std::string() : options_.certificate,
+                       options_.file, tree_fingerprint(), run.has_begun_to_search(),
+                       options_.checkpoint.state);
   if (certificate_->wanted())
     question_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
@@ -285,14 +281,9 @@ void Patterns::end_certificate() {
 }
 
 std::string Patterns::what_became_of_the_certificate() const {
-  if (whole()) {
-    const auto ties = findings_->exact.ties;
-    return fmt::format(
-        "wrote {}{}", options_.certificate,
-        ties == 0 ? "" : fmt::format("; it claims nothing of {}", counted(ties, "node")));
-  }
-  if (goes_on_) return fmt::format("what is proved so far is in {}.part.*", options_.certificate);
-  return "no certificate: nothing could go on with an incomplete one";
+  if (whole()) return fmt::format("wrote {}", options_.certificate);
+  if (goes_on_) return fmt::format("the proofs so far are in {}.part.*", options_.certificate);
+  return "no certificate: an incomplete one could not be resumed";
 }
 
 void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
@@ -313,11 +304,10 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
 std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(
       PatternsReport{options_, problem_, *findings_, brackets_, CommandRun::page()});
-  const auto& kept = question_.search.checkpoint.file;
-  const auto& state = options_.checkpoint.state;
-  goes_on_ = !state.empty() || (!kept.empty() && engine::checkpoint_exists(kept));
+  goes_on_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
-  return {run.result([report, states] { return report->json(WholeStateJson(*states)); }),
+  return {run.result(
+              [report, states](JsonWriter& json) { report->write(json, WholeStateJson(*states)); }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
@@ -333,7 +323,7 @@ std::vector<std::string> Patterns::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto& outcome = findings_->outcome;
   if (!whole() && verdict().ended != engine::Status::solved)
-    remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+    remarks = run.how_to_go_on(outcome.status);
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (!options_.certificate.empty() && !(whole() && run.quiet())) {

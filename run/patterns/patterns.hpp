@@ -43,6 +43,7 @@ struct PatternsOptions {
   CheckpointChoice checkpoint;  ///< files of its state
   std::string certificate;      ///< certificate file; empty: none
   bool prove = false;           ///< exact test of every node
+  bool whole = false;           ///< whole state of every pattern in the result file
   bool exists = false;          ///< one pattern, or the proof that there is none, is enough
 
   /// Facets of polyhedral cones; 0: second-order cones.

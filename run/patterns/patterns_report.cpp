@@ -84,18 +84,27 @@ Verdict PatternsReport::verdict() const {
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
-  const bool example = options_.exists && findings_.count() != 0U;
-  const bool answered = example && findings_.outcome.status == engine::Status::solution_limit;
-  Verdict verdict{.ended = answered ? engine::Status::solved : findings_.outcome.status,
-                  .nodes_left = answered ? 0 : findings_.outcome.open,
-                  .answer = Sticking{.friction = options_.friction,
-                                     .factor = !problems::uniform_friction(problem_),
-                                     .count = findings_.count(),
-                                     .undecided = findings_.open(),
-                                     .standing = proved ? Standing::proved : Standing::computed,
-                                     .doubt = doubt_of(exact),
-                                     .example = example}};
+  // A pattern answers --exists; a search that is complete has listed all of them.
+  const bool example = options_.exists && findings_.count() != 0U &&
+                       findings_.outcome.status == engine::Status::solution_limit;
+  Verdict verdict{
+      .ended = example ? engine::Status::solved : findings_.outcome.status,
+      .nodes_left = example ? 0 : findings_.outcome.open,
+      .answer = Sticking{.friction = options_.friction,
+                         .factor = !problems::uniform_friction(problem_),
+                         .count = findings_.count(),
+                         .undecided = findings_.open(),
+                         .standing = proved ? Standing::proved : Standing::computed,
+                         .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
+                         .degenerate = exact.ties,
+                         .doubt = doubt_of(exact),
+                         .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
+  if (!options_.certificate.empty() && findings_.whole() && exact.ties > 0 && !exact.asked) {
+    verdict.missing.push_back(
+        fmt::format("The certificate does not prove {} with a margin of zero.",
+                    counted(exact.ties, "degenerate node")));
+  }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
         "The coefficients from which on the patterns stick (--sort critical) were not all "
@@ -109,7 +118,7 @@ Verdict PatternsReport::verdict() const {
 std::string PatternsReport::largest_margin() const {
   const auto& leaves = findings_.leaves;
   if (leaves.empty()) return {};
-  const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  const auto best = this->best();
   if (best->state == wedged::LeafState::flat)
     return "None has a margin: in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
@@ -198,10 +207,12 @@ void PatternsReport::write_csv(std::ostream& out) const {
   }
 }
 
-ordered_json PatternsReport::patterns_json(const WholeStateJson& whole) const {
-  ordered_json patterns = ordered_json::array();
-  for (std::size_t i = 0; i < findings_.leaves.size(); ++i) {
-    const auto& leaf = findings_.leaves[i];
+void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whole) const {
+  const auto& leaves = findings_.leaves;
+  const auto largest = static_cast<std::size_t>(best() - leaves.begin());
+  json.begin_list();
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const auto& leaf = leaves[i];
     auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, findings_.idle());
     pattern["state"] = state_name(leaf.state);
     pattern["margin"] = leaf.lower;
@@ -211,12 +222,14 @@ ordered_json PatternsReport::patterns_json(const WholeStateJson& whole) const {
                                       {"upper", number_or_null(brackets_[i].upper)}};
     }
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
-    pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
-    whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
-                 of_all_candidates(problem_, leaf.block, leaf.displacement));
-    patterns.push_back(std::move(pattern));
+    if (options_.whole || i < whole_unless_requested || i == largest) {
+      pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
+      whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
+                   of_all_candidates(problem_, leaf.block, leaf.displacement));
+    }
+    json.value(pattern);
   }
-  return patterns;
+  json.end_list();
 }
 
 ordered_json PatternsReport::groups_json() const {
@@ -232,7 +245,7 @@ ordered_json PatternsReport::groups_json() const {
   return list;
 }
 
-ordered_json PatternsReport::json(const WholeStateJson& whole) const {
+void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole) const {
   ordered_json blocks = ordered_json::array();
   for (const auto& block : findings_.blocks) {
     blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
@@ -244,17 +257,24 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
-  add_count(result, "count", findings_.count());
-  result["flat"] = findings_.flat;
-  result["marginal"] = findings_.marginal;
-  result["undecided"] = findings_.undecided;
-  result["blocks"] = std::move(blocks);
-  result["tree"] = std::move(tree);
-  result["exact"] = exact_json(findings_.exact);
-  if (options_.polyhedral) result["candidates"] = candidates_json();
-  result["patterns"] = patterns_json(whole);
-  if (options_.group > 0) result["groups"] = groups_json();
+  ordered_json short_parts = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
+  add_count(short_parts, "count", findings_.count());
+  short_parts["flat"] = findings_.flat;
+  short_parts["marginal"] = findings_.marginal;
+  short_parts["undecided"] = findings_.undecided;
+  short_parts["blocks"] = std::move(blocks);
+  short_parts["tree"] = std::move(tree);
+  short_parts["exact"] = exact_json(findings_.exact);
+  if (options_.polyhedral) short_parts["candidates"] = candidates_json();
+  json.begin_object();
+  for (const auto& [key, value] : short_parts.items()) json.member(key, value);
+  json.key("patterns");
+  write_patterns(json, whole);
+  if (options_.group > 0) json.member("groups", groups_json());
+  json.end_object();
+}
+
+ordered_json PatternsReport::chosen_json() const {
   ordered_json chosen = {
       {"mu", options_.friction},
       {"tolerance", options_.tolerance},
@@ -267,16 +287,24 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   if (options_.prove) chosen["prove"] = true;
   if (options_.exists) chosen["exists"] = true;
   if (options_.group > 0) chosen["group"] = options_.group;
-  return {{"command", "patterns"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(whole.structure(), problem_, options_.file)},
-          {"options", std::move(chosen)},
-          {"status", status_text(verdict())},
-          {"result", std::move(result)},
-          {"statistics",
-           {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
-            {"earlier_runs",
-             rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
+  return chosen;
+}
+
+void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const {
+  json.begin_object();
+  json.member("command", "patterns");
+  json.member("version", KUSABI_VERSION);
+  json.member("problem", problem_json(whole.structure(), problem_, options_.file));
+  json.member("options", chosen_json());
+  json.member("status", status_text(verdict()));
+  json.key("result");
+  write_result(json, whole);
+  json.member(
+      "statistics",
+      {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
+       {"earlier_runs",
+        rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}});
+  json.end_object();
 }
 
 }  // namespace kusabi::run

@@ -1,6 +1,7 @@
 // Results of `kusabi patterns`: table, JSON and CSV.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -11,6 +12,7 @@
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/output/json_writer.hpp"
 #include "run/output/page.hpp"
 #include "run/patterns/patterns.hpp"
 #include "run/verdict/verdict.hpp"
@@ -36,8 +38,9 @@ class PatternsReport {
   /// Patterns, rank statistics and times as text.
   [[nodiscard]] std::string table() const;
 
-  /// The result file; its schema is in docs/result-files.md. @param whole of the same structure
-  [[nodiscard]] nlohmann::ordered_json json(const WholeStateJson& whole) const;
+  /// The result file; its schema is in docs/result-files.md. One pattern at a time is in memory.
+  /// @param whole of the same structure
+  void write(JsonWriter& json, const WholeStateJson& whole) const;
 
   /// One row per pattern, in the order of the result file.
   void write_csv(std::ostream& out) const;
@@ -53,10 +56,16 @@ class PatternsReport {
   [[nodiscard]] std::string overview() const;
   [[nodiscard]] std::string row(std::size_t number) const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
+  /// Pattern with the largest margin; past the end if there is none.
+  [[nodiscard]] std::vector<wedged::Configuration>::const_iterator best() const {
+    return std::ranges::max_element(findings_.leaves, {}, &wedged::Configuration::lower);
+  }
   [[nodiscard]] std::string largest_margin() const;
   /// Sentences below the headline.
   [[nodiscard]] std::string details() const;
-  [[nodiscard]] nlohmann::ordered_json patterns_json(const WholeStateJson& whole) const;
+  void write_result(JsonWriter& json, const WholeStateJson& whole) const;
+  void write_patterns(JsonWriter& json, const WholeStateJson& whole) const;
+  [[nodiscard]] nlohmann::ordered_json chosen_json() const;
   [[nodiscard]] nlohmann::ordered_json groups_json() const;
   [[nodiscard]] std::string candidates() const;
   [[nodiscard]] nlohmann::ordered_json candidates_json() const;

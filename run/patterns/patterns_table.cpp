@@ -83,8 +83,8 @@ std::string PatternsReport::list() const {
   if (!brackets_.empty()) text += begins_explained;
   if (shown.size() > many_lines) {
     text +=
-        "       (--sort margin --top 10 lists the firmest; --group 1 those together that differ in "
-        "one candidate)\n";
+        "       (--sort margin --top 10 lists those with the largest margins; --group 1 groups "
+        "those that differ in one candidate)\n";
   }
   return text;
 }
@@ -104,8 +104,8 @@ std::string PatternsReport::groups() const {
   }
   if (all > groups.size()) text += fmt::format("{:>5}  {} more\n", "…", all - groups.size());
   text += fmt::format(
-      "       {} of patterns that differ in at most {} from one to the next; margin and number are "
-      "of the firmest of each\n",
+      "       {} of patterns with steps of at most {}; margin and number are those of the member "
+      "with the largest margin\n",
       counted(all, "group"), counted(static_cast<std::uint64_t>(options_.group), "candidate"));
   return text;
 }
@@ -124,18 +124,19 @@ std::string PatternsReport::overview() const {
   auto groups = groups_around_largest_margin(leaves, apart, most_groups);
   while (!groups) groups = groups_around_largest_margin(leaves, ++apart, most_groups);
   auto text = fmt::format("\n{:>8}  {:>10}  {:>7}  {}\n", "patterns", "margin t*", "number",
-                          "the firmest of them is in contact at");
+                          "that with the largest margin is in contact at");
   for (const auto& group : *groups) {
     const auto& largest_margin = leaves[group.largest_margin];
     text +=
         fmt::format("{:>8}  {:>10}  {:>7}  {}\n", group.members.size(), margin_text(largest_margin),
                     group.largest_margin + 1, contact_text(problem_, largest_margin.pattern));
   }
-  return text + fmt::format(
-                    "{} in {}: in each all differ from the firmest in at most {}. --group 0 lists "
-                    "every one, --sort margin --top 10 the firmest; files have all\n",
-                    counted(leaves.size(), "pattern"), counted(groups->size(), "group"),
-                    counted(static_cast<std::uint64_t>(apart), "candidate"));
+  return text +
+         fmt::format(
+             "{} in {}: members differ from that with the largest margin in at most {}. --group 0 "
+             "lists all, --sort margin --top 10 the largest margins; files contain all\n",
+             counted(leaves.size(), "pattern"), counted(groups->size(), "group"),
+             counted(static_cast<std::uint64_t>(apart), "candidate"));
 }
 
 // Candidates of Algorithm 5.8: Y_1, ..., Y_k, with the result of (23) for each.

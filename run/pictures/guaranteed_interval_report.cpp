@@ -33,17 +33,17 @@ std::string bound_text(double bound) {
 
 std::string interval_text(const GuaranteedInterval& interval) {
   if (interval.is_empty()) {
-    return fmt::format("no factor is carried under every admissible load, {}",
+    return fmt::format("no factor is carried under all admissible loads, {}",
                        proved_word(interval.decided()));
   }
   const auto& [least, largest, at_none, at_none_proved] = interval;
   if (interval.has_factors()) {
-    return fmt::format("factors {:.10g} ... {:.10g} are carried under every admissible load, {}",
+    return fmt::format("factors {:.10g} ... {:.10g} are carried under all admissible loads, {}",
                        least.upper, largest.lower, proved_word(interval.decided()));
   }
   return fmt::format(
-      "open: factors carried under every admissible load lie between {} and {}, and whether there "
-      "are any is numerically undecided",
+      "open: factors carried under all admissible loads lie between {} and {}; their existence is "
+      "numerically undecided",
       bound_text(least.lower), bound_text(largest.upper));
 }
 

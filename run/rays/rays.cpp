@@ -22,8 +22,8 @@
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
 #include "run/rays/rays_report.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/exact_json.hpp"
@@ -53,10 +53,10 @@ class Rays final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "rays"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "in the plane, every extremal ray and maximal cone";
+    return "all extremal rays and maximal cones, in the plane";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "Every extremal ray of wedged configurations in the plane, and every maximal cone.";
+    return "All extremal rays of wedged configurations in the plane, and all maximal cones.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/plane-truss.toml --mu 0.8";
@@ -90,37 +90,26 @@ class Rays final : public Subcommand {
 };
 
 void Rays::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
-  table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
+  table.problem(options_.file);
+  table.friction(options_.friction);
   table.choice("--method", options_.method,
                {{"auto", RayMethod::automatic},
                 {"double-description", RayMethod::double_description},
                 {"tree", RayMethod::tree}},
-               "Algorithm 4.2, for which every rank holds all rays, pattern by pattern, or the "
-               "first on parts of its list, unless a trial of the second ends sooner: the same "
-               "rays");
+               "method: Algorithm 4.2 with all rays on every rank (double-description), pattern by "
+               "pattern (tree), or the faster of both by a trial, with the list divided among the "
+               "ranks (auto): the same rays");
   table.output();
-  table
-      .file("--vtu", vtu_, Role::folder,
-            "write a picture of each ray to this folder, for ParaView: rays.pvd opens them")
-      .ends_in({"/rays.pvd"});
-  table.further_output("--csv", "write the rays to this file, a line each");
-  table.further_output(
-      "--dot",
-      "write which rays each cone has to this file, as a graph for Graphviz; up to 200 rays");
-  table
-      .flag("--whole", options_.whole,
-            "write all displacements and support reactions of each ray, too: a result file some "
-            "times as large")
-      .needs("--output")
-      .varies();
+  table.pictures(vtu_, "ray", "rays.pvd");
+  table.further_output("--csv", "CSV file of the rays, one row each");
+  table.further_output("--dot", "graph of cones and their rays for Graphviz; up to 200 rays");
+  table.whole_states(options_.whole, "rays", "none");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
-  table.resume(options_.checkpoint,
-               "; the steps that all ranks make together, which are short, begin anew");
-  table.flag("--prove", options_.prove,
-             "hold the cones against the list of patterns with the exact test of kusabi verify; "
-             "without it this is done where the scales of the structure are more than 1e7 apart");
+  table.resume(options_.checkpoint, "; short steps that all ranks make together are repeated");
+  table.prove(options_.prove,
+              "compare the cones with a list of patterns that is tested exactly, as by kusabi "
+              "verify");
   table.quiet();
   table.serial();
 }
@@ -128,8 +117,8 @@ void Rays::describe(OptionTable& table) {
 void Rays::check() const {
   if (options_.method == RayMethod::double_description && wedged::limited(options_.limits)) {
     throw WrongInput(
-        "--method double-description has nothing to show before its end; expected no "
-        "limit, or another method");
+        "--method double-description gives no partial results; expected no limit, or another "
+        "method");
   }
 }
 
@@ -150,21 +139,20 @@ void Rays::prepare(CommandRun& run) {
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   check_problem();
   friction_ = friction_at(problem_, options_.friction, options_.file);
-  cone_ = wedged::reaction_cone(structure_, problem_, friction_);
+  cone_ = wedged::reaction_cone(problem_, friction_);
 }
 
 void Rays::check_problem() const {
   if (problem_.dimension != 2) {
-    throw WrongInput(fmt::format(
-        "{}: dimension is 3; expected 2: in space the friction cones are round, and there "
-        "is no finite list of extremal rays; use kusabi patterns instead",
-        options_.file));
+    throw WrongInput(
+        fmt::format("{}: dimension is 3; expected 2, since circular friction cones have no finite "
+                    "list of extremal rays; kusabi patterns has no such limit",
+                    options_.file));
   }
   const auto candidates = std::ssize(problem_.contact_names);
   if (candidates > rays::most_candidates) {
     throw WrongInput(fmt::format(
-        "{}: {} contact candidates; expected at most {}, which is what kusabi rays can tell apart; "
-        "use kusabi patterns instead",
+        "{}: {} contact candidates; expected at most {}; kusabi patterns has no such limit",
         options_.file, candidates, rays::most_candidates));
   }
 }
@@ -239,23 +227,21 @@ Verdict Rays::verdict() const {
 std::vector<std::string> Rays::remarks(CommandRun& run) {
   if (!found_.health.sound()) {
     return {fmt::format(
-        "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
-        "expected a structure with less cancellation, fewer candidates, or another "
-        "friction coefficient",
+        "kusabi: {} numbers cannot be distinguished from zero: the lists may be wrong; expected a "
+        "structure with less cancellation, fewer candidates, or another friction coefficient",
         found_.health.doubtful)};
   }
   std::vector<std::string> remarks;
   const auto drawn = series_remark(found_.rays.size(), "rays");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (run.wants("--dot") && found_.rays.size() > most_drawn_rays) {
-    remarks.push_back(fmt::format(
-        "--dot: {} rays are more than a graph shows ({}); which rays each cone has is in "
-        "the file of --output, and --csv has a line for each ray",
-        found_.rays.size(), most_drawn_rays));
+    remarks.push_back(
+        fmt::format("--dot: {} rays exceed the limit of a graph ({}); the file of --output has the "
+                    "rays of each cone, that of --csv a row per ray",
+                    found_.rays.size(), most_drawn_rays));
   }
   if (whole()) return remarks;
-  std::ranges::move(run.how_to_go_on(options_.checkpoint, found_.status, false),
-                    std::back_inserter(remarks));
+  std::ranges::move(run.how_to_go_on(found_.status), std::back_inserter(remarks));
   return remarks;
 }
 

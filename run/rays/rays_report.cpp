@@ -158,8 +158,8 @@ std::string RaysReport::summary() const {
       problems::uniform_friction(problem_) ? "" : " times that of each candidate",
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
   fmt::format_to(out,
-                 "relative displacements taken for zero up to {:.1e}, for more from {:.1e} on "
-                 "(tolerance {})\n",
+                 "relative displacements up to {:.1e} are regarded as zero; the smallest other is "
+                 "{:.1e} (tolerance {})\n",
                  found_.health.largest_zero, found_.health.smallest_nonzero, rays::zero_tolerance);
   return text;
 }
@@ -258,7 +258,7 @@ void RaysReport::add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) c
 
 void RaysReport::draw(std::ostream& out) const {
   if (!can_be_drawn()) {
-    out << fmt::format("graph rays {{\n  label=\"{} rays: more than a graph shows\";\n}}\n",
+    out << fmt::format("graph rays {{\n  label=\"{} rays exceed the limit of a graph\";\n}}\n",
                        found_.rays.size());
     return;
   }

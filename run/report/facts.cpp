@@ -130,7 +130,7 @@ void add_origin(Markup& page, const ResultReader& reader) {
   for (const char* const key : {"certificate", "digest"}) {
     if (const auto* const value = ResultReader::find(all, key)) call[key] = *value;
   }
-  add_facts(page, "How it was called", call);
+  add_facts(page, "Call", call);
   if (const auto* const options = ResultReader::find(all, "options"))
     add_facts(page, "Options", *options);
   const auto& result = reader.at(all, "result");
@@ -143,7 +143,7 @@ void add_origin(Markup& page, const ResultReader& reader) {
     auto counts = *statistics;
     const auto* const ranks = ResultReader::find(counts, "ranks");
     if (ranks != nullptr && ranks->is_array()) counts["ranks"] = ranks->size();
-    add_facts(page, "This run: differs from one to the next", counts);
+    add_facts(page, "Run statistics", counts);
   }
 }
 

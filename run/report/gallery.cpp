@@ -47,8 +47,8 @@ class Gallery {
     page_.element("h2", with_capital(things_));
     draw();
     if (pictures_.size() < answers_.size()) {
-      page_.element("p", fmt::format("Pictures are of the first {} of {} {}; the rest are rows of "
-                                     "a table below. kusabi draw --pattern N draws any.",
+      page_.element("p", fmt::format("Pictures show the first {} of {} {}; the others are rows of "
+                                     "the table below. kusabi draw --pattern N draws any of them.",
                                      pictures_.size(), answers_.size(), things_));
     }
     controls();
@@ -68,7 +68,7 @@ class Gallery {
         picture = inline_svg(
             {fmt::format("picture-{}", answer.number),
              with_capital(fmt::format("{} {}", thing_, answer.number)),
-             fmt::format("In contact: {}. Separated: {}. At rest: {}.", joined(answer.contact),
+             fmt::format("In contact: {}. Separated: {}. Inactive: {}.", joined(answer.contact),
                          joined(answer.separated), joined(answer.at_rest))},
             *answer.scene);
       }
@@ -97,10 +97,10 @@ class Gallery {
     page_.open("select", {{"id", "order"}}).element("option", "number", {{"value", "number"}});
     if (has_order) {
       const auto critical = reader_.text(reader_.all(), "command") == "critical";
-      page_.element("option", critical ? "friction coefficient" : "margin, greatest first",
+      page_.element("option", critical ? "friction coefficient" : "largest margin first",
                     {{"value", critical ? "friction" : "margin"}});
     }
-    page_.element("option", "size of contact", {{"value", "size"}}).close().close();
+    page_.element("option", "number of candidates in contact", {{"value", "size"}}).close().close();
     page_.open("p").element("button", "Show all", {{"type", "reset"}}).words(" ");
     page_.element("output", "", {{"id", "shown"}, {"aria-live", "polite"}}).close();
     page_.close();
@@ -126,7 +126,7 @@ class Gallery {
     };
     names("in contact", answer.contact);
     names("separated", answer.separated);
-    if (!answer.at_rest.empty()) names("at rest", answer.at_rest);
+    if (!answer.at_rest.empty()) names("inactive", answer.at_rest);
     if (!answer.state.empty()) page_.element("dt", "state").element("dd", answer.state);
     for (const auto& [key, value] : answer.numbers) {
       page_.element("dt", meaning(key)).open("dd", {{"class", key}});
@@ -160,7 +160,7 @@ class Gallery {
       page_.close();
     }
     page_.close().close().close();
-    page_.element("p", "Of all others the reaction is zero.", {{"class", "remark"}}).close();
+    page_.element("p", "All other reactions are zero.", {{"class", "remark"}}).close();
   }
 
   void table() {

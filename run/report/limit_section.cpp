@@ -47,36 +47,38 @@ class LimitSection {
       if (const auto* const value = ResultReader::find(object, key)) facts[name] = *value;
     };
     take(result_, "nominal", "nominal load factor");
-    take(result_, "nominal_interval", "nominal load is carried from, to");
+    take(result_, "nominal_interval", "nominal load is carried at factors from, to");
     const auto unit = unit_of_alpha(reader_);
-    const auto alpha = unit ? "α, how far each uncertain load may go, " + *unit
-                            : "α, how many times each uncertain load may be there, either way";
+    const auto alpha = unit ? "α, half-width of each uncertain load, " + *unit
+                            : "α, half-width of the factor of each uncertain load";
     take(result_, "alpha", alpha.c_str());
     if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
       take(*worst, "lower", "worst case, at least");
       take(*worst, "lower_proved", "at least: proved");
       take(*worst, "upper", "worst case, at most");
       take(*worst, "upper_proved", "at most: proved");
-      take(*worst, "from", "worst case by");
+      take(*worst, "from", "method for the worst case");
     }
     if (const auto* const interval = ResultReader::find(result_, "guaranteed_interval")) {
       const auto* const empty = ResultReader::find(*interval, "empty");
       if (empty != nullptr && *empty == true) {
         facts["carried under every admissible load"] = "no factor";
       } else {
-        take(reader_.at(*interval, "lower"), "upper", "every admissible load is carried from");
-        take(reader_.at(*interval, "upper"), "lower", "every admissible load is carried up to");
+        take(reader_.at(*interval, "lower"), "upper",
+             "every admissible load is carried at factors from");
+        take(reader_.at(*interval, "upper"), "lower",
+             "every admissible load is carried at factors up to");
       }
       take(*interval, "proved", "carried under every admissible load: proved");
     }
-    take(result_, "critical_interval", "critical load is carried from, to");
+    take(result_, "critical_interval", "critical load is carried at factors from, to");
     add_facts(page_, "Factors of the reference load", facts);
   }
 
   void mode(const char* key) {
     const auto& yielding = reader_.list(reader_.at(result_, key), "yielding");
     if (yielding.empty()) return;
-    begin_table(page_, "Members that yield", {"member", "in", "rate of elongation"});
+    begin_table(page_, "Yielding members", {"member", "in", "rate of elongation"});
     for (const auto& each : yielding) {
       page_.open("tr").element("th", joined(reader_.names(each, "member")), {{"scope", "row"}});
       page_.element("td", reader_.text(each, "in")).open("td");
@@ -118,8 +120,8 @@ class LimitSection {
       columns.emplace_back(key == std::string_view("utilisation") ? "worst case" : "nominal load");
     }
     if (used.empty()) return;
-    page_.open("details").element("summary", "How much of its strength each member uses");
-    begin_table(page_, "Utilisation: 1 where a member yields", columns);
+    page_.open("details").element("summary", "Utilisation of the members");
+    begin_table(page_, "Utilisation (1: the member yields)", columns);
     for (std::size_t i = 0; i < members.size(); ++i) {
       const auto a = static_cast<std::size_t>(reader_.index(members[i][0], names.size()));
       const auto b = static_cast<std::size_t>(reader_.index(members[i][1], names.size()));

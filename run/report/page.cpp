@@ -66,16 +66,16 @@ void add_verdict(Markup& page, const Verdict& verdict) {
 void add_problem_section(Markup& page, const ResultReader& reader, const ResultScenes& scenes) {
   page.open("section", {{"id", "problem"}}).element("h2", "Problem");
   page.verbatim(
-      inline_svg({"structure", "The structure at rest",
+      inline_svg({"structure", "The undeformed structure",
                   fmt::format("{} nodes, {} contact candidates", scenes.structure.positions.cols(),
                               scenes.structure.candidates.size()),
                   true},
                  scenes.structure));
   add_problem(page, reader);
   if (!scenes.scenes.empty()) {
-    page.element("h3", "What the marks of the pictures mean");
+    page.element("h3", "Legend of the pictures");
     page.verbatim(inline_legend(
-        {"legend", "Legend", "What the marks mean; a name shows when one points at a dot."},
+        {"legend", "Legend", "Legend of the pictures; pointing at a dot shows its name."},
         scenes.scenes));
   }
   page.close();
@@ -91,8 +91,8 @@ void add_bracket(Markup& page, const CriticalBracket& found) {
     facts[name + ": standing"] =
         bound->standing == Standing::proved ? "proved" : "computed, not proved";
   };
-  take(found.bracket.lower, "it cannot stick at");
-  take(found.bracket.upper, "it can stick at");
+  take(found.bracket.lower, "cannot stick at");
+  take(found.bracket.upper, "sticks at");
   add_facts(page, "Bracket", facts);
   page.close();
 }
@@ -116,7 +116,7 @@ std::string report_page(const ResultReader& reader) {
   if (command == "sweep") add_sweep(page, reader);
   add_problem_section(page, reader, scenes);
   if (!list.empty()) add_gallery(page, reader, scenes.things, list);
-  page.open("section", {{"id", "origin"}}).element("h2", "How this was found");
+  page.open("section", {{"id", "origin"}}).element("h2", "Details of the run");
   add_origin(page, reader);
   page.close().close();
   page.open("script").verbatim(page_script).close();

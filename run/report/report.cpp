@@ -15,18 +15,16 @@ namespace {
 class Report final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "report"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "a result file as a page of HTML";
-  }
+  [[nodiscard]] std::string_view purpose() const override { return "HTML page of a result file"; }
   [[nodiscard]] std::string_view description() const override {
-    return "A result file as a page of HTML, whole in one file: verdict, pictures, numbers.";
+    return "A self-contained HTML page of a result file, with conclusion, pictures and numbers.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "result.json --output report.html";
   }
   void describe(OptionTable& table) override {
-    table.file("file", file_, Role::input, "the result, a JSON file").required();
-    table.output("write the page to this HTML file instead of standard output");
+    table.result(file_);
+    table.output("HTML file; default: standard output");
     table.quiet();
     table.serial();
   }

@@ -76,7 +76,7 @@ class SweepSection {
   void friction_points() {
     const auto& points = reader_.list(result_, "points");
     if (points.empty()) return;
-    begin_table(page_, "Sign patterns at the points asked for",
+    begin_table(page_, "Sign patterns at the given points",
                 {"friction coefficient", "count", "known", "undecided"});
     for (const auto& point : points) {
       page_.open("tr");
@@ -90,7 +90,7 @@ class SweepSection {
   void steps() {
     const auto& steps = reader_.list(result_, "staircase");
     if (steps.empty()) return;
-    begin_table(page_, "Between the steps the count stays",
+    begin_table(page_, "Intervals with a constant number of sign patterns",
                 {"from", "to", "count", "known", "undecided"});
     for (const auto& step : steps) {
       page_.open("tr");
@@ -106,7 +106,7 @@ class SweepSection {
     const auto& patterns = reader_.list(result_, "patterns");
     const auto& open = reader_.list(result_, "open");
     if (patterns.empty() && open.empty()) return;
-    begin_table(page_, "Where each pattern begins",
+    begin_table(page_, "Friction coefficients at which patterns begin to stick",
                 {"number", "cannot stick at μ", "sticks at μ", "in contact", "separated", "state",
                  "part of a larger one"});
     std::size_t count = 0;
@@ -137,7 +137,7 @@ class SweepSection {
     const auto& points = reader_.list(result_, "points");
     if (points.empty()) return;
     const auto unit = unit_of_alpha(reader_);
-    begin_table(page_, "Worst-case load factor at the points asked for",
+    begin_table(page_, "Worst-case load factor at the given points",
                 {unit ? "α, " + *unit : "α", "at least", "at most", "proved", "state"});
     for (const auto& point : points) {
       page_.open("tr");
@@ -155,8 +155,8 @@ class SweepSection {
     const auto& pieces = reader_.list(result_, "curve");
     if (pieces.empty()) return;
     begin_table(
-        page_, "The curve is straight between",
-        {"α from", "to", "factor from", "to", "proved within", "sways", "members that yield"});
+        page_, "Linear pieces of the curve",
+        {"α from", "to", "factor from", "to", "proved within", "sways", "yielding members"});
     for (const auto& piece : pieces) {
       page_.open("tr");
       for (const char* const key : {"from", "to", "factor_from", "factor_to", "error"})
@@ -167,7 +167,7 @@ class SweepSection {
     }
     end_table(page_);
     if (const auto* const end = ResultReader::find(result_, "curve_end"))
-      add_facts(page_, "Where loads are carried no farther", *end);
+      add_facts(page_, "End of the curve: some load is not carried", *end);
   }
 
   Markup& page_;

@@ -113,7 +113,8 @@ class StructureReader {
   void read_members() {
     if (ResultReader::find(structure_, "members") == nullptr) return;
     for (const auto& member : reader_.list(structure_, "members")) {
-      if (!member.is_array() || member.size() != 2) reader_.refuse("a member has not two nodes");
+      if (!member.is_array() || member.size() != 2)
+        reader_.refuse("a member does not have two nodes");
       scene().bars.push_back({{node(member[0]), node(member[1])}});
     }
   }
@@ -124,7 +125,7 @@ class StructureReader {
       const auto name = reader_.text(group, "shape");
       const auto shape = shape_named(name);
       if (!shape || problems::shape_traits(*shape).dimension != dimension_)
-        reader_.refuse(fmt::format("'{}' is no shape of elements", name));
+        reader_.refuse(fmt::format("'{}' is not a shape of elements", name));
       for (const auto& element : reader_.list(group, "nodes")) {
         Nodes nodes;
         for (const auto& each : element) nodes.push_back(node(each));
@@ -154,7 +155,7 @@ class StructureReader {
       const auto name = reader_.text(each, "axis");
       int axis = 0;
       while (axis < dimension_ && problems::axis_name(axis) != name) ++axis;
-      if (axis == dimension_) reader_.refuse(fmt::format("'{}' is no axis", name));
+      if (axis == dimension_) reader_.refuse(fmt::format("'{}' is not an axis", name));
       scene().springs.push_back({node(reader_.at(each, "node")), axis});
     }
     for (const auto& each : all("ties")) {
@@ -184,7 +185,7 @@ class StructureReader {
       for (int axis = 0; axis < dimension_; ++axis)
         frame.col(axis) = reader_.vector(reader_.at(contact[i], axes[axis]), dimension_);
       if (!(std::abs(frame.col(0).norm() - 1) < unit_length))
-        reader_.refuse("'n' has no length of 1");
+        reader_.refuse("'n' is not of length 1");
       pictures::DrawnCandidate candidate;
       candidate.node = node(nodes[i]);
       candidate.name = reader_.text(contact[i], "node");

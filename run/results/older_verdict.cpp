@@ -35,6 +35,17 @@ class OlderVerdict {
     return verdict;
   }
 
+  /// Bounds of the least factor that is carried under all admissible loads, of a sweep.
+  [[nodiscard]] Bracket least_factor() const {
+    const auto& points = reader_.list(result_, "points");
+    const auto* const interval =
+        points.empty() ? nullptr : ResultReader::find(points.back(), "guaranteed_interval");
+    if (interval == nullptr) return {};
+    const auto& least = reader_.at(*interval, "lower");
+    return {bound(least, "lower", is_true(least, "lower_proved")),
+            bound(least, "upper", is_true(least, "upper_proved"))};
+  }
+
  private:
   [[nodiscard]] static bool has(const ResultJson& object, const char* key) {
     return ResultReader::find(object, key) != nullptr;
@@ -168,6 +179,7 @@ class OlderVerdict {
       found.worst_at_none = proved ? Standing::proved : Standing::computed;
     } else {
       found.worst = {bound(last, "lower", proved), bound(last, "upper", proved)};
+      found.least = least_factor();
     }
     return found;
   }
@@ -179,6 +191,10 @@ class OlderVerdict {
 };
 
 }  // namespace
+
+Bracket least_factor_of_last_point(const ResultReader& reader) {
+  return OlderVerdict(reader).least_factor();
+}
 
 Verdict older_verdict(const ResultReader& reader) {
   return OlderVerdict(reader).verdict();

@@ -24,14 +24,13 @@ ResultReader::ResultReader(const std::string& text, std::string file) : file_(st
   auto [json, too_deep] = parse_result(text);
   if (too_deep) refuse(fmt::format("is nested deeper than {}", deepest_result));
   json_ = std::move(json);
-  if (!json_.is_object()) refuse("is no JSON object");
+  if (!json_.is_object()) refuse("is not a JSON object");
 }
 
 void ResultReader::refuse(std::string_view what) const {
   throw WrongInput(fmt::format(
-      "{}: {}; expected what --output of kusabi patterns, rays, critical, limit or sweep has "
-      "written",
-      file_, what));
+      "{}: {}; expected a result file of kusabi patterns, rays, critical, limit or sweep", file_,
+      what));
 }
 
 const ResultJson* ResultReader::find(const ResultJson& object, const char* key) {
@@ -48,13 +47,14 @@ const ResultJson& ResultReader::at(const ResultJson& object, const char* key) co
 
 std::string ResultReader::text(const ResultJson& object, const char* key) const {
   const auto& value = at(object, key);
-  if (!value.is_string()) refuse(fmt::format("'{}' is no text", key));
+  if (!value.is_string()) refuse(fmt::format("'{}' is not a text", key));
   return value.get<std::string>();
 }
 
 double ResultReader::number(const ResultJson& object, const char* key) const {
   const auto& value = at(object, key);
-  if (!is_drawable(value)) refuse(fmt::format("'{}' is no number up to {:g}", key, largest_number));
+  if (!is_drawable(value))
+    refuse(fmt::format("'{}' is not a number up to {:g}", key, largest_number));
   return value.get<double>();
 }
 
@@ -66,7 +66,7 @@ support::ExactCount ResultReader::count(const ResultJson& object, const char* ke
         support::ExactCount::read(digits ? value.get_ref<const std::string&>() : value.dump());
     if (count) return *count;
   }
-  refuse(fmt::format("'{}' is no count", key));
+  refuse(fmt::format("'{}' is not a count", key));
 }
 
 int ResultReader::index(const ResultJson& value, std::size_t count) const {
@@ -79,7 +79,7 @@ int ResultReader::index(const ResultJson& value, std::size_t count) const {
 
 const ResultJson& ResultReader::list(const ResultJson& object, const char* key) const {
   const auto& value = at(object, key);
-  if (!value.is_array()) refuse(fmt::format("'{}' is no list", key));
+  if (!value.is_array()) refuse(fmt::format("'{}' is not a list", key));
   return value;
 }
 
@@ -94,11 +94,11 @@ const ResultJson& ResultReader::list(const ResultJson& object, const char* key,
 Eigen::Vector3d ResultReader::vector(const ResultJson& value, int dimension) const {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
   if (!value.is_array() || value.size() != static_cast<std::size_t>(dimension))
-    refuse(fmt::format("{} is no list of {} numbers", value.dump().substr(0, 40), dimension));
+    refuse(fmt::format("{} is not a list of {} numbers", value.dump().substr(0, 40), dimension));
   for (int axis = 0; axis < dimension; ++axis) {
     const auto& component = value[static_cast<std::size_t>(axis)];
     if (!is_drawable(component)) {
-      refuse(fmt::format("{} is no number up to {:g}", component.dump().substr(0, 40),
+      refuse(fmt::format("{} is not a number up to {:g}", component.dump().substr(0, 40),
                          largest_number));
     }
     vector(axis) = component.get<double>();
@@ -109,7 +109,7 @@ Eigen::Vector3d ResultReader::vector(const ResultJson& value, int dimension) con
 std::vector<std::string> ResultReader::names(const ResultJson& object, const char* key) const {
   std::vector<std::string> all;
   for (const auto& each : list(object, key)) {
-    if (!each.is_string()) refuse(fmt::format("'{}' has what is no name", key));
+    if (!each.is_string()) refuse(fmt::format("'{}' has an entry that is not a name", key));
     all.push_back(each.get<std::string>());
   }
   return all;

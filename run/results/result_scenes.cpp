@@ -65,7 +65,7 @@ class SceneReader {
     } else if (command == "limit") {
       read_collapses(all);
     } else if (command != "sweep") {  // a sweep is a chart
-      reader_.refuse(fmt::format("is of kusabi {}", command));
+      reader_.refuse(fmt::format("is a result of kusabi {}", command));
     }
     return all;
   }
@@ -75,6 +75,15 @@ class SceneReader {
   [[nodiscard]] bool is_chosen(ResultScenes& all) const {
     const std::size_t number = all.count++;
     return number >= choice_.first && number - choice_.first < choice_.most;
+  }
+
+  // A remark, once, if a configuration has the reactions of the candidates only.
+  static void add_remark_on_whole(ResultScenes& all, const ResultJson& configuration,
+                                  const char* command) {
+    if (ResultReader::find(configuration, "all_displacements") != nullptr) return;
+    auto text =
+        fmt::format("only contact candidates: kusabi {} --whole adds all displacements", command);
+    if (all.picture.lines.back() != text) all.picture.lines.push_back(std::move(text));
   }
 
   // The structure with a friction coefficient.
@@ -91,6 +100,7 @@ class SceneReader {
                                      counted(patterns.size(), "sign pattern"), friction)};
     for (const auto& pattern : patterns) {
       if (!is_chosen(all)) continue;
+      add_remark_on_whole(all, pattern, "patterns");
       auto scene = at_friction(friction);
       scene.name = fmt::format("pattern {}", all.count);
       const auto state = reader_.text(pattern, "state");
@@ -111,7 +121,7 @@ class SceneReader {
     const auto& bracket = reader_.at(result_, "critical_friction");
     all.picture.lines = {
         ResultReader::find(bracket, "upper") == nullptr
-            ? fmt::format("nothing can wedge up to {:.10g}", reader_.number(bracket, "lower"))
+            ? fmt::format("cannot stick up to {:.10g}", reader_.number(bracket, "lower"))
             : fmt::format("critical friction coefficient: between {:.10g} and {:.10g}",
                           reader_.number(bracket, "lower"), reader_.number(bracket, "upper"))};
     std::size_t entry = 0;
@@ -134,10 +144,7 @@ class SceneReader {
     const auto& rays = reader_.list(result_, "rays");
     all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
                                      counted(rays.size(), "extremal ray"), friction)};
-    if (!rays.empty() && ResultReader::find(rays.front(), "all_displacements") == nullptr) {
-      all.picture.lines.emplace_back(
-          "without the displacements of the whole: kusabi rays --whole writes them");
-    }
+    if (!rays.empty()) add_remark_on_whole(all, rays.front(), "rays");
     for (const auto& ray : rays) {
       if (!is_chosen(all)) continue;
       auto scene = at_friction(friction);
@@ -184,9 +191,10 @@ class SceneReader {
         add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
                  node_named(reader_.text(load, "node")), load);
       const bool alike = ResultReader::find(result_, "alpha") != nullptr;
-      add_line(all.scenes.back(), alike ? fmt::format("dead load uncertain up to α = {:.10g}",
-                                                      reader_.number(result_, "alpha"))
-                                        : std::string("dead load uncertain, each part by itself"));
+      add_line(all.scenes.back(),
+               alike ? fmt::format("dead load uncertain up to α = {:.10g}",
+                                   reader_.number(result_, "alpha"))
+                     : std::string("dead load uncertain, with individual half-widths"));
     }
   }
 
@@ -203,7 +211,7 @@ class SceneReader {
     }
     for (const auto& yielding : reader_.list(mode, "yielding")) {
       const auto ends = reader_.names(yielding, "member");
-      if (ends.size() != 2) reader_.refuse("a member has not two nodes");
+      if (ends.size() != 2) reader_.refuse("a member does not have two nodes");
       const std::array<int, 2> nodes{node_named(ends[0]), node_named(ends[1])};
       for (auto& bar : scene.bars) {
         if (bar.nodes != nodes) continue;
@@ -244,7 +252,7 @@ class SceneReader {
     };
     set("contact", "in contact", ContactState::contact);
     set("separated", "separated", ContactState::separated);
-    set("at_rest", "at rest", ContactState::at_rest);
+    set("at_rest", "inactive", ContactState::at_rest);
   }
 
   // Reactions, from the frames of the candidates to global axes; displacements of nodes, support
@@ -287,7 +295,7 @@ ResultScenes result_scenes(const ResultReader& reader, const std::string& file,
                            SceneChoice choice) {
   auto all = chosen_scenes(reader, choice);
   if (all.count == 0) {
-    throw WrongInput(fmt::format("{}: has no {}; expected one or more to draw", file, all.things));
+    throw WrongInput(fmt::format("{}: has no {}; expected at least one", file, all.things));
   }
   return all;
 }

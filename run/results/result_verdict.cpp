@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "run/output/values.hpp"
+#include "run/verdict/verdict_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -75,6 +76,17 @@ class WrittenVerdict {
       reader_.refuse(fmt::format("'{}' is neither proved nor computed", key));
     return word == "proved" ? Standing::proved : Standing::computed;
   }
+  // Files from before they were written have none.
+  [[nodiscard]] Grounds grounds(const ResultJson& answer, Grounds usual) const {
+    if (ResultReader::find(answer, "grounds") == nullptr) return usual;
+    const auto word = reader_.text(answer, "grounds");
+    for (const auto each : {Grounds::exact_arithmetic, Grounds::solver_bounds})
+      if (word == grounds_name(each)) return each;
+    reader_.refuse("'grounds' is neither exact-arithmetic nor solver-bounds");
+  }
+  [[nodiscard]] std::uint64_t some_count(const ResultJson& object, const char* key) const {
+    return ResultReader::find(object, key) == nullptr ? 0 : count(object, key);
+  }
   [[nodiscard]] std::optional<Standing> some_standing(const ResultJson& object,
                                                       const char* key) const {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;
@@ -104,6 +116,8 @@ class WrittenVerdict {
             .count = digits(answer, "count"),
             .undecided = count(answer, "undecided"),
             .standing = standing(answer, "standing"),
+            .grounds = grounds(answer, Grounds::solver_bounds),
+            .degenerate = some_count(answer, "degenerate"),
             .ambiguous = truth(answer, "ambiguous"),
             .doubt = doubt(answer),
             .example = ResultReader::find(answer, "example") != nullptr};
@@ -114,7 +128,8 @@ class WrittenVerdict {
             .most = reader_.number(answer, "most"),
             .width = reader_.number(answer, "width"),
             .wide = truth(answer, "wide"),
-            .patterns_open = truth(answer, "patterns_open")};
+            .patterns_open = truth(answer, "patterns_open"),
+            .grounds = grounds(answer, Grounds::exact_arithmetic)};
   }
   [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
     return {.most = reader_.number(answer, "most"),
@@ -144,6 +159,8 @@ class WrittenVerdict {
             .half_width = some_number(answer, "half_width"),
             .force = some_text(answer, "force"),
             .worst = bracket(answer, "worst"),
+            .least = ResultReader::find(answer, "least") ? bracket(answer, "least")
+                                                         : least_factor_of_last_point(reader_),
             .worst_at_none = some_standing(answer, "worst_at_none"),
             .points = count(answer, "points"),
             .points_asked = count(answer, "points_asked"),

@@ -90,7 +90,7 @@ class SweptFriction : public Swept {
     return stairs;
   }
   [[nodiscard]] ChartSeries points(bool as_logarithms) const {
-    ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
+    ChartSeries asked{.name = "at the given points", .line = {}, .marks = {}};
     for (const auto& point : list("points")) {
       if (!has(point, "count")) continue;
       const double mu = number(point, "mu");
@@ -174,7 +174,7 @@ class SweptLoads : public Swept {
     return line;
   }
   [[nodiscard]] ChartSeries points() const {
-    ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
+    ChartSeries asked{.name = "at the given points", .line = {}, .marks = {}};
     for (const auto& point : list("points")) {
       if (!has(point, "upper") || reader_.text(point, "state") == "not-carried") continue;
       const double alpha = number(point, "alpha"), upper = number(point, "upper");

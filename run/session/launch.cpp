@@ -59,14 +59,14 @@ std::optional<std::string> fault_of_launch(const std::optional<Launch>& launch, 
   if (serial) {
     if (launch->step_of_a_batch) return std::nullopt;
     return fmt::format(
-        "--serial under mpirun ({}={}): every process would do the whole search; expected one "
-        "process, or no --serial",
+        "--serial: kusabi was started by mpirun ({}={}), and each process would do the whole "
+        "search; expected one process, or no --serial",
         launch->by, launch->processes);
   }
   if (ranks != 1) return std::nullopt;
   return fmt::format(
-      "{}={}, but MPI joins this process to no other: each would do the whole search; expected the "
-      "mpirun of the MPI library that kusabi was built with{}",
+      "{}={}, but MPI does not connect this process with the others, and each would do the whole "
+      "search; expected the mpirun of the MPI library that kusabi was built with{}",
       launch->by, launch->processes,
       launch->step_of_a_batch ? ", srun --mpi=pmix, or one task (srun -n 1, or --serial)" : "");
 }

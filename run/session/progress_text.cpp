@@ -122,21 +122,20 @@ std::string progress_explained(bool minimising) {
   progress.idle = 1;
   progress.closed = 0.613;
   return fmt::format(
-      "While it searches, a line now and then on standard error (on a terminal a bar):\n{}\n{}\n"
-      "  time    since the beginning\n"
-      "  nodes   opened so far, and lately per second\n"
+      "Progress lines on standard error (a bar on a terminal):\n{}\n{}\n"
+      "  time    since the start of the search\n"
+      "  nodes   opened nodes, and their recent rate per second\n"
       "  open    nodes that wait to be opened\n"
       "{}"
-      "  idle    how many of the ranks have no work\n"
-      "  done    the share of the tree that is closed: each node is half of the one above it\n"
-      "  left    a guess, from how that share has grown{}\n"
-      "          ending: no node waits, and the ranks agree that all is done",
+      "  idle    ranks without work\n"
+      "  done    closed share of the tree; each node has half the share of its parent\n"
+      "  left    estimated remaining time, from the growth of this share{}\n"
+      "          ending: no open node is left, and the ranks terminate",
       progress_header(minimising), progress_row(example),
-      minimising ? "  objective, bound, gap   the best so far, what nothing is better than, and "
-                   "between them\n"
-                 : "  found   solutions so far\n",
-      minimising ? "\n          closing: the proof is complete, and open nodes are thrown away"
-                 : "");
+      minimising
+          ? "  objective, bound, gap   best value, proved bound, and their relative difference\n"
+          : "  found   solutions found\n",
+      minimising ? "\n          closing: the proof is complete, and open nodes are discarded" : "");
 }
 
 std::string progress_bar(const ProgressState& state, std::size_t width) {
@@ -145,7 +144,7 @@ std::string progress_bar(const ProgressState& state, std::size_t width) {
   const auto full = static_cast<int>(std::clamp(progress.closed, 0.0, 1.0) * bar_width);
   std::vector<std::string> fields{
       percent(progress.closed),
-      state.progress.open == 0 ? "ending: ranks agree that all is done"
+      state.progress.open == 0 ? "ending: the ranks terminate"
       : proof_is_over(state)   ? "closing: the proof is complete"
                                : duration(state.remaining) + " left",
       state.minimising ? fmt::format("best {}, gap {}", number(objective(state)),

@@ -114,8 +114,8 @@ double seconds_of_slurm_job(const Environment& environment, const Shell& shell, 
   const auto* const job = environment("SLURM_JOB_ID");
   if (job == nullptr) {
     throw WrongInput(
-        "--time-limit slurm: this is no job of Slurm (SLURM_JOB_ID is not set); expected a "
-        "duration, as 1h30m");
+        "--time-limit slurm: not in a Slurm job (SLURM_JOB_ID is not set); expected a duration "
+        "such as 1h30m");
   }
   const auto less_margin = [](double left) {
     return std::max(0.0, left - margin_before_the_end(left));
@@ -131,8 +131,8 @@ double seconds_of_slurm_job(const Environment& environment, const Shell& shell, 
                         : std::string();
   if (const auto seconds = seconds_of_squeue(left)) return less_margin(*seconds);
   throw WrongInput(
-      fmt::format("--time-limit slurm: it cannot be told when job {} ends (SLURM_JOB_END_TIME is "
-                  "not set, and squeue says '{}'); expected a duration, as 1h30m",
+      fmt::format("--time-limit slurm: the end of job {} is unknown (SLURM_JOB_END_TIME is not "
+                  "set, and squeue prints '{}'); expected a duration such as 1h30m",
                   job, left.substr(0, left.find('\n'))));
 }
 

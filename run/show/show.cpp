@@ -10,7 +10,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/show/structure_summary.hpp"
 
 namespace kusabi::run {
@@ -20,15 +20,14 @@ class Show final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "show"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "what a problem file describes, before it is solved";
+    return "summary of a problem file, without an analysis";
   }
   [[nodiscard]] std::string_view example() const override { return "examples/space-truss.toml"; }
   void describe(OptionTable& table) override {
-    table.file("file", file_, Role::input, "the problem, a TOML file").required();
+    table.problem(file_);
     table.further_output(
         "--vtu",
-        "write a picture of the structure to this VTU file, for ParaView: supports, "
-        "normals, candidates, loads");
+        "VTU picture of the structure for ParaView, with supports, normals, candidates and loads");
     table.quiet();
     table.serial();
   }

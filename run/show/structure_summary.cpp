@@ -40,7 +40,7 @@ std::string bodies(const Structure& structure) {
   for (const auto& [shape, count] : shapes)
     add_counted(parts, count, problems::shape_traits(shape).name);
   if (!structure.superelements.empty()) {
-    parts.push_back(counted(structure.superelements.size(), "stiffness") + " of another program");
+    parts.push_back(counted(structure.superelements.size(), "stiffness") + " from a file");
   }
   return joined(parts);
 }
@@ -58,14 +58,15 @@ std::string connected(const Structure& structure) {
       return std::ranges::any_of(each.rows,
                                  [&](const auto& row) { return nodes.contains(row.node); });
     });
-    return std::string(is_given ? "constrained as its stiffness from a file says" : "constrained");
+    return std::string(is_given ? "constrained as given by its stiffness from a file"
+                                : "constrained");
   };
   if (all.empty()) return "";
   if (all.size() == 1) return fmt::format("  bodies      one, {}\n", held(all.front()));
-  auto text = fmt::format("  bodies      {} that nothing joins\n", all.size());
+  auto text = fmt::format("  bodies      {}, not connected with each other\n", all.size());
   for (const auto& nodes : std::span(all).first(std::min(all.size(), most))) {
     const auto& first = structure.node_names[static_cast<std::size_t>(*nodes.begin())];
-    text += fmt::format("              {} from {} on, {}\n", counted(nodes.size(), "node"),
+    text += fmt::format("              {}, the first {}, {}\n", counted(nodes.size(), "node"),
                         support::in_quotes(first), held(nodes));
   }
   if (all.size() > most) text += fmt::format("              and {} more\n", all.size() - most);
@@ -99,7 +100,7 @@ std::string supports(const Structure& structure) {
     parts.push_back(fmt::format("{} along {}", counted(count, "node"), axes));
   add_counted(parts, structure.inclined.size(), "inclined support");
   add_counted(parts, structure.springs.size(), "spring");
-  add_counted(parts, structure.ties.size(), "tie");
+  add_counted(parts, structure.ties.size(), "multi-point constraint");
   return joined(parts);
 }
 
@@ -130,7 +131,7 @@ std::string loads(const Structure& structure) {
   if (structure.uncertain) {
     parts.push_back(fmt::format("{} uncertain", structure.uncertain->size()));
   } else if (!parts.empty()) {
-    parts.emplace_back("uncertain where there is none of these");
+    parts.emplace_back("components without one of these are uncertain");
   }
   const auto cases = problems::load_cases(structure);
   if (!cases.empty()) {
@@ -144,7 +145,7 @@ std::string loads(const Structure& structure) {
 
 std::string structure_summary(const Structure& structure) {
   return fmt::format(
-      "{}: {}\n  of          {}\n{}  extent      {}\n  supports    {}\n  candidates  {}\n"
+      "{}: {}\n  consists of {}\n{}  extent      {}\n  supports    {}\n  candidates  {}\n"
       "  loads       {}\n",
       structure.name, structure.dimension == 2 ? "in the plane" : "in space", bodies(structure),
       connected(structure), extent(structure), supports(structure), candidates(structure),

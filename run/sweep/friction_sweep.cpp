@@ -187,13 +187,14 @@ std::string FrictionSweep::cones_text() const {
   if (found_.cones.empty() && found_.open.empty()) return {};
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\n{:>5}  {:>14}  {:>14}  {}\n", "", "dead at", "alive at", "in contact (U)");
+  fmt::format_to(out, "\n{:>5}  {:>14}  {:>14}  {}\n", "", "absent at", "present at",
+                 "in contact (U)");
   std::size_t number = 0;
   for (const auto& cone : found_.cones) {
     const auto begins = in_table(cone.begins.lower, cone.begins.upper);
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}", ++number, begins.lower, begins.upper,
                    names(cone.pattern.contact));
-    if (!cone.solid()) fmt::format_to(out, "  at rest: {}", names(cone.pattern.at_rest));
+    if (!cone.solid()) fmt::format_to(out, "  inactive: {}", names(cone.pattern.at_rest));
     if (cone.absorbed)
       fmt::format_to(out, "  part of a larger one from {} on",
                      in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
@@ -217,7 +218,7 @@ std::string FrictionSweep::ranks_text() const {
   for (const auto& [statistics, tally] : found_.history_ranks) {
     histories.add(statistics, {tally.leaves, tally.programs});
   }
-  return text + "\nDown from there, leaf by leaf:\n" + histories.text();
+  return text + "\nSearch for the critical coefficients, one leaf at a time:\n" + histories.text();
 }
 
 Verdict FrictionSweep::verdict() const {

@@ -37,7 +37,7 @@ const char* state_of(const limit::LimitWorstCase& worst) {
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
   const char* const standing = interval.decided() ? "" : ", not proved";
   if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
-  if (!interval.has_factors()) return "; from where on is open";
+  if (!interval.has_factors()) return "; the least factor for all loads is undecided";
   return fmt::format("; for all loads from {:.10g} on{}", interval.least.upper, standing);
 }
 
@@ -52,8 +52,8 @@ class LoadSweep final : public Swept {
     const auto& uncertain = problem_.uncertain;
     if (!uncertain.empty() && std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
       throw WrongInput(
-          "--alpha: every uncertain load of the file has a half-width of its own; expected some "
-          "that it leaves open");
+          "--alpha: the file gives every uncertain load its own half-width; expected uncertain "
+          "loads without alpha");
     }
     engine::agree(run.session().transport(), problem_.fingerprint);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
@@ -158,15 +158,18 @@ std::string finite(double value) {
 }
 
 void LoadSweep::write_csv(std::ostream& out) const {
-  out << "row,alpha,lower,upper,proved\n";
+  out << "row,alpha,lower,upper,proved,carried_from,carried_to,carried_proved\n";
   for (const auto& [alpha, worst, interval] : found_.points) {
-    fmt::print(out, "point,{},{},{},{}\n", alpha, finite(worst.ends.lower),
-               finite(worst.ends.upper), worst.proved ? 1 : 0);
+    const bool some = interval.has_factors();
+    fmt::print(out, "point,{},{},{},{},{},{},{}\n", alpha, finite(worst.ends.lower),
+               finite(worst.ends.upper), worst.proved ? 1 : 0,
+               some ? finite(interval.least.upper) : "", some ? finite(interval.largest.lower) : "",
+               interval.decided() ? 1 : 0);
   }
   if (!curve()) return;
   const auto row = [&](double beta, double factor, const std::optional<double>& error) {
     const double off = error.value_or(0);
-    fmt::print(out, "breakpoint,{},{},{},{}\n", alpha_at(beta), factor - off, factor + off,
+    fmt::print(out, "breakpoint,{},{},{},{},,,\n", alpha_at(beta), factor - off, factor + off,
                error ? 1 : 0);
   };
   for (const auto& piece : curve()->pieces) row(piece.from.at, piece.from.factor, piece.error);
@@ -176,7 +179,7 @@ void LoadSweep::write_csv(std::ostream& out) const {
 
 std::string LoadSweep::curve_text() const {
   if (!curve()) return {};
-  std::string text = "\n       alpha       factor  collapse mode from there on\n";
+  std::string text = "\n       alpha       factor  collapse mode above this alpha\n";
   const auto out = std::back_inserter(text);
   for (const auto& piece : curve()->pieces) {
     const auto mode = problems::collapse_mode(problem_, piece.from.motion);
@@ -187,7 +190,7 @@ std::string LoadSweep::curve_text() const {
   const auto& last = curve()->pieces.back();
   fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);
   if (curve()->end) {
-    fmt::format_to(out, "{:>12.8g}     carried at no factor{}, nor beyond\n",
+    fmt::format_to(out, "{:>12.8g}     not carried at any factor from here on{}\n",
                    alpha_at(curve()->end->not_carried_at), curve()->end->proved ? ", proved" : "");
   }
   return text;
@@ -200,7 +203,7 @@ std::string LoadSweep::table() const {
   for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
-      fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
+      fmt::format_to(out, "not carried at any factor{}\n", worst.proved ? ", proved" : "");
     } else {
       const auto shown = in_table(worst.ends.lower, worst.ends.upper);
       fmt::format_to(out, "{} ... {}, {}{}\n", shown.lower, shown.upper,
@@ -230,6 +233,11 @@ Verdict LoadSweep::verdict() const {
         steps.worst.lower = Bound{ends.lower, standing(ends.lower_proved)};
       if (std::isfinite(ends.upper))
         steps.worst.upper = Bound{ends.upper, standing(ends.upper_proved)};
+      const auto& least = interval.least;
+      if (std::isfinite(least.lower))
+        steps.least.lower = Bound{least.lower, standing(least.lower_proved)};
+      if (std::isfinite(least.upper))
+        steps.least.upper = Bound{least.upper, standing(least.upper_proved)};
     }
   }
   steps.open = !found_.whole(alphas_.size());

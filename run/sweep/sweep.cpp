@@ -16,7 +16,7 @@
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
-#include "run/session/restart.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/sweep/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/words.hpp"
@@ -29,12 +29,11 @@ class Sweep final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "sweep"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "patterns over friction, or limit loads over uncertainty";
+    return "patterns over friction, or limit load over uncertainty";
   }
   [[nodiscard]] std::string_view description() const override {
-    return "How the sign patterns grow in number with friction, or how a worst-case limit load "
-           "falls with "
-           "the uncertainty of loads, exact between the points.";
+    return "The number of sign patterns as a function of the friction coefficient, or the "
+           "worst-case limit load as a function of the load uncertainty, exact between the points.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/two-bars.toml --mu 1.25:2.75:0.5";
@@ -67,34 +66,28 @@ class Sweep final : public Subcommand {
 };
 
 void Sweep::describe(OptionTable& table) {
-  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.problem(options_.file);
   table.text("--mu", options_.mu, "POINTS",
              "friction coefficients: START:END:STEP, or a list with commas");
   table.number("--mu-max", &options_.mu_max, above(0),
-               "the largest friction coefficient; without --mu all steps up to there are listed");
+               "largest friction coefficient; without --mu all steps up to it are listed");
   table.number("--width", &options_.width, above(0),
-               "of the bracket in which a pattern begins to live");
+               "width of the bracket in which a pattern first sticks");
   table
       .text("--alpha", options_.alpha, "POINTS",
-            "of a truss: half-widths of the uncertain parts of the dead load, likewise")
+            "half-widths of the uncertain loads of a truss: START:END:STEP, or a list with commas")
       .unit("in the file's unit of force");
-  table.text("--case", options_.load_case, "NAME", "of the load cases of the file, this one")
-      .needs("--alpha");
-  table
-      .text("--group-alpha", options_.group_alpha, "NAME=NUMBER,...",
-            "half-widths of the uncertain loads or groups with these names, which are not swept")
-      .unit("in the file's unit of force")
-      .needs("--alpha");
+  table.load_case(options_.load_case).needs("--alpha");
+  table.group_alpha(options_.group_alpha).needs("--alpha");
   table.output();
-  table.file("--csv", csv_, Role::output, "write the points and the steps to this file");
-  table.file("--svg", svg_, Role::output, "draw them to this file");
+  table.file("--csv", csv_, Role::output, "CSV file of the points and the steps");
+  table.file("--svg", svg_, Role::output, "chart of the points and the steps (SVG)");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
-  table.flag("--prove", options_.prove,
-             "of friction: hold the counts against lists of patterns with the exact test of kusabi "
-             "verify; without it this is done where the scales of the structure are more than 1e7 "
-             "apart");
+  table.prove(options_.prove,
+              "compare the numbers of patterns with lists that are tested exactly, as by kusabi "
+              "verify");
   table.quiet();
   table.serial();
 }
@@ -103,8 +96,9 @@ void Sweep::check() const {
   group_half_widths(options_.group_alpha);
   const bool friction = !options_.mu.empty() || options_.mu_max;
   if (friction == !options_.alpha.empty()) {
-    throw WrongInput(friction ? "--alpha: friction is swept already; expected --mu or --alpha"
-                              : "nothing to sweep; expected --mu, --mu-max or --alpha");
+    throw WrongInput(
+        friction ? "--alpha: cannot be combined with a sweep of friction; expected --mu or --alpha"
+                 : "the range of the sweep is missing; expected --mu, --mu-max or --alpha");
   }
   if (!friction) {
     sweep_points("--alpha", options_.alpha, true);
@@ -157,10 +151,9 @@ std::vector<Step> Sweep::results(CommandRun& run) {
 std::vector<std::string> Sweep::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto ended = verdict().ended;
-  if (ended != engine::Status::solved)
-    remarks = run.how_to_go_on(options_.checkpoint, ended, false);
+  if (ended != engine::Status::solved) remarks = run.how_to_go_on(ended);
   if (run.wants("--svg") && !chart_) {
-    remarks.push_back(fmt::format("nothing is known that could be drawn: {} is as it was", svg_));
+    remarks.push_back(fmt::format("--svg: there are no results to draw; {} is unchanged", svg_));
   }
   return remarks;
 }

@@ -24,7 +24,7 @@ class PointsReader {
       const auto to = std::min(text_.find(between, from), text_.size());
       const auto value = number_in(text_.substr(from, to - from));
       if (!value) {
-        wrong("expected START:END:STEP, such as 0.1:1.0:0.05, or numbers with commas between them");
+        wrong("expected START:END:STEP, such as 0.1:1.0:0.05, or numbers separated by commas");
       }
       list.push_back(*value);
       from = to + 1;

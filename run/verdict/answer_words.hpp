@@ -22,7 +22,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended);
 
 // Reservations besides an early end, added to `all`.
 
-void reserve(const Sticking& found, std::vector<Reservation>& all);
+void reserve(const Sticking& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingBracket& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all);

@@ -10,7 +10,6 @@ namespace kusabi::run {
 namespace {
 
 bool has_failed(const Verdict& verdict) {
-  if (const auto* const list = std::get_if<Sticking>(&verdict.answer)) return list->ambiguous;
   if (const auto* const check = std::get_if<CertificateCheck>(&verdict.answer))
     return check->refusals > 0;
   if (const auto* const measurement = std::get_if<Measurement>(&verdict.answer))

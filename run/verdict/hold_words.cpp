@@ -1,4 +1,4 @@
-// Sentences about states under load: from which friction on, and which factors.
+// Sentences about states under load: smallest friction coefficient, and load factors.
 #include <algorithm>
 #include <cmath>
 
@@ -15,11 +15,14 @@ const char* of_each(bool factor) {
 }
 
 constexpr const char* by_supports =
-    "It can hold any load: supports constrain every body, and then there is a state under every "
-    "load, at any friction.";
+    "It can hold any load: the supports constrain every body, which then has a state of "
+    "equilibrium "
+    "under every load at any friction coefficient.";
 
 constexpr const char* by_no_friction =
-    "It cannot hold the load at any friction: the load moves a body where no candidate resists.";
+    "It cannot hold the load at any friction coefficient: the load moves a body in a direction "
+    "that "
+    "no candidate resists.";
 
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
@@ -46,12 +49,12 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
   if (found.reason == HoldReason::unbalanced) return by_no_friction;
   const auto& [lower, upper] = found.bracket;
   if (!lower && !upper)
-    return "It is not known from which friction coefficient on it can hold the dead load.";
+    return "The smallest friction coefficient at which it can hold the dead load is not known.";
   if (!upper) {
     return fmt::format("It cannot hold the dead load up to friction coefficient {}{}{}{}.",
                        rounded_down(lower->value), of_each(found.factor),
                        unless_proved(lower->standing),
-                       lower->value < found.most ? "; above, it is not known" : "");
+                       lower->value < found.most ? "; above it is not known" : "");
   }
   if (upper->value == 0)
     return fmt::format("It can hold the dead load without friction{}.",
@@ -74,13 +77,13 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
   const auto& [lower, upper] = found.bracket;
   if (found.reason != HoldReason::searched) return;
   if (!upper && (!lower || lower->value < found.most)) {
-    all.push_back({fmt::format("Between {:.12g} and {:.12g} it was not decided whether it can hold "
-                               "the dead load.",
+    all.push_back({fmt::format("Whether it can hold the dead load is undecided between {:.12g} and "
+                               "{:.12g}.",
                                lower ? lower->value : 0, found.most),
                    true});
   }
   if (upper && upper->value > 0 && !lower)
-    all.push_back({"No coefficient is known at which it cannot hold the dead load.", true});
+    all.push_back({"A coefficient at which it cannot hold the dead load is not known.", true});
   if (lower && lower->standing == Standing::computed) {
     all.push_back({fmt::format("That it cannot hold the dead load at {:.12g} is computed, not "
                                "proved.",
@@ -89,7 +92,8 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
   }
   if (upper && upper->standing == Standing::computed) {
     all.push_back({fmt::format("That it can hold the dead load at {:.12g} is computed, not proved: "
-                               "a state at its limits, within the rounding of the file's numbers.",
+                               "some inequality holds only within the rounding of the file's "
+                               "numbers.",
                                upper->value),
                    false});
   }
@@ -101,8 +105,7 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
       fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
   if (found.reason == HoldReason::wedging) {
     return fmt::format(
-        "It can hold any load {}: a pattern is wedged there, so its grip may be of "
-        "any size.",
+        "It can hold any load {}: it can be wedged there, with a residual stress of any size.",
         where);
   }
   const char* const what = found.of_reference ? "the loads at any factor" : "the dead load";
@@ -134,17 +137,17 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all) {
   if (found.open && ended == engine::Status::solved) {
     all.push_back(
-        {"Of some sign patterns it could not be decided whether they hold a load; they "
-         "are not counted.",
+        {"Some sign patterns are undecided; load factors that only they hold may be missing.",
          true});
   }
   if (found.outside == Standing::computed && !found.open)
-    all.push_back({"That no other factor is held is computed, not proved.", true});
+    all.push_back({"That it holds at no other factor is computed, not proved.", true});
   if (std::ranges::any_of(found.intervals,
                           [](const auto& each) { return each.standing == Standing::computed; })) {
     all.push_back(
-        {"States at a limit are computed, not proved: they hold within the rounding of "
-         "the file's numbers.",
+        {"States at the ends of intervals are computed, not proved: some inequality holds only "
+         "within "
+         "the rounding of the file's numbers.",
          false});
   }
 }

@@ -35,14 +35,17 @@ std::string nominal(const LoadInterval& found) {
                      unless_proved(standing));
 }
 
+// Standing of a statement that follows from two bounds.
+Standing of_both(const Bound& one, const Bound& other) {
+  return one.standing == Standing::proved ? other.standing : one.standing;
+}
+
 // The interval is empty: its lower end lies above its upper end.
 std::optional<Standing> empty(const LoadInterval& found) {
   const auto& above = found.least.lower;
   const auto& below = found.most.upper;
   if (!above || !below || above->value <= below->value) return std::nullopt;
-  const bool proved =
-      above->standing == Standing::proved && below->standing == Standing::proved && !found.if_big_m;
-  return proved ? Standing::proved : Standing::computed;
+  return found.if_big_m ? Standing::computed : of_both(*above, *below);
 }
 
 // The ends meet: the interval is not empty, but no factor in it is known to be carried.
@@ -50,6 +53,28 @@ bool is_undecided(const LoadInterval& found) {
   const auto& from = found.least.upper;
   const auto& to = found.most.lower;
   return from && to && from->value > to->value && !empty(found);
+}
+
+std::string proved_or(const Bracket& bracket) {
+  const auto standing = of_both(*bracket.lower, *bracket.upper);
+  return standing == Standing::proved ? ", proved" : unless_proved(standing);
+}
+
+// The factors that are carried under every load of the last point, after its worst case.
+std::string guaranteed(const LoadSteps& found) {
+  const auto& from = found.least.upper;
+  const auto& to = found.worst.lower;
+  const auto& above = found.least.lower;
+  if (above && above->value > found.worst.upper->value) {
+    return fmt::format("; no load factor is carried under all admissible loads{}",
+                       unless_proved(of_both(*above, *found.worst.upper)));
+  }
+  if (!from) return "; the least factor that is carried under all admissible loads is open";
+  if (from->value > to->value)
+    return "; it is numerically undecided whether any factor is carried under all admissible loads";
+  return fmt::format("; factors from {}{} to {} are carried under all admissible loads",
+                     rounded_up(from->value), unless_proved(from->standing),
+                     rounded_down(to->value));
 }
 
 }  // namespace
@@ -139,10 +164,9 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   const auto& [lower, upper] = found.worst;
   if (!lower || !upper) return text + at + " the worst case is open.";
-  const bool proved = lower->standing == Standing::proved && upper->standing == Standing::proved;
   return text + at +
-         fmt::format(" the worst case is {:.8g}{}.", upper->value,
-                     proved ? ", proved" : " (computed, not proved)");
+         fmt::format(" the worst case is {:.8g}{}", upper->value, proved_or(found.worst)) +
+         guaranteed(found) + '.';
 }
 
 void reserve(const LoadSteps& found, std::vector<Reservation>& all) {

@@ -23,6 +23,12 @@ enum class Standing {
   computed,  ///< in floating point, without a proof
 };
 
+/// Grounds of what is proved.
+enum class Grounds {
+  exact_arithmetic,  ///< the test of kusabi verify
+  solver_bounds,     ///< bounds of the solver in floating point, with room for rounding
+};
+
 struct Bound {
   double value = 0;
   Standing standing = Standing::computed;
@@ -47,8 +53,10 @@ struct Sticking {
   bool factor = false;          ///< `friction` multiplies the coefficient of each candidate
   support::ExactCount count{};  ///< may exceed any integer type
   std::uint64_t undecided = 0;  ///< sign patterns not counted
-  Standing standing = Standing::proved;  ///< of the list
-  bool ambiguous = false;                ///< numbers that cannot be distinguished from zero
+  Standing standing = Standing::proved;      ///< of the list
+  Grounds grounds = Grounds::solver_bounds;  ///< of a proved list
+  std::uint64_t degenerate = 0;       ///< closed nodes with a margin of zero that are not proved
+  bool ambiguous = false;             ///< numbers that cannot be distinguished from zero
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
   /// Existence was the question: what was found answers it, and the list is not complete.
   bool example = false;
@@ -63,6 +71,7 @@ struct CriticalBracket {
   bool wide = false;    ///< the bracket is wider
   /// The patterns that stick at `upper` were requested, and are not known.
   bool patterns_open = false;
+  Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
 };
 
 /// Reason of an answer about loads that needs no search.
@@ -142,7 +151,8 @@ struct LoadSteps {
   std::optional<Standing> nominal_at_none{};   ///< the nominal load is not carried at any factor
   std::optional<double> half_width{};          ///< of the last point computed
   std::optional<std::string> force{};          ///< its unit, as in LoadRange
-  Bracket worst{};                             ///< the factor there
+  Bracket worst{};                             ///< the least of the largest factors there
+  Bracket least{};                             ///< the greatest of the least factors there
   std::optional<Standing> worst_at_none{};     ///< some load is not carried at any factor
   std::uint64_t points = 0, points_asked = 0;  ///< points computed, points requested
   bool open = false;                           ///< a point or a piece of the curve is not proved

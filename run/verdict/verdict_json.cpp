@@ -44,6 +44,8 @@ ordered_json answer_json(const Sticking& found) {
                     {"count", found.count.digits()},
                     {"undecided", found.undecided},
                     {"standing", standing_name(found.standing)},
+                    {"grounds", grounds_name(found.grounds)},
+                    {"degenerate", found.degenerate},
                     {"ambiguous", found.ambiguous},
                     {"doubt", doubt_json(found.doubt)}};
   if (found.example) json["example"] = true;
@@ -57,7 +59,8 @@ ordered_json answer_json(const CriticalBracket& found) {
           {"most", found.most},
           {"width", found.width},
           {"wide", found.wide},
-          {"patterns_open", found.patterns_open}};
+          {"patterns_open", found.patterns_open},
+          {"grounds", grounds_name(found.grounds)}};
 }
 
 ordered_json answer_json(const HoldingBracket& found) {
@@ -121,6 +124,7 @@ ordered_json answer_json(const LoadSteps& found) {
           {"half_width", number_or_null(found.half_width)},
           {"force", text_or_null(found.force)},
           {"worst", bracket_json(found.worst)},
+          {"least", bracket_json(found.least)},
           {"worst_at_none", standing_json(found.worst_at_none)},
           {"points", found.points},
           {"points_asked", found.points_asked},
@@ -149,6 +153,10 @@ ordered_json answer_json(const Measurement& /*measurement*/) {
 
 const char* standing_name(Standing standing) {
   return standing == Standing::proved ? "proved" : "computed";
+}
+
+const char* grounds_name(Grounds grounds) {
+  return grounds == Grounds::exact_arithmetic ? "exact-arithmetic" : "solver-bounds";
 }
 
 ordered_json verdict_json(const Verdict& verdict) {

@@ -13,4 +13,7 @@ nlohmann::ordered_json verdict_json(const Verdict& verdict);
 /// "proved" or "computed".
 const char* standing_name(Standing standing);
 
+/// "exact-arithmetic" or "solver-bounds".
+const char* grounds_name(Grounds grounds);
+
 }  // namespace kusabi::run

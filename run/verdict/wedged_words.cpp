@@ -12,6 +12,8 @@ namespace {
 
 constexpr int digits_of_sweep = 10;
 constexpr const char* coefficient = "friction coefficient";
+constexpr const char* proved_by_bounds =
+    "Proved by the bounds of the solver, which allow for rounding";
 
 const char* times(bool factor) {
   return factor ? " times that of each candidate" : "";
@@ -44,8 +46,13 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
   const bool complete =
       ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous && !found.doubt;
-  if (found.example && !is_refuted(found.doubt))
-    return fmt::format("It can stick at {}: one pattern shows it.", where);
+  if (found.example && !is_refuted(found.doubt)) {
+    return fmt::format(
+        "It can stick at {}: {}.", where,
+        found.count == 1U
+            ? "one pattern shows it"
+            : fmt::format("{} patterns show it, and there may be others", found.count.digits()));
+  }
   if (found.count != 0U && !is_refuted(found.doubt)) {
     return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
                        complete            ? ""
@@ -57,7 +64,7 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
   return fmt::format("It is not known whether it can stick at {}.", where);
 }
 
-void reserve(const Sticking& found, std::vector<Reservation>& all) {
+void reserve(const Sticking& found, engine::Status ended, std::vector<Reservation>& all) {
   if (found.undecided > 0) {
     const bool one = found.undecided == 1;
     all.push_back({fmt::format("Of {} it could not be decided whether {} a wedged configuration; "
@@ -71,9 +78,18 @@ void reserve(const Sticking& found, std::vector<Reservation>& all) {
         {"Some numbers are too near to zero to be told from it: the lists may be wrong.", true});
   }
   if (found.doubt) reserve(*found.doubt, all);
-  if (found.standing == Standing::computed)
-    all.push_back(
-        {"The list is computed in floating point, not proved in exact arithmetic.", false});
+  if (found.standing == Standing::computed) {
+    all.push_back({fmt::format("The list is computed in floating point, not proved in exact "
+                               "arithmetic{}.",
+                               found.degenerate == 0
+                                   ? ""
+                                   : fmt::format(": of {}, with a margin of zero, nothing is "
+                                                 "proved",
+                                                 counted(found.degenerate, "degenerate node"))),
+                   false});
+  } else if (found.grounds == Grounds::solver_bounds && ended == engine::Status::solved) {
+    all.push_back({fmt::format("{}; --prove adds exact arithmetic.", proved_by_bounds), false});
+  }
 }
 
 std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) {
@@ -128,6 +144,11 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
                                    "of the file's numbers."
                           : that + '.',
                    !solved});
+  }
+  if (found.grounds == Grounds::solver_bounds && (is_proved(lower) || is_proved(upper))) {
+    all.push_back({fmt::format("{}; kusabi verify proves a --certificate in exact arithmetic.",
+                               proved_by_bounds),
+                   false});
   }
   if (found.patterns_open) {
     all.push_back({fmt::format("The patterns that stick at {:.12g} were not determined.",

@@ -76,7 +76,7 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
     whys.push_back(name.empty() ? why : fmt::format("case {}: {}", support::in_quotes(name), why));
   }
   if (whys.empty()) {
-    return fmt::format("it has no load case {}", support::in_quotes(statement.load_case));
+    return fmt::format("no load case {}", support::in_quotes(statement.load_case));
   }
   return fmt::format("{}", fmt::join(whys, "; "));
 }
@@ -116,17 +116,17 @@ void check_load(const Checking& at, CheckedStatement& checked) {
   auto& refusals = checked.refusals;
   if (at.statement.claim == LimitClaim::none) {
     if (!at.proof.shows_no_factor()) {
-      refusals.emplace_back("the motion does not show that the load is carried at no factor");
+      refusals.emplace_back("the motion does not prove that the load is not carried at any factor");
     }
     return;
   }
   const auto upper = at.proof.upper();
   if (const auto* why = std::get_if<std::string>(&upper)) {
-    refusals.push_back("the upper end: " + *why);
+    refusals.push_back("upper bound: " + *why);
   } else {
     checked.upper = verify::rounded_up(std::get<mpq_class>(upper));
     if (std::isinf(checked.upper))
-      refusals.emplace_back("the upper end: it is beyond any number in double precision");
+      refusals.emplace_back("the upper bound exceeds the range of double precision");
   }
   if (const auto flaw = verify::flaw_of_sign_cover(at.statement.evidence))
     refusals.push_back(*flaw);

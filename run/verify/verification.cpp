@@ -25,6 +25,7 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
     switch (record.claim) {
       case verify::Claim::dead:
       case verify::Claim::cut:
+      case verify::Claim::form:
         ++tally_.dead;
         break;
       case verify::Claim::alive:

@@ -48,7 +48,7 @@ class Verify final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "verify"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "proves an answer from its certificate, exactly";
+    return "exact proof of a result from its certificate";
   }
   [[nodiscard]] std::string_view description() const override {
     return "Proves a list of patterns, a critical friction coefficient or a worst-case load factor "
@@ -77,14 +77,15 @@ class Verify final : public Subcommand {
 void Verify::describe(OptionTable& table) {
   table
       .file("certificate", options_.certificate, Role::input,
-            "what patterns, critical or limit --certificate has written")
+            "certificate of kusabi patterns, critical or limit")
       .required();
-  table.file("--problem", options_.problem, Role::input,
-             "prove it of the structure in this problem file, whose stiffness is computed anew "
-             "with bounds for every rounding; without it, of the numbers in the certificate");
+  table.file(
+      "--problem", options_.problem, Role::input,
+      "problem file (TOML) to which the proof applies; its stiffness is recomputed with bounds for "
+      "all rounding errors. Default: the proof applies to the numbers in the certificate");
   table.resume(options_.checkpoint,
-               "; who verifies believes that file, so it should be nobody else's");
-  table.quiet("print errors and what is refused only");
+               "; the verification trusts this file, so nobody else may have access to it");
+  table.quiet("print errors and refused claims only");
   table.serial();
 }
 
@@ -132,7 +133,7 @@ Verdict Verify::verdict() const {
 
 std::vector<std::string> Verify::remarks(CommandRun& run) {
   if (findings_.status == engine::Status::solved) return {};
-  return run.how_to_go_on(options_.checkpoint, findings_.status, false);
+  return run.how_to_go_on(findings_.status);
 }
 
 }  // namespace

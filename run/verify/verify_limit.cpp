@@ -53,7 +53,7 @@ std::string half_widths_text(const CheckedStatement& statement) {
   for (const auto& [load, count] : loads) {
     const auto& [name, half_width] = load;
     if (name.empty()) {
-      unnamed.push_back(fmt::format("{} without a name within +- {}", count, half_width));
+      unnamed.push_back(fmt::format("{} unnamed within +- {}", count, half_width));
     } else {
       parts.push_back(fmt::format("{}{} within +- {}", support::in_quotes(name),
                                   count == 1 ? "" : fmt::format(" ({} loads)", count), half_width));
@@ -68,8 +68,8 @@ std::string summary_of(const CheckedStatement& statement) {
     case LimitClaim::largest:
       return fmt::format("{} cuts, {} nodes cover all loads\n", statement.cuts, statement.nodes);
     case LimitClaim::least:
-      return fmt::format("of the least factors: {} cuts, {} nodes cover all loads\n",
-                         statement.cuts, statement.nodes);
+      return fmt::format("least factors: {} cuts, {} nodes cover all loads\n", statement.cuts,
+                         statement.nodes);
     case LimitClaim::none:
       break;
   }
@@ -149,7 +149,7 @@ std::string cases_left_text(const std::vector<CheckedStatement>& statements,
       left.push_back(support::in_quotes(name));
   }
   if (left.empty()) return {};
-  return fmt::format("nothing is said of the load case{} {}\n", left.size() == 1 ? "" : "s",
+  return fmt::format("not part of the certificate: load case{} {}\n", left.size() == 1 ? "" : "s",
                      fmt::join(left, ", "));
 }
 
@@ -170,13 +170,15 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   if (findings.check.refusals > 0) return findings;
   auto& summary = findings.summary;
   if (structure) {
-    fmt::format_to(std::back_inserter(summary),
-                   "problem: {}, from {}, fingerprint {}\n"
-                   "direction cosines were computed anew from the truss, yield forces and loads "
-                   "compared\n",
-                   structure->name, options.problem, hexadecimal(statements.front().fingerprint));
+    fmt::format_to(
+        std::back_inserter(summary),
+        "problem: {}, from {}, fingerprint {}\n"
+        "direction cosines were recomputed from the truss; yield forces and loads were compared\n",
+        structure->name, options.problem, hexadecimal(statements.front().fingerprint));
   } else {
-    summary += "the truss is the certificate's own; --problem FILE proves it of a file\n";
+    summary +=
+        "the truss is that of the certificate; --problem FILE proves the result for a problem "
+        "file\n";
   }
   summary += summary_of(statements);
   if (structure) summary += cases_left_text(statements, *structure);

@@ -74,8 +74,8 @@ void write_subject(std::string& text, const VerifyOptions& options,
                  fmt::join(certificate.names, " "));
   if (!structure) {
     fmt::format_to(std::back_inserter(text),
-                   "K and the friction are the certificate's own; --problem FILE proves it of a "
-                   "structure\n");
+                   "K and the friction are those of the certificate; --problem FILE proves the "
+                   "result for a structure\n");
     return;
   }
   fmt::format_to(std::back_inserter(text), "problem: {}, from {}, fingerprint {}\n",
@@ -86,7 +86,8 @@ void write_subject(std::string& text, const VerifyOptions& options,
       std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
           ? ""
           : " times that of each candidate");
-  fmt::format_to(std::back_inserter(text), "K was computed anew from the structure, up to {:.1e}\n",
+  fmt::format_to(std::back_inserter(text),
+                 "K was recomputed from the structure with errors up to {:.1e}\n",
                  consistent->stiffness.radius.nearest());
 }
 
@@ -94,12 +95,13 @@ void write_subject(std::string& text, const VerifyOptions& options,
 void write_summary(std::string& text, const verify::Certificate& certificate,
                    const verify::Proof& proof, bool covered, std::size_t bounds,
                    const Verification::Tally& proved) {
-  fmt::format_to(
-      std::back_inserter(text), "K is positive definite{}: its eigenvalues are above {:.3g}\n",
-      certificate.motions == 0 ? ""
-                               : fmt::format(" but for {} of loose bodies, with a spring for each",
-                                             counted(certificate.motions, "motion")),
-      proof.least_eigenvalue()->nearest());
+  fmt::format_to(std::back_inserter(text),
+                 "K is positive definite{}; its eigenvalues are above {:.3g}\n",
+                 certificate.motions == 0
+                     ? ""
+                     : fmt::format(" with grounding springs for {} of unconstrained bodies",
+                                   counted(certificate.motions, "rigid-body mode")),
+                 proof.least_eigenvalue()->nearest());
   if (covered) {
     for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
       const auto& block = certificate.blocks[b];
@@ -112,17 +114,21 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
   }
   if (!certificate.bounds.empty())
     fmt::format_to(std::back_inserter(text), "bounds: {} proved\n", bounds);
-  fmt::format_to(std::back_inserter(text), "dead: {} proved{}\nalive: {} proved\n", proved.dead,
-                 proved.but_for_far_motion == 0
-                     ? ""
-                     : fmt::format(", {} of them but for motions {:.2g} times as large as strains",
-                                   proved.but_for_far_motion, verify::farthest_motion),
-                 proved.alive);
+  fmt::format_to(
+      std::back_inserter(text),
+      "cannot stick: {} proved{}\n"
+      "sticks: {} proved\n",
+      proved.dead,
+      proved.but_for_far_motion == 0
+          ? ""
+          : fmt::format(", {} of them except for displacements over {:.2g} times the strains",
+                        proved.but_for_far_motion, verify::farthest_motion),
+      proved.alive);
   if (proved.unloaded > 0)
     fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
                    proved.unloaded);
   if (proved.open() > 0)
-    fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.open());
+    fmt::format_to(std::back_inserter(text), "undecided: {} not proved\n", proved.open());
 }
 
 VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& why) {
@@ -159,9 +165,9 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                           : verify::Proof(certificate);
   if (!proof.least_eigenvalue()) {
     return refusal_of_all(options, certificate.motions == 0
-                                       ? "K was not shown to be positive definite"
-                                       : "K was not shown to be positive definite but for motions "
-                                         "of loose bodies");
+                                       ? "K was not proved to be positive definite"
+                                       : "K was not proved to be positive definite except for "
+                                         "rigid-body modes of unconstrained bodies");
   }
 
   const auto bounds_refused = refusals_of_bounds(proof, options, certificate);
@@ -181,7 +187,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   const auto proved = outcome.tally();
   const bool one_pattern = certificate.one_pattern;
   auto flaw = one_pattern ? std::optional<std::string>() : verify::flaw_of_cover(certificate);
-  if (one_pattern && proved.alive == 0) flaw = "the pattern that it is about is not there";
+  if (one_pattern && proved.alive == 0) flaw = "the pattern of the certificate is missing";
   VerifyFindings findings{
       .check = {.refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U)}};
   if (one_pattern) {

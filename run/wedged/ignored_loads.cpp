@@ -1,4 +1,4 @@
-// A sentence on loads, and one on clearances.
+// Warnings of loads and of clearances without effect.
 #include "run/wedged/ignored_loads.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace kusabi::run {
 namespace {
 
-// Clearances are of states under load only.
+// Clearances concern states under load only.
 void add_clearances(const problems::Structure& structure, std::string_view command,
                     std::vector<std::string>& lines) {
   const auto& contact = structure.contact;
@@ -19,10 +19,10 @@ void add_clearances(const problems::Structure& structure, std::string_view comma
   if (first == contact.end()) return;
   const auto count = static_cast<std::uint64_t>(std::ranges::count_if(contact, apart));
   const auto message = fmt::format(
-      "{} {} a clearance or an interference, which has no part in kusabi {}: there the gap is "
-      "zero; "
-      "expected kusabi hold for what friction can hold with it",
-      counted(count, "contact candidate"), count == 1 ? "has" : "have", command);
+      "kusabi {} ignores the clearance or interference of {}: a wedged configuration has zero "
+      "gaps; "
+      "expected kusabi hold",
+      command, counted(count, "contact candidate"));
   const auto position =
       problems::position_of(structure.sources.contact, static_cast<int>(first - contact.begin()));
   lines.emplace_back(problems::structure_error(structure, position, message).what());
@@ -39,15 +39,12 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
     const auto position =
         problems::position_of(structure.loads.empty() ? sources.uncertain : sources.loads, 0);
     const auto message = fmt::format(
-        "{} of the file {} no part in kusabi {}: a wedged configuration holds without any load, "
-        "and "
-        "no load is needed for it; expected kusabi hold for the loads that friction can hold, "
-        "kusabi "
-        "limit for limit loads of a truss, or a file without [[loads]]",
+        "kusabi {} ignores {} of the file: a wedged configuration holds without loads; expected "
+        "kusabi hold for states under load, kusabi limit for limit loads of a truss, or a file "
+        "without [[loads]]",
+        command,
         structure.loads.empty() ? counted(uncertain, "uncertain load")
-                                : counted(structure.loads.size(), "load"),
-        (structure.loads.empty() ? uncertain : structure.loads.size()) == 1 ? "has" : "have",
-        command);
+                                : counted(structure.loads.size(), "load"));
     lines.emplace_back(problems::structure_error(structure, position, message).what());
   }
   add_clearances(structure, command, lines);

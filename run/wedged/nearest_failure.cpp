@@ -50,14 +50,14 @@ std::string contact_text(const problems::WedgedProblem& problem, const Slack& sl
   const auto force = amount_in(slack.amount, problem.units.force, "force");
   constexpr double half = 0.5;
   if (slack.used < half)
-    return fmt::format("{} is nearest to leaving, with mu r_n - |r_t| = {}", name, force);
+    return fmt::format("{} is closest to separation, with mu r_n - |r_t| = {}", name, force);
   return fmt::format(
-      "{} is nearest to slipping, with mu r_n - |r_t| = {} ({:.0f} % of mu r_n used)", name, force,
+      "{} is closest to slipping, with mu r_n - |r_t| = {} ({:.0f} % of mu r_n used)", name, force,
       std::floor(100 * slack.used));
 }
 
 std::string gap_text(const problems::WedgedProblem& problem, const Slack& slack) {
-  return fmt::format("{} is nearest to touching, {} away",
+  return fmt::format("{} is closest to touching, at a gap of {}",
                      problem.contact_names[static_cast<std::size_t>(slack.candidate)],
                      amount_in(slack.amount, problem.units.length, "length"));
 }
@@ -111,13 +111,14 @@ std::string nearest_failure_text(const problems::WedgedProblem& problem,
     const auto gap = gap_text(problem, *nearest.gap);
     text = nearest.gap_first ? gap + "; " + text : text + "; " + gap;
   }
-  text = fmt::format("Where the normal reactions sum to {}, {}.", scale, text);
+  text = fmt::format("If the normal reactions sum to {}, {}.", scale, text);
   if (nearest.holds_from == 0) return text + " Its configuration needs no friction.";
   support::IndexSet slips;
   for (const int i : nearest.slips_there) slips |= support::IndexSet::single(i);
-  return fmt::format("{} Its configuration holds from friction coefficient {:.4g} on, where {} {}.",
-                     text, nearest.holds_from, with_ranges(candidate_names(problem, slips)),
-                     nearest.slips_there.size() == 1 ? "slips" : "slip");
+  return fmt::format(
+      "{} Its configuration sticks from friction coefficient {:.4g} on, at which {} {}.", text,
+      nearest.holds_from, with_ranges(candidate_names(problem, slips)),
+      nearest.slips_there.size() == 1 ? "slips" : "slip");
 }
 
 }  // namespace kusabi::run

@@ -4,8 +4,7 @@
 namespace kusabi::run {
 
 inline constexpr const char* begins_explained =
-    "       (a pattern begins at the least coefficient at which some configuration loads exactly "
-    "its "
-    "candidates in contact and opens exactly those separated)\n";
+    "       (a pattern exists at a friction coefficient if some configuration loads exactly its\n"
+    "        candidates in contact and separates exactly its separated ones)\n";
 
 }  // namespace kusabi::run

@@ -56,12 +56,12 @@ std::string problem_line(const problems::WedgedProblem& problem) {
   const auto& loose = problem.unconstrained_bodies;
   constexpr std::size_t most_described = 3;
   for (std::size_t k = 0; k < std::min(loose.size(), most_described); ++k) {
-    line +=
-        loose.size() == 1 ? "; loose: " : fmt::format("; loose, from node {} on: ", loose[k].node);
+    line += loose.size() == 1 ? "; unconstrained: "
+                              : fmt::format("; unconstrained from node {} on: ", loose[k].node);
     line += loose[k].motions;
   }
   if (loose.size() > most_described)
-    line += fmt::format("; and {} more loose bodies", loose.size() - most_described);
+    line += fmt::format("; and {} more unconstrained bodies", loose.size() - most_described);
   return line;
 }
 
@@ -89,11 +89,11 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
     friction[i] *= coefficient;
     if (friction[i] == 0) continue;
     if (friction[i] >= wedged::least_friction && friction[i] <= wedged::most_friction) continue;
-    throw WrongInput(fmt::format(
-        "{}: the friction at {} comes out as {:g}; expected 0, or {:g} to {:g}: another --mu, or "
-        "another relative friction",
-        file, problem.contact_names[i], friction[i], wedged::least_friction,
-        wedged::most_friction));
+    throw WrongInput(
+        fmt::format("{}: the friction coefficient at {} is {:g}; expected 0, or {:g} to {:g}, by "
+                    "another --mu or another relative friction",
+                    file, problem.contact_names[i], friction[i], wedged::least_friction,
+                    wedged::most_friction));
   }
   return friction;
 }
@@ -113,7 +113,7 @@ std::string contact_text(const problems::WedgedProblem& problem,
   };
   const auto& [contact, separated, at_rest] = pattern;
   auto text = names(contact);
-  if (!at_rest.empty()) return text + "  at rest: " + names(at_rest);
+  if (!at_rest.empty()) return text + "  inactive: " + names(at_rest);
   if (problem.blocks.size() > 1) return text;  // the other candidates of its block
   const auto rest = separated.empty() ? std::string("all") : "all but " + names(separated);
   return shown_width(rest) < shown_width(text) ? rest : text;

@@ -2,6 +2,7 @@
 // paper.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,10 @@
 #include "run/wedged/whole_states.hpp"
 
 namespace kusabi::run {
+
+/// Configurations of a list, from the first, whose whole state is in the result file unless
+/// `--whole` requests all: enough for pictures and tables, and a few MB for large structures.
+constexpr std::size_t whole_unless_requested = 100;
 
 class WholeStateJson {
  public:

@@ -3,7 +3,7 @@
 //
 // The iterations give points that satisfy their equations up to a residual, computed from an F with
 // an error e: |F~_ij - F_ij| <= e sqrt(F_ii F_jj). The bounds hold for the program with the true F
-// (docs/theory/wedged.md, "Two proofs"). With n terms in a sum and the unit roundoff u of its
+// (docs/theory/wedged.md, "Rigorous bounds"). With n terms in a sum and the unit roundoff u of its
 // numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
 //
 // Upper bound: for multipliers y with y_j >= 0 off U, w = sum_i y_i (row (n, i) of F) and any tau

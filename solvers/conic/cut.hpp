@@ -1,5 +1,5 @@
 // Cut: an inequality added to a node program. It holds for every wedged configuration below the
-// node, though not for all points of its relaxation (docs/theory/wedged.md, "Cuts").
+// node, though not for all points of its relaxation (docs/theory/wedged.md, "Bounds and cuts").
 #pragma once
 
 namespace kusabi::conic {

@@ -1,6 +1,6 @@
 // RigidModeBounds: bounds of the corrections to the equations that the rigid-body modes of an
 // unconstrained body add to a node program, so that the bounds of t* include rounding errors
-// (docs/theory/wedged.md, "Loose bodies").
+// (docs/theory/wedged.md, "Unconstrained bodies").
 //
 // For the lower bound a reaction must be in equilibrium, G'r = 0, and u_n = F_n r + H alpha = 0 on
 // U, H the normal rows of G. For the upper bound the normal forces y must be in equilibrium, H'y =

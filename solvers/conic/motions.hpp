@@ -1,5 +1,5 @@
 // Motions: rigid-body modes of an unconstrained body in a node program: u = F r + G alpha and G'r =
-// 0 (docs/theory/wedged.md, "Loose bodies").
+// 0 (docs/theory/wedged.md, "Unconstrained bodies").
 //
 // Modes that separate or press in a candidate change u_n, and their coefficients alpha are unknowns
 // of the program. Modes that slide along all surfaces, such as that of a block between parallel

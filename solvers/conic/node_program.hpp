@@ -18,7 +18,7 @@
 //
 // An unconstrained body adds its p rigid-body modes G: u_n = F_n r + H alpha with alpha free, H the
 // normal rows of G, and p rows G'r = 0 without a slack. There are then m + p rows and free columns
-// H (docs/theory/wedged.md, "Loose bodies").
+// H (docs/theory/wedged.md, "Unconstrained bodies").
 //
 // Cuts (cut.hpp) are rows with a slack after all of these. They are not stored: with row i of A in
 // the place of F_i and of t, that of a cut of candidate i is

@@ -5,7 +5,7 @@
 //                            sum_i r_ni = 1,
 //
 // in doubles and without proof: a search for wedged configurations linearises complementarity with
-// it (docs/theory/wedged.md, "A pattern without a tree"). The iteration is that of interior_point.hpp,
+// it (docs/theory/wedged.md, "Primal heuristic"). The iteration is that of interior_point.hpp,
 // with an infeasible dual start, since the weights may lie outside the dual cone.
 #pragma once
 

@@ -427,10 +427,10 @@ class MpsReader {
       set_upper(column, value);
       if (value < 0 && !column.lower_given) {
         column.lower = -infinity;
-        warn(
-            fmt::format("column {} has an upper bound of {} and no lower bound before it, which is "
-                        "taken for none, not for 0",
-                        in_quotes(column.name), value));
+        warn(fmt::format(
+            "column {} has the upper bound {} and no lower bound before it; its lower bound "
+            "is minus infinity, not 0",
+            in_quotes(column.name), value));
       }
     } else if (type == "LO" || type == "LI") {
       set_lower(column, value);

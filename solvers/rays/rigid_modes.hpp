@@ -1,5 +1,5 @@
 // RigidModes: rigid-body modes of unconstrained bodies in the cone of reactions: u = F r + G alpha
-// and G'r = 0 (docs/theory/rays.md, "Loose bodies").
+// and G'r = 0 (docs/theory/rays.md, "Unconstrained bodies").
 //
 // Modes that separate or press in a candidate are unknowns. They are combined such that each has a
 // candidate of its own, its *pivot*, which later modes do not displace. Modes that slide along all

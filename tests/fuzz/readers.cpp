@@ -70,7 +70,7 @@ void check_line(const std::string& line) {
   }
 }
 
-// What `read` throws as an `Error`.
+// The error of `read`.
 template <class Error, class Read>
 std::optional<std::string> refusal(Read read) {
   try {
@@ -88,7 +88,7 @@ std::optional<std::string> refusal(Read read) {
 }
 
 std::optional<std::string> try_structure(const std::string& bytes) {
-  // What follows takes the cube of the size.
+  // The rest takes time of the cube of the size.
   constexpr std::size_t most_nodes = 60;
   std::optional<problems::Structure> structure;
   auto refused = refusal<support::InputError>(
@@ -184,7 +184,7 @@ void check(const linear::MixedProgram& mixed) {
   }
 }
 
-// What the first rank has read is sent to the others, and what may be read otherwise is told.
+// A program that the first rank has read is sent to the others; ambiguous lines give warnings.
 void check(const linear::ProgramFile& program) {
   check(program.mixed);
   for (const auto& warning : program.warnings) check_line(warning);

@@ -1,5 +1,5 @@
-// What a fuzzer throws at the command's readers: any bytes must be read, or refused in one line.
-// The same harness serves libFuzzer (fuzz_readers.cpp) and the quick test of every build
+// Inputs of a fuzzer for the readers of the command: any bytes must be read, or refused in one
+// line. The same harness serves libFuzzer (fuzz_readers.cpp) and the quick test of every build
 // (readers_test.cpp).
 #pragma once
 

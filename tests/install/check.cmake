@@ -23,7 +23,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${build} --prefix ${work}/staged)
-# What is installed must not know where: packages are moved.
+# Installed files contain no absolute paths, since packages are moved.
 file(RENAME ${work}/staged ${work}/prefix)
 
 set(flags "-Wall -Wextra -Wpedantic -Werror -H")

@@ -228,7 +228,7 @@ class Draw(KusabiCase):
 
     def test_a_sweep_that_knows_nothing_has_no_image(self):
         self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
-        self.assertEqual(self.refused("draw", self.result), f"{self.result}: nothing is known that could be drawn\n")
+        self.assertEqual(self.refused("draw", self.result), f"{self.result}: has no results that could be drawn; expected a result with at least one\n")
 
     def test_names_may_be_anything(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
@@ -238,22 +238,22 @@ class Draw(KusabiCase):
     def test_an_answer_of_nothing_has_no_image(self):
         self.assertEqual(self.solve("rays", "two-bars.toml", "--mu", 1.5)["result"]["count"], 0)
         run = self.kusabi("draw", self.result)
-        self.assertEqual((run.returncode, run.stderr), (2, f"{self.result}: has no rays; expected one or more to draw\n"))
+        self.assertEqual((run.returncode, run.stderr), (2, f"{self.result}: has no rays; expected at least one\n"))
 
     def test_what_is_no_result_is_refused_in_a_line(self):
         whole = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = json.dumps(whole)
         self.result.write_text(text)
         self.check_refusals("draw", (
-            ("{", "is no JSON object"), ("[1]", "is no JSON object"), ("", "is no JSON object"),
+            ("{", "is not a JSON object"), ("[1]", "is not a JSON object"), ("", "is not a JSON object"),
             (nested(32), "'problem' is missing"), (nested(33), "is nested deeper than 32;"),
             ("[" * 1000000, "is nested deeper than 32;"),
             (without(whole, "problem", "structure"), "'structure' is missing"),
             (without(whole, "result", "patterns", 0, "reaction"), "'reaction' is missing"),
             (text.replace('"members": [[0', '"members": [[99'), "99 is none of 15 nodes"),
-            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
+            (text.replace('"command": "patterns"', '"command": "mip"'), "is a result of kusabi mip"),
             (text.replace('"contact": ["', '"contact": ["z'), "there is no candidate 'z"),
-            (text.replace('"d": 2', '"d": 3'), "is no list of 3 numbers")))
+            (text.replace('"d": 2', '"d": 3'), "is not a list of 3 numbers")))
         self.assertIn("expected 1 to ", self.refused("draw", self.result, "--pattern", 99))
 
 

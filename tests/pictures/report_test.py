@@ -275,11 +275,11 @@ class Report(KusabiCase):
                                              "patterns (computed, not proved).")
         self.assertEqual(page.with_id("curve").tag, "svg")
         counted = lambda each: [each[key] for key in ("count", "known", "open")]
-        self.assertEqual(self.rows(page, "Sign patterns at the points asked for"),
+        self.assertEqual(self.rows(page, "Sign patterns at the given points"),
                          [[each["mu"], *counted(each)] for each in answer["points"]])
-        self.assertEqual(self.rows(page, "Between the steps the count stays"),
+        self.assertEqual(self.rows(page, "Intervals with a constant number of sign patterns"),
                          [[each["from"], each["to"], *counted(each)] for each in answer["staircase"]])
-        self.assertEqual(self.rows(page, "Where each pattern begins"),
+        self.assertEqual(self.rows(page, "Friction coefficients at which patterns begin to stick"),
                          [[each["lower"], each["upper"]] for each in answer["patterns"]])
         self.assertNotIn("reservations", page.named)
 
@@ -297,9 +297,9 @@ class Report(KusabiCase):
         page = self.page()
         self.assertIn("at alpha = 0.6 the worst case is 6.9813203, proved", self.verdict(page))
         self.assertEqual(page.with_id("curve").tag, "svg")
-        self.assertEqual(self.rows(page, "Worst-case load factor at the points asked for"),
+        self.assertEqual(self.rows(page, "Worst-case load factor at the given points"),
                          [[each[key] for key in ("alpha", "lower", "upper")] for each in answer["points"]])
-        self.assertEqual(self.rows(page, "The curve is straight between"),
+        self.assertEqual(self.rows(page, "Linear pieces of the curve"),
                          [[each[key] for key in ("from", "to", "factor_from", "factor_to", "error")] for each in answer["curve"]])
 
     def test_names_may_be_anything(self):
@@ -319,14 +319,14 @@ class Report(KusabiCase):
         self.result.write_text(text)
         page = self.folder / "page.html"
         self.check_refusals("report", (
-            ("{", "is no JSON object"), (nested(32), "'problem' is missing"),
+            ("{", "is not a JSON object"), (nested(32), "'problem' is missing"),
             (nested(33), "is nested deeper than 32;"),
             (without(result, "status"), "'status' is missing"),
             (without(result, "verdict", "answer", "count"), "'count' is missing"),
             (without(result, "version"), "'version' is missing"),
             (without(result, "problem", "structure"), "'structure' is missing"),
-            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
-            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is no number")), "--output", page)
+            (text.replace('"command": "patterns"', '"command": "mip"'), "is a result of kusabi mip"),
+            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is not a number")), "--output", page)
         self.assertFalse(page.exists())
         self.refused("report", self.folder / "nowhere.json")
 

@@ -196,14 +196,14 @@ class Enumeration:
         kept = [(z | 4 << (3 * i), u) for (z, u), sign in zip(self.rays, signs) if sign == 0]
         kept += [ray for ray in plus if ray[0] >> (3 * i) & 3 == 3]
         zero_sets = [ray[0] for ray in self.rays]
-        witnesses = []
+        larger_sets = []
         enough = 2 * self.rows - 2
         for a, u in plus:
             for b, v in minus:
                 common = a & b
                 if common.bit_count() < enough or not self.complementary(common):
                     continue
-                if self.third(common, a, b, witnesses, zero_sets):
+                if self.third(common, a, b, larger_sets, zero_sets):
                     continue
                 x, y = v[2 * i], u[2 * i]  # x < 0 < y
                 between = combination((-x[0], -x[1]), u, y, v)
@@ -212,16 +212,16 @@ class Enumeration:
         self.rays = kept
 
     @staticmethod
-    def third(common, a, b, witnesses, zero_sets):
+    def third(common, a, b, larger_sets, zero_sets):
         """Whether another ray is on the smallest face of two."""
-        for place, z in enumerate(witnesses):
+        for place, z in enumerate(larger_sets):
             if z & common == common and z not in (a, b):
-                witnesses.insert(0, witnesses.pop(place))
+                larger_sets.insert(0, larger_sets.pop(place))
                 return True
         for z in zero_sets:
             if z & common == common and z not in (a, b):
-                witnesses.insert(0, z)
-                del witnesses[16:]
+                larger_sets.insert(0, z)
+                del larger_sets[16:]
                 return True
         return False
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Computes the numbers of limit.json anew, and compares: prints what differs, exit code 1 if anything does.
 
-    python3 limit.py [LARGEST]      the family up to LARGEST x LARGEST bays, 7 unless told; 10 takes some minutes
+    python3 limit.py [LARGEST]      the family up to LARGEST x LARGEST bays, 7 by default; 10 takes some minutes
 
 Independent of the project: numpy, and HiGHS as scipy has it. The trusses are built from their rules. The nominal
 factor is the linear program (5) of METR 2006-39. The worst case is between two numbers that must meet:
@@ -167,12 +167,12 @@ def value_on(points, at):
 
 def main():
     largest = int(sys.argv[1]) if len(sys.argv) > 1 else 7
-    told = json.loads((HERE / "limit.json").read_text())
+    expected_file = json.loads((HERE / "limit.json").read_text())
     compare = Comparison()
     trusses, corners = {}, {}
     shapes = {"3x3": grid(3, 0.7, True, {0, 3}), "4x4": grid(4, 0.35, False, set(range(5)))}
     for name, (nodes, members, supported) in shapes.items():
-        data = told["trusses"][name]
+        data = expected_file["trusses"][name]
         compare.same(f"{name}: nodes", np.round(nodes, 9).tolist(), data["nodes_m"])
         compare.same(f"{name}: members", sorted(map(list, members)), sorted(map(sorted, data["members"])))
         compare.same(f"{name}: supports", sorted(supported), data["supported"])
@@ -186,13 +186,13 @@ def main():
         for alpha, expected in values["worst_case"].items():
             corners[name, alpha] = compare.worst(f"{name}, alpha = {alpha}", truss, float(alpha), expected, nominal)
         # At the breakpoints and half-way between, which a concave function that agrees there pins down.
-        points = told["worst_case_of_alpha"][name]
+        points = expected_file["worst_case_of_alpha"][name]
         for (left, _), (right, _) in zip(points, points[1:]):
             for alpha in ((left + right) / 2, right):
                 compare.worst(f"{name}, alpha = {alpha:.6g}", truss, alpha, value_on(points, alpha), nominal)
 
-    figure, truss = told["figure_5"], trusses["3x3"]
-    nominal = told["trusses"]["3x3"]["values"]["nominal"]
+    figure, truss = expected_file["figure_5"], trusses["3x3"]
+    nominal = expected_file["trusses"]["3x3"]["values"]["nominal"]
     for line, corner, alpha in (("solid", "40", 40), ("dashed", "20", 40)):
         points = figure[line]
         at = sorted({x for x, _ in points} | {(a + b) / 2 for (a, _), (b, _) in zip(points, points[1:])})
@@ -204,10 +204,10 @@ def main():
 
     for bays in range(5, largest + 1):
         truss = family(bays)
-        nominal = told["family"]["nominal"][str(bays)]
+        nominal = expected_file["family"]["nominal"][str(bays)]
         compare.near(f"{bays} x {bays}: nominal", truss.factor(truss.dead)[0], nominal, nominal)
         for alpha in (20, 40):
-            expected = told["family"][f"worst_case_alpha_{alpha}"][str(bays)]
+            expected = expected_file["family"][f"worst_case_alpha_{alpha}"][str(bays)]
             compare.worst(f"{bays} x {bays}, alpha = {alpha}", truss, alpha, expected, nominal)
     print(f"{compare.count} comparisons with limit.json, {compare.faults} differ")
     return 1 if compare.faults else 0

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Computes the numbers of plane-truss.json anew, and compares: prints what differs, exit code 1 if anything does.
 
-    python3 plane-truss.py [LARGEST]      trusses of 5 to LARGEST rows, 7 unless told; 9 takes some minutes
+    python3 plane-truss.py [LARGEST]      trusses of 5 to LARGEST rows, 7 by default; 9 takes some minutes
 
 Independent of the project: mpmath for F, HiGHS as scipy has it for the margin t* of every one of the 2^m - 1
 leaves, and brute force for the rays. A ray with reactions at exactly the candidates U, complementary, is
@@ -151,7 +151,7 @@ def critical(f, contact, dead, alive):
 
 def main():
     largest = int(sys.argv[1]) if len(sys.argv) > 1 else 7
-    told = json.loads((HERE / "plane-truss.json").read_text())
+    known_file = json.loads((HERE / "plane-truss.json").read_text())
     count = faults = 0
 
     def compare(what, found, expected):
@@ -163,13 +163,13 @@ def main():
 
     for rows in range(5, largest + 1):
         f = compliance(rows)
-        for mu, expected in told["table"][str(rows)].items():
+        for mu, expected in known_file["table"][str(rows)].items():
             rays, cones, alive = table_entry(f, float(mu))
             found = {"rays": len(rays), "cones": len(cones), "patterns": len(alive)}
             compare(f"{rows} rows, mu = {mu}", {key: found[key] for key in expected if expected[key] is not None},
                     {key: value for key, value in expected.items() if value is not None})
 
-    five, f = told["five"], compliance(5)
+    five, f = known_file["five"], compliance(5)
     nodes, members = truss(5)
     compare("nodes", np.round(nodes, 9).tolist(), np.round(five["nodes"], 9).tolist())
     compare("members", sorted(map(sorted, members)), sorted(map(sorted, five["members"])))

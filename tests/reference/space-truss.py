@@ -6,7 +6,7 @@
 Independent of the project: numpy for F of the nodes and members in the file, and for each of the 1023 leaves the
 margin t* by linear programs (HiGHS as scipy has it): the friction cones are replaced by half-spaces around them,
 and one more is added where the optimum violates a cone, until the optimum itself, which is a bound from above, or
-its own margin with the true cones, which is one from below, tells the sign.
+its own margin with the true cones, which is one from below, decides the sign.
 """
 import itertools
 import json
@@ -85,7 +85,7 @@ class Leaf:
         return best, above
 
     def sign(self, mu):
-        """1: alive, -1: dead, 0: neither is told."""
+        """1: alive, -1: dead, 0: undecided."""
         below, above = self.bracket(mu, lambda below, above: below > ZERO or above < -ZERO)
         return 1 if below > ZERO else -1 if above < -ZERO else 0
 
@@ -110,9 +110,9 @@ def critical(leaf, near):
 
 
 def main():
-    told = json.loads((HERE / "space-truss.json").read_text())
-    f = compliance(told)
-    m = len(told["contact"])
+    known_file = json.loads((HERE / "space-truss.json").read_text())
+    f = compliance(known_file)
+    m = len(known_file["contact"])
     count = faults = 0
 
     def compare(what, right):
@@ -124,18 +124,18 @@ def main():
 
     leaves = [Leaf(f, contact) for size in range(1, m + 1) for contact in itertools.combinations(range(m), size)]
     # The largest first: what is dead there is dead with less friction.
-    for mu, number in sorted(told["counts"].items(), key=lambda each: -float(each[0])):
+    for mu, number in sorted(known_file["counts"].items(), key=lambda each: -float(each[0])):
         signs = [leaf.sign(float(mu)) for leaf in leaves]
         compare(f"mu = {mu}: leaves within the tolerance", 0 not in signs)
         leaves = [leaf for leaf, sign in zip(leaves, signs) if sign > 0]
         alive = sorted(leaf.contact for leaf in leaves)
         compare(f"mu = {mu}: {len(alive)} patterns", len(alive) == number)
-        if mu in told["patterns"]:
-            compare(f"mu = {mu}: the patterns", alive == sorted(told["patterns"][mu]))
-    largest = max(told["counts"], key=float)
-    known = sorted(contact for _, contact in told["critical"])
-    compare(f"the patterns at {largest} have a critical friction", known == sorted(told["patterns"][largest]))
-    for value, contact in told["critical"]:
+        if mu in known_file["patterns"]:
+            compare(f"mu = {mu}: the patterns", alive == sorted(known_file["patterns"][mu]))
+    largest = max(known_file["counts"], key=float)
+    known = sorted(contact for _, contact in known_file["critical"])
+    compare(f"the patterns at {largest} have a critical friction", known == sorted(known_file["patterns"][largest]))
+    for value, contact in known_file["critical"]:
         leaf = Leaf(f, contact)
         compare(f"critical friction of {contact}", abs(critical(leaf, value) - value) < 2e-6)
     print(f"{count} comparisons with space-truss.json, {faults} differ")

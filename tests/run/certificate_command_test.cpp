@@ -121,7 +121,7 @@ TEST_F(Command, SaysThatACertificateWasAltered) {
 
 TEST_F(Command, RefusesWrongCallsAboutCertificates) {
   const std::string good = "patterns " + truss + " --mu 0.5 ";
-  // A part that a checkpoint can go on with.
+  // A part that a state can go on with.
   std::ofstream(in_folder("state")) << "kusabi-checkpoint";
   std::ofstream(in_folder("cert.part.1.0"))
       << "part of the tree 0 of the checkpoint " << in_folder("state") << '\n';
@@ -164,29 +164,29 @@ TEST_F(Command, ACertificateThatIsBeingWrittenIsNotTouched) {
       shell(command + " patterns " + truss + " --mu 0.5 --quiet --certificate " + argument("cert"));
   close(part);
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("is being written by another search"));
+  EXPECT_THAT(run.output, HasSubstr("is in use by another search"));
   EXPECT_EQ(files(), std::vector<std::string>{"cert.part.1.0"});
 }
 
-TEST_F(Command, ACertificateGoesOnFromACheckpoint) {
+TEST_F(Command, ACertificateIsResumed) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet";
   const auto with = " --certificate " + argument("cert");
   const auto stopped =
-      shell(ranks(2) + call + with + " --node-limit 300 --checkpoint " + argument("state"));
+      shell(ranks(2) + call + with + " --node-limit 300 --resume " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
-  EXPECT_THAT(stopped.output, HasSubstr("what is proved so far is in " + in_folder("cert.part.*")));
+  EXPECT_THAT(stopped.output, HasSubstr("the proofs so far are in " + in_folder("cert.part.*")));
   EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
   // Not as if nothing had been, not under another name, and not of another tree.
   const auto anew = shell(call + with);
   EXPECT_EQ(anew.exit_code, 2);
-  EXPECT_THAT(anew.output, HasSubstr("is in the way, a part of a search that did not end; "
-                                     "expected --restart " +
+  EXPECT_THAT(anew.output, HasSubstr("belongs to an unfinished search; "
+                                     "expected --resume " +
                                      in_folder("state")));
-  const auto rest = " --restart " + argument("state");
+  const auto rest = " --resume " + argument("state");
   const auto other = shell(call + rest + " --certificate " + argument("other"));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.output, HasSubstr("expected the name that it began with"));
-  // What was being written when a run was killed.
+  EXPECT_THAT(other.output, HasSubstr("expected the name with which the search began"));
+  // A part that was being written when a run was killed.
   std::ofstream(in_folder("cert.part.1.0"), std::ios::app) << "dead 1 2 0x1.8";
   const auto again = shell(ranks(3) + call + with + rest);
   EXPECT_EQ(again.exit_code, 0) << again.output;
@@ -197,7 +197,7 @@ TEST_F(Command, ACertificateGoesOnFromACheckpoint) {
   EXPECT_EQ(shell(command + " verify " + argument("cert")).exit_code, 0);
 }
 
-TEST_F(Command, ACertificateNeedsACheckpointToGoOnFrom) {
+TEST_F(Command, ACertificateNeedsAStateToResumeFrom) {
   const auto run = shell(command + " patterns " + truss +
                          " --mu 1.0 --quiet --node-limit 300 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 3);
@@ -206,12 +206,12 @@ TEST_F(Command, ACertificateNeedsACheckpointToGoOnFrom) {
 }
 
 TEST_F(Command, SaysThatTheDiskIsFullForTheCertificate) {
-  // A file may have 4096 bytes, and who writes more is told and not killed.
+  // A file may have 4096 bytes, and a longer write is an error, not a signal.
   const auto run = shell("trap '' XFSZ; ulimit -f 8; " + command + " patterns " + truss +
                          " --mu 1.0 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_THAT(run.output, HasSubstr("251 sign patterns"));
-  EXPECT_THAT(run.output, HasSubstr("cert: a part could not be written in full"));
+  EXPECT_THAT(run.output, HasSubstr("cert: a part is incomplete"));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST_F(Config, SaysWhatIsWrongWithFileLineAndKey) {
       {"[patterns]\nquiet = 1\n", ":2:9: quiet: expected true or false"},
       {"[patterns]\noutput = \"a\"\n", ":2:1: output names a file of one run"},
       {"[patterns]\nrestart = \"a\"\n", ":2:1: restart names a file of one run"},
-      {"[patterns]\nserial = true\n", ":2:1: serial is needed before this file is read"},
+      {"[patterns]\nserial = true\n", ":2:1: serial applies before this file is read"},
       {"[patterns]\nfile = \"a\"\n", ":2:1: unknown option \"file\""},
       {"[patterns]\nmu = 1\nmu = 2\n", ":3:6: "},
   };
@@ -117,7 +117,7 @@ TEST_F(Config, LeavesOutWhatAloneMeansNothing) {
   EXPECT_EQ(shell(call("patterns " + truss + rest)).exit_code, 0);
   const auto run = shell(call("patterns " + truss + " --method cones" + rest));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("--facets: of cones that are not polyhedral"));
+  EXPECT_THAT(run.output, HasSubstr("--facets: requires --method polyhedral"));
   EXPECT_THAT(run.output, HasSubstr("(defaults of " + file + ": --facets 8 --mu 0.65)\n"));
 }
 
@@ -130,7 +130,7 @@ TEST_F(Config, IsTheSameOnAllRanks) {
   EXPECT_THAT(run.output, HasSubstr("27 sign patterns"));
   // A resumed search has the same options, even if the file changes.
   const auto stopped =
-      shell(ranks(2) + rest + quoted(file) + " --node-limit 20 --checkpoint " + argument("state"));
+      shell(ranks(2) + rest + quoted(file) + " --node-limit 20 --resume " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
   EXPECT_THAT(stopped.output, HasSubstr("--mu 0.65"));
   fs::remove(file);

@@ -213,11 +213,11 @@ TEST_F(CurveCommand, RefusesALoadThatIsNone) {
   EXPECT_THAT(refusal(group + "force = [1, 0]\nkind = \"dead\"\n"), HasSubstr("load:4:1: "));
   EXPECT_THAT(refusal(""), HasSubstr("load:1:1: the file is empty"));
   EXPECT_THAT(refusal("[[loads]]\nnodes = [\"0,0\"]\nforce = [1, 0]\n"),
-              HasSubstr("zero wherever the structure can move; expected"));
-  EXPECT_THAT(refusal("{\"result\": {}}"), HasSubstr("no result file with a critical_part"));
-  EXPECT_THAT(refusal("{"), HasSubstr("no result file with a critical_part"));
+              HasSubstr("zero at all free displacements; expected"));
+  EXPECT_THAT(refusal("{\"result\": {}}"), HasSubstr("not a result file with a critical_part"));
+  EXPECT_THAT(refusal("{"), HasSubstr("not a result file with a critical_part"));
   EXPECT_THAT(refusal(R"({"result": {"critical_part": [{"node": "z", "force": [1, 0]}]}})"),
-              HasSubstr("expected the result of one with its nodes"));
+              HasSubstr("expected a result with the same nodes"));
   EXPECT_THAT(refusal(group + "force = [1, 0]\n", " --curve-csv " + argument("load")),
               HasSubstr("--curve-load"));
   EXPECT_THAT(refusal(group + "force = [1, 0]\n", " --curve-to 0"), HasSubstr("--curve-to"));
@@ -228,7 +228,7 @@ TEST_F(CurveCommand, RefusesToGoNowhere) {
     const auto run = shell("cd " + quoted(folder_.string()) + " && " + command + " limit " + three +
                            " --alpha 40 " + option);
     EXPECT_EQ(run.exit_code, 2);
-    EXPECT_THAT(run.output, HasSubstr("no curve is asked for; expected --curve or --curve-load"));
+    EXPECT_THAT(run.output, HasSubstr("requires --curve or --curve-load"));
   }
   EXPECT_TRUE(files().empty());
 }

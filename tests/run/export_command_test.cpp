@@ -183,10 +183,10 @@ TEST_F(ExportCbf, RefusesNodesThatAreNone) {
     EXPECT_EQ(run.exit_code, 2) << run.output;
     return run.output;
   };
-  EXPECT_THAT(refusal("--contact r1,r9"), HasSubstr("--contact: no contact candidate"));
-  EXPECT_THAT(refusal("--contact r1,r9"), HasSubstr("is called 'r9'; expected r1 or r2"));
+  EXPECT_THAT(refusal("--contact r1,r9"), HasSubstr("has no contact candidate 'r9'"));
+  EXPECT_THAT(refusal("--contact r1,r9"), HasSubstr("'r9'; expected r1 or r2"));
   EXPECT_THAT(refusal("--contact r1 --separated r2,r1"),
-              HasSubstr("--separated: r1 is in --contact"));
+              HasSubstr("--separated: r1 is also in --contact"));
   EXPECT_THAT(refusal("--separated r1,r2,r3,r4,r5"), HasSubstr("--separated: all candidates"));
 }
 
@@ -270,8 +270,8 @@ TEST_F(ExportCommand, RefusesWhatDoesNotGoTogether) {
     EXPECT_EQ(run.exit_code, 2) << run.output;
     return run.output;
   };
-  EXPECT_THAT(refusal(""), HasSubstr("expected --alpha"));
-  EXPECT_THAT(refusal(" --program static --alpha 1"), HasSubstr("expected --program worst-case"));
+  EXPECT_THAT(refusal(""), HasSubstr("requires --alpha"));
+  EXPECT_THAT(refusal(" --program static --alpha 1"), HasSubstr("require --program worst-case"));
   EXPECT_THAT(refusal(" --big-m 5"), HasSubstr("--alpha"));
   // There is no least load factor: the load is not carried at any factor.
   EXPECT_THAT(refusal(" --alpha 1"), HasSubstr("or --big-m"));

@@ -155,7 +155,7 @@ TEST_F(MipCommand, WarnsOfANegativeUpperBound) {
            "ROWS\n N c\n G g\nCOLUMNS\n x c 1 g 1\nRHS\n R g -9\nBOUNDS\n UP B x -2\nENDATA\n"));
   EXPECT_EQ(answer.exit_code, 0);
   EXPECT_NEAR(answer.result["objective"], -9, 1e-12);
-  EXPECT_THAT(answer.said, HasSubstr("w.mps:9: column \"x\" has an upper bound of -2"));
+  EXPECT_THAT(answer.said, HasSubstr("w.mps:9: column \"x\" has the upper bound -2"));
 }
 
 // Knapsacks with equal ratios: no bound closes a node early.

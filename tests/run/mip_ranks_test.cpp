@@ -73,7 +73,7 @@ TEST_F(Command, GoesOnWithAZeroOneProgramWhereItStopped) {
       command + " mip " + argument("k.lp") + " --branching look-ahead --no-dive --output ";
   ASSERT_EQ(shell(call + argument("whole.json")).exit_code, 0);
   const auto stopped =
-      shell(call + argument("part.json") + " --node-limit 20 --checkpoint " + argument("state"));
+      shell(call + argument("part.json") + " --node-limit 20 --resume " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3);
   const auto part = nlohmann::json::parse(content(in_folder("part.json")));
   EXPECT_EQ(part["status"], "node-limit");

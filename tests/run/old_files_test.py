@@ -63,8 +63,8 @@ class OldFiles(KusabiCase):
     def test_a_checkpoint_is_refused_and_kept(self):
         for name in ("state", "state.1.0"):
             shutil.copy(OLD / name, self.folder)
-        message = self.refused("patterns", EXAMPLES / "plane-truss.toml", "--mu", 0.8, "--restart", self.folder / "state")
-        self.assertIn("checkpoint", message)
+        message = self.refused("patterns", EXAMPLES / "plane-truss.toml", "--mu", 0.8, "--resume", self.folder / "state")
+        self.assertIn("is no state to go on from", message)
         for name in ("state", "state.1.0"):
             self.assertEqual((self.folder / name).read_bytes(), (OLD / name).read_bytes())
 

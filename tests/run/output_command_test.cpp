@@ -27,6 +27,36 @@ TEST_F(Command, SaysNothingWhenAskedToBeQuiet) {
   EXPECT_EQ(run.output, "");
 }
 
+// Long lists have the whole state of 100 patterns, and of the one that the verdict names.
+TEST_F(Command, WritesTheWholeStateOfAllPatternsOnRequest) {
+  const auto patterns = [&](const std::string& option) {
+    shell(command + " patterns " + truss + " --mu 1 --quiet --output " + argument("all.json") +
+          option);
+    return nlohmann::json::parse(content(in_folder("all.json")))["result"]["patterns"];
+  };
+  const auto few = patterns("");
+  const auto all = patterns(" --whole");
+  ASSERT_EQ(few.size(), 251U);
+  ASSERT_EQ(all.size(), few.size());
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i]["margin"] > all[best]["margin"]) best = i;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_TRUE(all[i].contains("all_displacements"));
+    if (i < 100 || i == best) {
+      EXPECT_EQ(few[i], all[i]);
+    } else {
+      EXPECT_FALSE(few[i].contains("displacement"));
+      EXPECT_FALSE(few[i].contains("imbalance"));
+      EXPECT_EQ(few[i]["reaction"], all[i]["reaction"]);
+    }
+  }
+  EXPECT_EQ(shell(command + " draw " + argument("all.json") + " --pattern 250 --svg " +
+                  argument("one.svg"))
+                .exit_code,
+            0);
+}
+
 // W (4) and (5): what the obstacle pushes, the supports hold.
 TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
   const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
@@ -74,7 +104,10 @@ TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
   for (const auto* other_name : {"truss.toml", "./truss.toml", "link"}) {
     const auto run = shell(call + argument(other_name));
     EXPECT_EQ(run.exit_code, 2) << other_name;
-    EXPECT_THAT(run.output, HasSubstr(other_name + std::string(": is the problem file itself\n")));
+    EXPECT_THAT(
+        run.output,
+        HasSubstr(other_name +
+                  std::string(": would overwrite the problem file; expected another name\n")));
     EXPECT_EQ(content(in_folder("truss.toml")), content(truss_file)) << other_name;
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));

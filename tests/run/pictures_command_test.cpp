@@ -61,7 +61,7 @@ TEST_F(Pictures, GoIntoNoFile) {
   const auto run = called("patterns " + truss + " --mu 0.65 --vtu " + argument("seen"));
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.output,
-            "--vtu " + in_folder("seen") + ": is no folder, expected one, or a new name\n");
+            "--vtu " + in_folder("seen") + ": is not a folder; expected a folder or a new name\n");
   EXPECT_EQ(content(in_folder("seen")), "mine");
 }
 
@@ -69,7 +69,7 @@ TEST_F(Pictures, LeaveNoEmptyFolderBehindAWrongCall) {
   const auto run = called("critical " + truss + " --vtu " + argument("seen") + " --output " +
                           argument("seen/critical.pvd"));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("is the file of --output, too"));
+  EXPECT_THAT(run.output, HasSubstr("is also the file of --output"));
   EXPECT_FALSE(fs::exists(in_folder("seen")));
 }
 
@@ -91,7 +91,7 @@ TEST_F(Pictures, AreOfResultFiles) {
 TEST_F(Pictures, ShowSummarisesAFile) {
   const auto run = called("show " + example("gust.toml") + " --vtu " + argument("gust.vtu"));
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.output, HasSubstr("\n  of          8 nodes, 15 members\n"));
+  EXPECT_THAT(run.output, HasSubstr("\n  consists of 8 nodes, 15 members\n"));
   EXPECT_THAT(run.output, HasSubstr("\n  supports    2 nodes along x y\n"));
   EXPECT_THAT(run.output,
               HasSubstr("\n  loads       6 dead loads, 2 reference loads, 4 uncertain\n"));

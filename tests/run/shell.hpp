@@ -65,7 +65,7 @@ inline std::string as_typed(const std::string& line) {
 
 // The call that resumes a search, copied from the output of the stopped run.
 inline std::string call_to_go_on(const std::string& output) {
-  const std::string before = "go on with: ";
+  const std::string before = "resume with: ";
   const auto at = output.find(before);
   EXPECT_NE(at, std::string::npos) << output;
   if (at == std::string::npos) return "false";

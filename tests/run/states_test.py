@@ -18,6 +18,7 @@ import kusabi  # noqa: E402: of the sources
 
 CASES = SOURCES / "tests" / "cases"
 PROGRAMS = SOURCES / "tests" / "programs"
+CERTIFICATE = "a certificate in the folder of the test"
 QUALIFIED = "computed, not proved"
 # The normal is 45 degrees off the edge of the block, which gives a warning.
 OFF = """name = "block"
@@ -44,6 +45,11 @@ STATES = (
     ("solved", 0, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65),
     ("none found", 0, "patterns", EXAMPLES / "two-bars.toml", "--mu", 0.5),
     ("ties", 0, "patterns", EXAMPLES / "two-bars.toml", "--mu", 2),
+    ("ties, with a certificate", 3, "patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--certificate", CERTIFICATE),
+    ("one exists", 0, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--exists"),
+    ("none exists", 0, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.3, "--exists"),
+    ("proved in exact arithmetic", 0, "patterns", CASES / "weak_coupling_1e-11.toml", "--mu", 1.83834805972901),
+    ("undecided", 3, "patterns", CASES / "lever_1e12.toml", "--mu", 3),
     ("node limit", 3, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--node-limit", 9),
     ("node limit before anything is found", 3, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--node-limit", 1),
     ("coefficients not computed", 3, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--sort", "critical",
@@ -68,9 +74,14 @@ STATES = (
     ("nominal", 0, "limit", EXAMPLES / "gust.toml"),
     ("worst case", 0, "limit", EXAMPLES / "gust.toml", "--alpha", 0.5),
     ("carried at no factor", 0, "limit", CASES / "lambda_zero_not_carried.toml", "--alpha", 1),
+    ("an interval", 0, "limit", CASES / "uplift.toml", "--alpha", 1.5),
+    ("an empty interval", 0, "limit", CASES / "uplift.toml", "--alpha", 2.5),
+    ("a lower bound that is not proved", 3, "limit", CASES / "bigm_sentence.toml", "--alpha", 0.317, "--cuts", "none",
+     "--big-m", 1e-6),
     ("node limit", 3, "limit", EXAMPLES / "paper" / "limit-3x3.toml", "--alpha", 40, "--cuts", "none", "--big-m", 5,
      "--node-limit", 5),
     ("solved", 0, "mip", PROGRAMS / "assignment.mps"),
+    ("infeasible", 0, "mip", CASES / "no_entries.mps"),
     ("node limit", 3, "mip", PROGRAMS / "generalised-assignment.mps", "--node-limit", 2, "--no-dive"),
 )
 
@@ -127,6 +138,11 @@ class States(KusabiCase):
         older = {key: value for key, value in result.items() if key not in ("verdict", "warnings")}
         self.result.write_text(json.dumps(older))
         said = Header(self.kusabi("report", self.result).stdout).found["verdict"]
+        # States that older versions do not have: one pattern instead of a list, degenerate nodes of a
+        # certificate.
+        answer = result["verdict"]["answer"]
+        if "example" in answer or answer.get("degenerate") and result["verdict"]["exit_code"] == 3:
+            return
         if result["command"] != "limit":  # older versions do not write least factors
             self.assertEqual(said, [result["verdict"]["sentence"]])
         self.assertEqual(kusabi.load(self.result).partial, result["verdict"]["exit_code"] == 3)
@@ -153,6 +169,7 @@ class States(KusabiCase):
                 self.assertTrue(answer["patterns_open"])
 
     def check(self, code, command, *words):
+        words = [self.folder / "certificate" if word == CERTIFICATE else word for word in words]
         run = self.kusabi(command, *words, "--output", self.result)
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         result = json.loads(self.result.read_text())

@@ -105,7 +105,7 @@ TEST_F(SweepCommand, RangesOverTheLoadsThatTheFileLeavesOpen) {
 
   std::ofstream(in_folder("closed.toml")) << limit::two_bars(wind);
   EXPECT_THAT(refusal(argument("closed.toml") + " --alpha 1"),
-              HasSubstr("expected some that it leaves open"));
+              HasSubstr("expected uncertain loads without alpha"));
 }
 
 TEST_F(SweepCommand, FindsTheWorstCaseThatLimitFindsAtEachPoint) {

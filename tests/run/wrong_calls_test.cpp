@@ -49,20 +49,20 @@ TEST_F(Command, RefusesWrongCalls) {
   const std::vector<Wrong> wrong{
       {"paterns " + truss + " --mu 0.5", "no subcommand 'paterns'; did you mean patterns?"},
       {"none-of-these " + truss + " --mu 0.5", "no subcommand 'none-of-these'; " + all},
-      {truss + " --mu 0.5", "a subcommand goes before "},
+      {truss + " --mu 0.5", "a subcommand must precede "},
       {"help nothing", "no subcommand 'nothing'; " + all},
       {"grid --bays 2", "no subcommand 'grid'; did you mean example grid?"},
-      {"bench", "kusabi bench is without its subcommand; expected one of scaling, schedules, uts"},
+      {"bench", "kusabi bench has no subcommand; expected one of scaling, schedules, uts"},
       {"example gird", "kusabi example has no subcommand 'gird'; did you mean grid?"},
-      {"--quiet " + good, "no option --quiet; options of a subcommand go after it"},
+      {"--quiet " + good, "no option --quiet; options of a subcommand follow it"},
       {"--completion tcsh", "--completion: 'tcsh', expected one of bash, zsh, fish"},
       {"patterns --facest 8", "patterns has no option --facest; did you mean --facets?"},
       {"patterns " + truss + " --frction 0.5", "did you mean --mu (friction coefficient)?"},
       {"limit " + truss + " --facets 8", "limit has no option --facets; it is one of patterns"},
-      {good + " --output", "--output is without its value, the name of a file"},
-      {good + " --mu 0.6", "--mu is there more than once"},
-      {good + " more.toml", "'more.toml' is one word too many; patterns takes one file"},
-      {good + " -- --mu", "'--mu' is one word too many; patterns takes one file"},
+      {good + " --output", "--output has no value; expected the name of a file"},
+      {good + " --mu 0.6", "--mu is given more than once"},
+      {good + " more.toml", "'more.toml' is superfluous; patterns takes one file"},
+      {good + " -- --mu", "'--mu' is superfluous; patterns takes one file"},
       {"patterns", "file is required"},
       {"patterns x.toml", "--mu is required"},
       {"patterns " + truss, "--mu is required"},
@@ -89,17 +89,19 @@ TEST_F(Command, RefusesWrongCalls) {
        "--node-limit: '99999999999999999999', expected"},
       {good + " --method simplex", "--method: 'simplex', expected one of cones, polyhedral"},
       {good + " --facets 8", "--facets requires --method"},
-      {good + " --candidates --method cones", "expected --method polyhedral"},
+      {good + " --candidates --method cones", "--candidates: requires --method polyhedral"},
       {good + " --order sideways", "expected one of depth-first, breadth-first"},
-      {good + " --facets 8 --method cones", "expected --method polyhedral"},
-      {good + " --probe 4 --method polyhedral", "expected --method cones"},
+      {good + " --facets 8 --method cones", "--facets: requires --method polyhedral"},
+      {good + " --probe 4 --method polyhedral", "--probe: requires --method cones"},
       {good + " --method polyhedral --facets 7",
        "--facets: '7', expected an even number from 4 to 64"},
       {"patterns " + plane + " --mu 0.5 --method polyhedral", "expected --method cones"},
       {good + " --time-limit -1", "--time-limit: '-1', " + above_0},
-      {good + " --checkpoint /nowhere/at/all", "--checkpoint /nowhere/at/all: cannot be written"},
-      {good + " --restart " + argument("none"), "--restart " + in_folder("none")},
-      {good + " --restart " + truss, "--restart " + truss_file + ": is the problem file itself"},
+      {good + " --resume /nowhere/at/all", "--resume /nowhere/at/all: cannot be opened"},
+      {good + " --resume " + truss,
+       "--resume " + truss_file + ": would overwrite the problem file"},
+      {good + " --checkpoint a --resume b",
+       "--checkpoint is a former name of --resume, which is given as b, too; expected --resume"},
       {"critical " + truss + " --method newton", "--mu-max is missing; expected"},
       {"critical " + truss + " --mu-max 0", "--mu-max: '0', " + above_0},
       {"critical " + truss + " --width 0", "--width: '0', " + above_0},
@@ -109,7 +111,7 @@ TEST_F(Command, RefusesWrongCalls) {
       {"rays " + plane + " --mu 1 --method double-description --node-limit 9", "expected no limit"},
       {"rays " + truss + " --mu 1", "dimension is 3; expected 2"},
       {"limit " + truss + " --group-alpha wind", "--group-alpha 'wind': expected NAME=NUMBER"},
-      {"limit " + truss + " --group-alpha wind=-1", "expected NAME=NUMBER, not negative"},
+      {"limit " + truss + " --group-alpha wind=-1", "with numbers that are not negative"},
       {"limit " + truss + " --alpha 1 --cuts some",
        "--cuts: 'some', expected one of none, disjunctive, tighten, static, all"},
       {"limit " + truss + " --alpha 1 --samples 0",
@@ -138,11 +140,11 @@ TEST_F(Command, TakesLettersForWhatIsTypedMost) {
   EXPECT_EQ(nlohmann::json::parse(content(in_folder("short.json")))["result"],
             nlohmann::json::parse(content(in_folder("long.json")))["result"]);
   EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.65 -o").output,
-              HasSubstr("--output is without its value"));
+              HasSubstr("--output has no value"));
   EXPECT_THAT(shell(command + " patterns --help").output, HasSubstr("  -o, --output FILE"));
 }
 
-TEST_F(Command, HelpsAndTellsItsVersion) {
+TEST_F(Command, PrintsHelpAndItsVersion) {
   const auto help = shell(command + " patterns --help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_THAT(help.output, HasSubstr("--mu"));
@@ -156,7 +158,7 @@ TEST_F(Command, HelpsAndTellsItsVersion) {
 }
 
 TEST_F(Command, NeverCallsMpiWhenSerial) {
-  // Under a launcher, with Open MPI told to use a component that does not exist: whoever calls
+  // Under a launcher, with Open MPI set to use a component that does not exist: whoever calls
   // MPI_Init fails.
   const auto call = "env OMPI_COMM_WORLD_SIZE=1 OMPI_MCA_pml=none_such timeout 60 " + command +
                     " patterns " + truss + " --mu 0.55";
@@ -173,7 +175,7 @@ TEST_F(Command, RefusesToDoTheSerialSearchOnEveryRank) {
   const auto run = shell("env OMPI_COMM_WORLD_SIZE=2 OMPI_MCA_pml=none_such timeout 60 " + command +
                          " patterns " + truss + " --mu 0.55 --serial");
   EXPECT_EQ(run.exit_code, 2) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("--serial under mpirun"));
+  EXPECT_THAT(run.output, HasSubstr("--serial: kusabi was started by mpirun"));
 }
 
 }  // namespace

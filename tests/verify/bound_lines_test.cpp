@@ -85,7 +85,9 @@ TEST(BoundLines, SaysWhatIsWrongAndWhatWasExpected) {
       {"cut 1 1 0 -0x1p+2", "cut 1 1 1 -0x1p+2", "expected two disjoint sets of candidates"},
       {"cut 1 1 0 -0x1p+2 -0x1p+2 0x0p+0", "cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0",
        "cert:19: 'cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0 0x1p+0', expected multipliers of cuts"},
-      {"cut 1 1", "shut 1 1", "expected 'dead', 'cut', 'alive', 'marginal' or 'end'"},
+      {"cut 1 1 0", "form 1 1 0", "expected two empty sets"},
+      {"cut 1 1 0", "form 1 0 0", "expected 10 multipliers of products, slips and squares"},
+      {"cut 1 1", "shut 1 1", "expected 'dead', 'cut', 'form', 'alive', 'marginal' or 'end'"},
   };
   for (const auto& [what, with, said] : table) {
     auto wrong = text;

@@ -32,7 +32,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 // A bar from (-1, 0) to (1, 0), EA = 2, between walls with normals (c, s) and (-c, s).
-struct Bar {
+struct BarBetweenWalls {
   double c;
   double s;
 
@@ -86,7 +86,7 @@ std::string node(const std::string& start, const std::vector<double>& numbers) {
   return line + '\n';
 }
 
-constexpr Bar groove{0.6, 0.8};  // wedges from mu = 4/3
+constexpr BarBetweenWalls groove{0.6, 0.8};  // wedges from mu = 4/3
 
 // The reaction of a single candidate is not in equilibrium: a displacement along its normal proves
 // it.
@@ -126,7 +126,7 @@ TEST(LooseBar, IsFreeBelowIt) {
 TEST(LooseBar, MayStandAskew) {
   for (const auto& [c, s] : {std::pair(1.0, 0.3), {3.0, 4.0}, {0.1, 0.7}}) {
     const double length = std::hypot(c, s);
-    const Bar bar{c / length, s / length};
+    const BarBetweenWalls bar{c / length, s / length};
     auto structure = bar.structure();
     structure.contact[0].normal = {c, s, 0};
     structure.contact[1].normal = {-c, s, 0};
@@ -142,7 +142,7 @@ TEST(LooseBar, MayStandAskew) {
 
 // Between parallel walls nothing can be squeezed: pulled at both ends the bar moves away from both.
 TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
-  const Bar walls{1, 0};
+  const BarBetweenWalls walls{1, 0};
   const auto nodes = [](double first, double second) {
     return std::vector{node("dead 1 3 0", {first, second, 0, 0, 0}),
                        node("dead 1 0 1", {0, 0, 1, 0, 0}), node("dead 1 1 2", {0, 0, -1, 0, 0})};
@@ -162,10 +162,10 @@ TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
 // billion times farther than it strains. Up to 1e-5 it need not move that far.
 TEST(LooseBar, BetweenNearlyParallelWallsIsDeadButForFarMotion) {
   const auto said = [](double lean, const std::string& first) {
-    const auto structure = Bar{1, lean}.structure();
+    const auto structure = BarBetweenWalls{1, lean}.structure();
     const std::vector nodes{first, node("dead 1 0 1", {0, 0, 1, 0, 0}),
                             node("dead 1 1 2", {0, 0, -1, 0, 0})};
-    return verdict(Bar{1, lean}.draft(5, nodes).text(), &structure);
+    return verdict(BarBetweenWalls{1, lean}.draft(5, nodes).text(), &structure);
   };
   const auto squeezed = node("dead 1 3 0", {-1, -1, 0, 0, 0});
   EXPECT_THAT(said(1e-9, squeezed).refusals, IsEmpty());

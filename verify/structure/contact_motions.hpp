@@ -1,5 +1,5 @@
 // Rigid-body modes of unconstrained bodies, restricted to contact degrees of freedom, in exact
-// arithmetic (docs/theory/proofs.md, "Loose bodies").
+// arithmetic (docs/theory/proofs.md, "Unconstrained bodies").
 #pragma once
 
 #include <cstddef>

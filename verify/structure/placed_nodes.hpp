@@ -1,5 +1,6 @@
 // Nodes of contact pairs that differ from their opposite place only by rounding of their
-// coordinates; the proofs move them to that place exactly (docs/theory/proofs.md, "Loose bodies").
+// coordinates; the proofs move them to that place exactly (docs/theory/proofs.md,
+// "Unconstrained bodies").
 #pragma once
 
 #include <cstddef>

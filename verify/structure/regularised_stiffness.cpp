@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "verify/arithmetic/word_grid.hpp"
+
 namespace kusabi::verify {
 namespace {
 
@@ -126,6 +128,40 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
     if (!refusal) break;
   }
   return refusal;
+}
+
+// With R = N - K X, the error is K^-1 N - X = K^-1 R.
+std::optional<InverseColumns> RegularisedStiffness::inverse_columns(
+    std::span<const std::size_t> columns) const {
+  const auto size = stiffness_.middle.size;
+  if (!whole_) return {};
+  std::vector<double> values;
+  values.reserve(size * columns.size());
+  for (const auto column : columns) {
+    std::vector<double> unit(size, 0);
+    unit[column] = 1;
+    whole_->solve(unit);
+    if (!all_finite(unit)) return {};
+    values.insert(values.end(), unit.begin(), unit.end());
+  }
+  auto grid = words_of(values, size);
+  InverseColumns result{.words = std::move(grid.words), .exponent = grid.exponent, .error = {}};
+  Dyadic square_of_residual;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    DyadicList x;
+    x.exponent = result.exponent;
+    for (std::size_t i = 0; i < size; ++i)
+      x.mantissas.emplace_back(static_cast<long>(result.words[size * k + i]));
+    const auto coarse = coarse_ * x;
+    auto residual = coarse ? *coarse : stiffness_.middle * x;
+    const auto radius = coarse ? stiffness_.radius + coarse_.cut_off() : stiffness_.radius;
+    std::vector<double> unit(size, 0);
+    unit[columns[k]] = -1;
+    residual += DyadicList(unit);
+    square_of_residual = square_of_residual + square(norm_above(residual) + spread(radius, x));
+  }
+  result.error = quotient_above(sqrt_above(square_of_residual), *least_);
+  return result;
 }
 
 }  // namespace kusabi::verify

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -14,6 +15,14 @@
 #include "verify/arithmetic/exact.hpp"
 
 namespace kusabi::verify {
+
+/// Approximate columns of an inverse on a common grid: entry (i, k) is words[count k + i] *
+/// 2^exponent, where count is the number of rows.
+struct InverseColumns {
+  std::vector<std::int64_t> words;
+  long exponent = 0;
+  Dyadic error;  ///< upper bound of the Frobenius norm of their error
+};
 
 class RegularisedStiffness {
  public:
@@ -41,6 +50,11 @@ class RegularisedStiffness {
   /// @return the fault that the last check found, or the reason why there is no approximation
   [[nodiscard]] std::optional<std::string> solve(std::span<const std::size_t> unknowns,
                                                  const DyadicList& right, const Check& check) const;
+
+  /// Columns of the inverse of every regularised K, with words of some 56 bits.
+  /// @return nothing if there is no approximation @pre least_eigenvalue()
+  [[nodiscard]] std::optional<InverseColumns> inverse_columns(
+      std::span<const std::size_t> columns) const;
 
  private:
   // Bound of the error of K x caused by the radius of the enclosure of K.

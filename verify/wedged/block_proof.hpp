@@ -66,6 +66,11 @@ class BlockProof {
                                     const support::IndexSet& separated,
                                     std::span<const double> numbers) const;
 
+  /// Proves that no configuration of the block is wedged, by a quadratic form.
+  /// @param numbers m^2 multipliers of products, (d - 1) m^2 of slips and m of squares
+  /// @pre least_eigenvalue()
+  [[nodiscard]] Judgement judge_form(std::span<const double> numbers) const;
+
   /// Proves a bound of a candidate, or that it is never on a side, with the cuts of the bounds
   /// added before, and adds it. @return the reason if it is not proved
   /// @param most bound of r_n (contact) or u_n (separated) over sum_k r_nk; nothing: never on this

@@ -19,10 +19,11 @@ enum class Claim {
   dead,      ///< infeasible: no wedged configuration below it
   alive,     ///< feasible leaf: a configuration satisfies all inequalities strictly
   marginal,  ///< undecided: no statement
+  form,      ///< nothing is wedged in the block: a quadratic form is negative definite
   cut,       ///< infeasible by the cuts that follow from bounds of candidates
 };
 
-/// The keyword in the file: "dead", "alive", "marginal" or "cut".
+/// The keyword in the file: "dead", "alive", "marginal", "form" or "cut".
 const char* claim_name(Claim claim);
 
 /// State of a candidate.
@@ -60,7 +61,9 @@ struct Record {
   /// dead: multipliers of the normal displacements, one for each candidate of the block. alive:
   /// tangential reactions of the candidates in U, in their order, d - 1 each. Both: coefficients of
   /// the block's rigid-body modes in the mean motion of w (dead) or u (alive). cut: the numbers of
-  /// dead, then multipliers of cuts, one for each candidate, >= 0.
+  /// dead, then multipliers of cuts, one for each candidate, >= 0. form: those of products of
+  /// u_ni and r_nj, by rows; for each pair (j, k) the d - 1 components of that of r_nj and r_tk; one
+  /// for the square of each candidate's friction cone.
   std::vector<double> numbers;
 };
 

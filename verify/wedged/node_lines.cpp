@@ -38,6 +38,11 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
       lines.numbers(2 * own + moving, record.numbers, multipliers_of(moving));
       refuse_negative(lines, std::span(record.numbers).subspan(own + moving));
       break;
+    case Claim::form:
+      if (!known.empty()) lines.refuse("two empty sets, '0 0'");
+      lines.numbers(certificate.dimension * own * own + own, record.numbers,
+                    "multipliers of products, slips and squares");
+      break;
     case Claim::alive:
       lines.numbers(
           (certificate.dimension - 1) * touching + moving, record.numbers,
@@ -52,10 +57,11 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
 
 // A search resumed from a checkpoint closes some nodes again, with the same evidence.
 void leave_out_repeated(std::vector<Record>& records) {
-  // Claims with and without cuts count as the same.
+  // All claims that nothing is wedged count as the same.
   const auto key = [](const Record& record) {
+    const bool none = record.claim == Claim::cut || record.claim == Claim::form;
     return std::tuple(record.block, record.contact, record.separated,
-                      record.claim == Claim::cut ? Claim::dead : record.claim);
+                      none ? Claim::dead : record.claim);
   };
   const auto place = [](const Record& record) { return record.line; };
   std::stable_sort(records.begin(), records.end(),
@@ -74,6 +80,8 @@ const char* claim_name(Claim claim) {
       return "dead";
     case Claim::cut:
       return "cut";
+    case Claim::form:
+      return "form";
     case Claim::alive:
       return "alive";
     default:
@@ -109,11 +117,11 @@ void read_records(Lines& lines, Version version, Certificate& certificate) {
       break;
     }
     std::vector<Claim> claims{Claim::dead, Claim::alive, Claim::marginal};
-    if (version.has_bounds) claims.push_back(Claim::cut);
+    if (version.has_bounds) claims.insert(claims.end(), {Claim::cut, Claim::form});
     const auto claim = std::find_if(claims.begin(), claims.end(),
                                     [&](Claim one) { return keyword == claim_name(one); });
     if (claim == claims.end()) {
-      lines.refuse(version.has_bounds ? "'dead', 'cut', 'alive', 'marginal' or 'end'"
+      lines.refuse(version.has_bounds ? "'dead', 'cut', 'form', 'alive', 'marginal' or 'end'"
                                       : "'dead', 'alive', 'marginal' or 'end'");
     }
     certificate.records.push_back(read_record(lines, *claim, version, certificate));

@@ -103,6 +103,8 @@ Judgement Proof::judgement(const Record& record) const {
       return proof.judge_dead(contact, separated, record.numbers);
     case Claim::cut:
       return proof.judge_cut(contact, separated, record.numbers);
+    case Claim::form:
+      return proof.judge_form(record.numbers);
     case Claim::alive:
       return {proof.refusal_of_alive(contact, separated, record.numbers)};
     default:

@@ -87,6 +87,7 @@ enum class CriticalDoubt {
 enum class CriticalPhase {
   start,         ///< root relaxation and single leaves, without a tree
   primal,        ///< search for patterns that stick at little friction, without a tree
+  form,          ///< lower bound by a quadratic form, without a tree
   trial,         ///< global search for the smallest coefficient within a limit of nodes
   dive,          ///< search for a feasible leaf, then for one with a smaller coefficient
   coarse,        ///< search for the smallest coefficient from above, to few digits
@@ -119,6 +120,7 @@ struct CriticalFindings {
       upper;  ///< a leaf is feasible at this coefficient; nothing: none up to the largest
   bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
   bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
+  bool exact = false;         ///< proved in exact arithmetic; otherwise by the solver's bounds
   std::vector<CriticalDoubt> open;
   std::vector<CriticalCost> costs;  ///< of all phases, in their order
   /// Costs of the last search for the bracket by ranks: of the global search, or of that for each

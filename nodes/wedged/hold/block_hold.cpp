@@ -1,4 +1,4 @@
-// Ranges of factors searched until each is dead or held, and bisection of friction.
+// Search of ranges of load factors until each is held or infeasible, and bisection of friction.
 #include "nodes/wedged/hold/block_hold.hpp"
 
 #include <algorithm>
@@ -11,23 +11,23 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Doublings of a factor before its range counts as without an end.
+/// Doublings of a load factor before its range counts as unbounded.
 constexpr int most_doublings = 60;
 
 /// Bisections of one end: more than the digits of a double.
 constexpr int most_halvings = 70;
 
-/// Intervals of one block before the search is given up.
+/// Maximum number of intervals of one block.
 constexpr int most_intervals = 64;
 
-/// A factor below this part of the ratio of both loads is zero to all digits of either.
+/// Load factors below this share of the ratio of both loads are zero to all digits of either.
 constexpr double least_factor_share = 1e-12;
 
 /// Singular values of the rows of U below this part of the largest belong to modes that these do
 /// not resist, as in solvers/conic/motion_bounds.cpp.
 constexpr double not_resisted = 1e-10;
 
-/// Relative steps below a leaf's own coefficient at which the tree is tried, where it is at a limit
+/// Relative steps below a leaf's own coefficient at which the tree is searched if it is degenerate
 /// there.
 constexpr std::array<double, 4> steps_below{0, 1e-8, 1e-6, 1e-4};
 
@@ -208,7 +208,7 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   return found;
 }
 
-// Adds the interval of a leaf, and removes it from what is unknown.
+// Adds the interval of a leaf, and removes it from the unknown ranges.
 void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
                      HeldFactors& found, std::vector<Gap>& unknown, double mu) const {
   const auto shares = range_of(low, high);
@@ -251,7 +251,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
       take(outcome.leaf.front(), low, high, Standard::proved, found, unknown, mu);
       continue;
     }
-    // States at a limit: what remains beside the first of them is searched again.
+    // Degenerate states: the rest of the range beside the first of them is searched again.
     const auto& limits = outcome.tally.limits;
     const auto at_limit = std::ranges::find_if(
         limits, [&](const auto& leaf) { return std::isfinite(factor_in(leaf, shares)); });
@@ -278,7 +278,7 @@ std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
     }
     auto& last = result.back();
     const bool inside = each.low >= last.low && each.high <= last.high;
-    if (inside) continue;  // also a limit that is only computed
+    if (inside) continue;  // also an end that is only computed
     last.proved = last.proved && each.proved && each.low <= last.high;
     last.low_out = std::min(last.low_out, each.low_out);
     if (each.high > last.high) last.pattern = each.pattern;
@@ -329,8 +329,8 @@ HeldFactors BlockHold::dead_alone(double mu) {
   return found;
 }
 
-// A proved lower bound at or below a coefficient at which the leaf itself is dead. False if another
-// leaf has a state there, which is then the answer's upper bound.
+// A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
+// another leaf has a state there, which is then the upper bound of the answer.
 bool BlockHold::prove_lower(HoldingFriction& found, double most_dead) {
   const std::array share{LoadShare{1, 0}};
   for (const double step : steps_below) {
@@ -353,8 +353,8 @@ bool BlockHold::prove_lower(HoldingFriction& found, double most_dead) {
   return true;
 }
 
-// Where leaves are at a limit over a range of coefficients, trees divide it: above the lower end no
-// state is found, which is then computed, unless each tree is dead.
+// Division by trees of a range of coefficients in which leaves are degenerate. That there is no
+// state above its lower end is computed, unless each tree is infeasible.
 void BlockHold::narrow(HoldingFriction& found) {
   for (int step = 0; found.upper && step < most_halvings; ++step) {
     if (*found.upper - found.lower <= close_enough * *found.upper) return;

@@ -1,4 +1,5 @@
-// Blocks of a structure under load: factors are those held by all, the coefficient is the largest.
+// Blocks of a structure under load: load factors are those held by all, the coefficient is the
+// largest of all.
 #include "nodes/wedged/hold/hold_search.hpp"
 
 #include <algorithm>
@@ -25,13 +26,13 @@ bool is_under_dead(const LoadedProblem& block) {
   return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
 }
 
-// Factors held by both; ends that are only known to a bracket stay so.
+// Load factors held by both; brackets of ends are kept.
 std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
                                  const std::vector<HeldInterval>& other) {
   std::vector<HeldInterval> result;
   for (const auto& a : one) {
     for (const auto& b : other) {
-      HeldInterval both = a.high < b.high ? a : b;  // a may be everything, without a pattern
+      HeldInterval both = a.high < b.high ? a : b;  // a may be unbounded, without a pattern
       const auto& lower = a.low >= b.low ? a : b;
       both.low = lower.low;
       both.low_out = lower.low_out;
@@ -44,7 +45,8 @@ std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
   return result;
 }
 
-// The reference load moves a body where no candidate resists: at most one factor is in equilibrium.
+// The reference load moves a body in a direction that no candidate resists: at most one factor is
+// in equilibrium.
 std::optional<double> only_factor(const LoadedProblem& loaded) {
   const Eigen::Index reference = loaded.has_dead ? 1 : 0;
   const Eigen::VectorXd work =

@@ -1,11 +1,10 @@
-// States under load: which factors of the reference load can be held at a friction coefficient, and
-// from which coefficient on the dead load can be held (docs/theory/loads.md). Analysis of
-// `kusabi hold`.
+// States under load: load factors that can be held at a friction coefficient, and the smallest
+// coefficient at which the dead load can be held (docs/theory/loads.md). Analysis of `kusabi hold`.
 //
-// Factors: a range of them is a node program with both ends as loads, whose tree is either dead or
-// shows a pattern with a state. Its states of one pattern are convex, so that the ends of their
-// factors are found by bisection at that leaf; what remains of the range is searched again.
-// Coefficient: likewise, since states grow with friction.
+// Load factors: a range is one node program with both of its ends as loads. Its tree is infeasible,
+// or contains a pattern with a state. The states of one pattern are convex, so the ends of its load
+// factors are found by bisection at that leaf; the rest of the range is searched again.
+// Coefficient: in the same way, since the set of states grows with friction.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +18,14 @@
 
 namespace kusabi::wedged {
 
-/// A factor without an end.
+/// End of an unbounded interval.
 inline constexpr double no_end = std::numeric_limits<double>::infinity();
 
-/// Factors of the reference load that can be held, from `low` to `high`; infinite: without an end.
+/// Factors of the reference load that can be held, from `low` to `high`; infinite: unbounded.
 struct HeldInterval {
-  double low_out, low;                         ///< no state at low_out: the end is between them
-  double high, high_out;                       ///< likewise
-  bool proved = true;                          ///< the states at the ends are; otherwise computed
+  double low_out, low;    ///< no state at low_out: the end is between them
+  double high, high_out;  ///< likewise
+  bool proved = true;     ///< there are states at the ends, proved; otherwise computed
   bool low_proved = true, high_proved = true;  ///< no state outside, up to the next interval
   std::uint32_t block = 0;
   std::optional<LoadedPattern> pattern{};  ///< of the block, with a state at `high` or inside
@@ -35,7 +34,7 @@ struct HeldInterval {
 /// One search of a tree.
 struct HoldCost {
   double friction = 0;
-  double low = 0, high = 0;  ///< factors that were asked for
+  double low = 0, high = 0;  ///< range of load factors
   std::uint64_t opened = 0, programs = 0;
 };
 
@@ -47,7 +46,8 @@ struct HeldFactors {
   bool open = false;                      ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
-  bool not_in_equilibrium = false;        ///< the load moves a body where no candidate resists
+  bool not_in_equilibrium = false;        ///< the load moves a body where no candidate
+                                          ///< resists
   std::vector<HoldCost> costs{};
 };
 
@@ -62,13 +62,13 @@ struct HoldingFriction {
   bool any_by_supports = false;
   bool not_in_equilibrium = false;
   double most = 0;          ///< upper limit of the search
-  std::uint32_t block = 0;  ///< that decides
+  std::uint32_t block = 0;  ///< the decisive one
   std::optional<LoadedPattern> pattern{};
   std::vector<HoldCost> costs{};
 };
 
 struct HoldQuestion {
-  double most = 1000;   ///< no larger coefficient is of interest
+  double most = 1000;   ///< upper limit of the search
   double width = 1e-9;  ///< of the brackets, relative
   Precision precision = Precision::escalating;
 };

@@ -1,13 +1,13 @@
-// Tree of sign patterns under load: does a state exist in which a load of the given shares acts?
+// Tree of sign patterns under load: search for a state in which a load of the given shares acts.
 // Nodes are those of sign_pattern.hpp, with the loads as further columns (load_program.hpp).
 //
 //   t* < 0   no state below the node, and no wedged configuration either;
-//   t* > 0   at a leaf: a state in which every load acts and nothing is at its limit;
-//   t* = 0   (within the tolerance) states at a limit, or only unloaded configurations: which of
-//            them, the relative interior determines in floating point.
+//   t* > 0   at a leaf: a state in which every load acts and all inequalities are strict;
+//   t* = 0   (within the tolerance) states with equalities, or only unloaded configurations, which
+//            the relative interior distinguishes in floating point.
 //
-// The search ends with the first leaf of the second kind in depth-first order. Cuts and bounds of
-// candidates are not used: those of the unloaded problem do not hold under load.
+// The search ends with the first leaf with t* > 0 in depth-first order. Cuts and bounds of
+// candidates are not used: those of the unloaded problem are not valid under load.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t branched = 0;
   std::uint64_t dead = 0;       ///< no state, proved
   std::uint64_t computed = 0;   ///< no state by the relative interior, not proved
-  std::uint64_t undecided = 0;  ///< leaves of which neither is known
+  std::uint64_t undecided = 0;  ///< leaves of unknown sign
   std::uint64_t iterations = 0;
   std::vector<LoadedLeaf> limits{};  ///< leaves with states at a limit, computed; not a count
 

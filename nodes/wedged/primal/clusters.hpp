@@ -19,7 +19,7 @@ struct Clusters {
   [[nodiscard]] support::IndexSet members(const support::IndexSet& clusters) const;
 };
 
-/// By how candidates correlate in F_nn: no coordinates are needed.
+/// Clusters by the correlation of candidates in F_nn, without coordinates.
 /// @param block a problem of one block with no fewer candidates than clusters
 Clusters clusters_of(const problems::WedgedProblem& block, int count);
 

@@ -15,7 +15,7 @@ constexpr int most_programs = 15;
 /// An excess up to this is zero: the programs are solved to 1e-8.
 constexpr double no_excess = 1e-7;
 
-/// The iteration ends where a program takes less than this share off the excess.
+/// The iteration ends if a program decreases the excess by less than this share.
 constexpr double hardly_less = 1e-3;
 
 /// Row sums count as no less than this share of the largest.
@@ -41,7 +41,7 @@ Linearisation::Linearisation(const problems::WedgedProblem& block)
   const Eigen::Index d = block.dimension;
   const auto m = static_cast<Eigen::Index>(own_friction_.size());
   const double unit = problems::mean_normal_compliance(block);
-  const bool loose = block.motions.cols() > 0;
+  const bool unconstrained = block.motions.cols() > 0;
   normal_.resize(m);
   tangential_.resize(m);
   row_sums_.setZero(m);
@@ -50,7 +50,7 @@ Linearisation::Linearisation(const problems::WedgedProblem& block)
     normal_[i] = row[d * i] / unit;
     tangential_[i] = row.segment(d * i + 1, d - 1).norm() / unit;
     for (Eigen::Index k = 0; k < m; ++k)
-      row_sums_[i] += (loose ? std::abs(row[d * k]) : row[d * k]) / unit;
+      row_sums_[i] += (unconstrained ? std::abs(row[d * k]) : row[d * k]) / unit;
   }
   row_sums_ = row_sums_.cwiseMax(least_row * row_sums_.maxCoeff());
 }

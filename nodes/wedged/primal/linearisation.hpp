@@ -2,7 +2,7 @@
 // relaxation is a wedged configuration exactly if the concave function sum_i min(u_ni / c_i, r_ni)
 // is zero there; from an estimate of the candidates in contact a few programs of the size of a root
 // lead to a local minimum, and the whole pattern changes at once
-// (docs/theory/wedged.md, "A pattern without a tree").
+// (docs/theory/wedged.md, "Primal heuristic").
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,18 @@
 
 namespace kusabi::wedged {
 
-/// Result of the iteration: proof of nothing, but likely a pattern where `excess` is near zero.
+/// Result of the iteration, without proof: likely a feasible pattern if `excess` is near zero.
 struct LinearisedPattern {
   support::IndexSet contact;
   double excess = 0;  ///< sum_i min(u_ni / c_i, r_ni), of 1
 };
 
-/// Of one block. Results depend on the arguments only; each rank has its own.
+/// Linearisation of one block. Results depend on the arguments only; each rank has its own.
 class Linearisation {
  public:
   explicit Linearisation(const problems::WedgedProblem& block);
 
-  /// From now on from() throws support::Stopped soon after an end is asked for.
+  /// from() throws support::Stopped soon after this stop request.
   void end_when(const support::Stop& stop);
 
   /// @param contact the first estimate  @param factor of the candidates' own friction coefficients

@@ -21,14 +21,14 @@ constexpr double weight_of_first = 0.3;
 /// Shares of the candidates that are in contact.
 constexpr double least_share = 0.1, most_share = 0.9;
 
-/// Numbers in [0, 1), the same with every library.
+/// Numbers in [0, 1), independent of the standard library.
 class Uniform {
  public:
   explicit Uniform(std::uint64_t seed) : generator_(seed) {}
 
   double operator()() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
 
-  /// Near a normal distribution.
+  /// Approximately normal distribution.
   double normal() {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += (*this)();

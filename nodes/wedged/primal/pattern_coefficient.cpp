@@ -12,7 +12,7 @@ namespace {
 constexpr double digits = 1e-3;
 constexpr int most_probes = 30;
 
-/// Without a limit the pattern is tried at growing coefficients up to so many times the first.
+/// Without a limit: growth of the coefficient from one cone program to the next, and in all.
 constexpr double growth = 1.4;
 constexpr double most_growth = 8;
 

@@ -1,5 +1,5 @@
-// The friction coefficient that a pattern is feasible from, to a few digits: a search that compares
-// patterns needs no more.
+// Friction coefficient from which a pattern is feasible, to the few digits that a comparison of
+// patterns requires.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@ namespace kusabi::wedged {
 
 /// The range that is searched.
 struct CoefficientRange {
-  double infeasible = 0;  ///< nothing is feasible up to here
+  double infeasible = 0;  ///< no pattern is feasible up to this coefficient
   double first = 1;       ///< coefficient that is tried first if there is no limit
   double limit = std::numeric_limits<double>::infinity();  ///< none above is of interest
 };

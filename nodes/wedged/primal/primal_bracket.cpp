@@ -1,4 +1,4 @@
-// A search a block, and the best pattern's own cell.
+// One search for each block, and the cell of the best pattern.
 #include "nodes/wedged/primal/primal_bracket.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The upper bound of the critical coefficient by patterns that are found without a tree.
+// Upper bound of the critical coefficient by the primal heuristic.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace kusabi::wedged {
 
-/// Searches the blocks one after another and lowers the upper bound with each better pattern, at
-/// last to the cell of the grid that the best one begins in. On all ranks.
-/// @return programs solved
+/// Decreases the upper bound with each better pattern, one block after another, and finally to the
+/// cell of the grid in which the best pattern becomes feasible. On all ranks.
+/// @return number of cone programs solved
 std::uint64_t sink_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                const CriticalGrid& grid, CriticalBracket& bracket);
 

@@ -1,6 +1,8 @@
-// A search of each block that ends with a pattern feasible at its friction, and that leaf decided.
+// One search for each block, until a pattern is feasible at the given friction and its leaf is
+// decided.
 #include "nodes/wedged/primal/primal_leaf.hpp"
 
+#include <array>
 #include <utility>
 
 #include <boost/serialization/vector.hpp>
@@ -8,32 +10,10 @@
 #include "nodes/wedged/critical/critical_start.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/primal/primal_search.hpp"
+#include "nodes/wedged/tree/decided_leaves.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
-namespace {
-
-// A list, since a single optional cannot be sent.
-std::vector<Configuration> decided(engine::Analysis& analysis,
-                                   const problems::WedgedProblem& problem,
-                                   std::span<const double> friction,
-                                   const conic::Tolerances& tolerances, const PatternNode& leaf) {
-  return analysis.by_first_rank([&] {
-    std::vector<Configuration> found;
-    SignPatternTree tree(problem, friction,
-                         {.tolerances = tolerances, .precision = Precision::doubles});
-    tree.end_when(analysis.budget().stop());
-    try {
-      auto fate = tree.decide(leaf);
-      if (fate.leaf && fate.leaf->state == LeafState::alive) found.push_back(std::move(*fate.leaf));
-    } catch (const support::Stopped&) {
-      found.clear();
-    }
-    return found;
-  });
-}
-
-}  // namespace
 
 std::optional<Configuration> leaf_without_tree(engine::Analysis& analysis,
                                                const problems::WedgedProblem& problem,
@@ -54,8 +34,10 @@ std::optional<Configuration> leaf_without_tree(engine::Analysis& analysis,
                                       .from = 1,
                                       .known = {}});
     if (!(found.best.factor <= 1)) continue;
-    auto leaves = decided(analysis, problem, friction, tolerances,
-                          {number, leaf_with(found.best.contact, m)});
+    const std::array leaf{PatternNode{number, leaf_with(found.best.contact, m)}};
+    auto leaves = analysis.by_first_rank([&] {
+      return feasible_leaves(leaf, problem, friction, tolerances, analysis.budget().stop());
+    });
     if (!leaves.empty()) return std::move(leaves.front());
   }
   return {};

@@ -1,5 +1,5 @@
-// One wedged configuration at given friction, without a tree: whether a structure can stick is
-// often answered by it.
+// One wedged configuration at given friction by the primal heuristic: an answer to --exists without
+// a tree.
 #pragma once
 
 #include <optional>

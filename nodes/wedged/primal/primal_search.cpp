@@ -22,21 +22,21 @@ namespace {
 /// Factor by which trials go up after a round without success while no pattern is known.
 constexpr double next_factor = 4;
 
-/// Trials of a round from modes, and where they are made, as shares of the best coefficient.
+/// Trials of a round from modes, and their coefficients as shares of the best one.
 constexpr std::uint64_t starts_a_round = 6;
 constexpr std::array<double, 3> start_shares{0.98, 0.8, 0.6};
 
-/// Where the best pattern is tried again.
+/// Shares of its coefficient, and scalings, at which the best pattern is the start of new trials.
 constexpr std::array<double, 3> descent_shares{0.9, 0.97, 0.99};
 constexpr std::array<double, 2> descent_scales{0.5, 1};
 
-/// A pattern that takes less than this share off is no better.
+/// Smallest relative decrease of the coefficient that counts as better.
 constexpr double hardly_better = 2e-5;
 
-/// A round that takes less than this share off comes to nothing.
+/// Smallest relative decrease of the coefficient of a successful round.
 constexpr double worth_a_round = 1e-4;
 
-/// Rounds from modes that may come to nothing, one after another, before the search ends.
+/// Consecutive rounds from modes without success before the search ends.
 constexpr int most_idle_rounds = 3;
 
 /// Clusters of a large block, and how many of their patterns are tried with all candidates: at a
@@ -45,10 +45,10 @@ constexpr int cluster_count = 50;
 constexpr std::size_t most_prolonged = 12;
 constexpr double room_to_prolong = 1.15;
 
-/// Patterns of clusters are kept that are feasible up to so many times the best coefficient.
+/// Largest coefficient of patterns of clusters that are kept, relative to the best one.
 constexpr double pool_reach = 1.5;
 
-/// Programs at coefficients that are nearer to an infeasible one are of no use.
+/// Smallest relative distance of trials from an infeasible coefficient.
 constexpr double least_above = 1e-4;
 
 struct Trial {
@@ -85,7 +85,7 @@ class Level {
     critical_.end_when(analysis.budget().stop());
   }
 
-  // Rounds from modes, and from the best after each, until they come to nothing.
+  // Rounds from modes, each followed by rounds from the best pattern, until none is successful.
   void run() {
     double from = std::min(question_.from, question_.most);
     for (int idle = 0; idle < most_idle_rounds && !done(); ++idle) {
@@ -95,7 +95,7 @@ class Level {
     }
   }
 
-  // Down from the best pattern, as long as that leads anywhere.
+  // Rounds from the best pattern at smaller coefficients, as long as they are successful.
   void descend() {
     while (best_.is_known() && !done()) {
       std::vector<Trial> trials;
@@ -106,7 +106,7 @@ class Level {
     }
   }
 
-  // @return whether that led on
+  // @return true if the round was successful
   bool round(const std::vector<Trial>& trials) {
     const auto results = analysis_.share<TrialResult>(
         trials.size(), [&](std::uint64_t piece) { return made(trials[piece]); });
@@ -138,14 +138,15 @@ class Level {
   [[nodiscard]] const PrimalPattern& best() const { return best_; }
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
-  // Distinct, the best first.
+  // Distinct patterns, the best first.
   [[nodiscard]] std::vector<PrimalPattern> pool() const {
     auto patterns = pool_;
     std::ranges::sort(patterns, [](const auto& a, const auto& b) {
       return a.factor != b.factor ? a.factor < b.factor : a.contact < b.contact;
     });
-    const auto twice = std::ranges::unique(patterns, {}, &PrimalPattern::contact);
-    patterns.erase(twice.begin(), twice.end());
+    // Not std::ranges::unique: Clang 14 rejects its result in the library of GCC 12.
+    const auto same = [](const auto& a, const auto& b) { return a.contact == b.contact; };
+    patterns.erase(std::unique(patterns.begin(), patterns.end(), same), patterns.end());
     return patterns;
   }
 
@@ -165,7 +166,7 @@ class Level {
     return std::max(factor, question_.infeasible * (1 + least_above));
   }
 
-  // Above, a pattern is of no interest.
+  // Largest coefficient of a pattern worth keeping.
   [[nodiscard]] double limit() const {
     return best_.factor * (reach_ > 1 ? reach_ : 1 - hardly_better);
   }
@@ -199,7 +200,7 @@ class Level {
   std::uint64_t programs_ = 0, next_start_ = 0;
 };
 
-// Of clusters, for the whole block.
+// Trials for the whole block from the patterns of its clusters.
 std::vector<Trial> prolonged(engine::Analysis& analysis, const problems::WedgedProblem& block,
                              const PrimalQuestion& question, std::uint64_t& programs) {
   const auto clusters = clusters_of(block, cluster_count);

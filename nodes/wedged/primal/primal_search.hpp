@@ -1,11 +1,11 @@
-// A pattern without a tree: which candidates in contact make something wedge at little friction.
-// Trials linearise complementarity from many starts and then from the best pattern, at ever lower
-// coefficients; large blocks are tried in clusters first. What is found is feasible by its own
-// program and bounds the critical coefficient from above; that nothing better exists it never says
-// (docs/theory/wedged.md, "A pattern without a tree").
+// Primal heuristic: sign patterns that are feasible at small friction coefficients, without a tree
+// (docs/theory/wedged.md, "Primal heuristic"). Trials linearise complementarity from many starts
+// and then from the best pattern, at decreasing coefficients; large blocks are first reduced to
+// clusters of candidates. A pattern found is feasible by its own cone program, which gives an upper
+// bound of the critical coefficient; the heuristic proves no lower bound.
 //
-// Trials come in rounds. The ranks share the trials of a round, and the best of it depends on no
-// timing: any number of ranks finds the same, unless the budget ends it.
+// The ranks share the trials of a round. Results do not depend on timing: any number of ranks finds
+// the same, unless the budget ends the search.
 #pragma once
 
 #include <cstdint>
@@ -36,11 +36,11 @@ struct PrimalPattern {
 };
 
 struct PrimalQuestion {
-  double infeasible = 0;  ///< nothing wedges up to here
+  double infeasible = 0;  ///< no pattern is feasible up to this coefficient
   double most = 0;        ///< no coefficient above is of interest
-  double enough = 0;      ///< the search ends with a pattern that is feasible here
-  double from = 8;        ///< where starts are tried while no pattern is known
-  PrimalPattern known;    ///< the best so far
+  double enough = 0;      ///< the search ends with a pattern that is feasible at this coefficient
+  double from = 8;        ///< coefficient of the first trials while no pattern is known
+  PrimalPattern known;    ///< best known pattern
 };
 
 struct PrimalFindings {

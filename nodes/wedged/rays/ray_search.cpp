@@ -155,10 +155,9 @@ bool limited(const engine::Limits& limits) {
   return limits.seconds != none.seconds || limits.nodes != none.nodes;
 }
 
-rays::ReactionCone reaction_cone(const problems::Structure& structure,
-                                 const problems::WedgedProblem& problem,
+rays::ReactionCone reaction_cone(const problems::WedgedProblem& problem,
                                  std::span<const double> friction) {
-  return {problems::precise_compliance(structure), friction,
+  return {problems::precise_compliance(problem), friction,
           problem.precise_motions.cast<long double>()};
 }
 

@@ -50,11 +50,10 @@ struct RayFindings {
   double seconds = 0;                                ///< the time
 };
 
-/// The cone of reactions of a structure in the plane, including unconstrained bodies.
-/// @param problem of the structure  @param friction of each candidate
+/// The cone of reactions of a problem in the plane, including unconstrained bodies.
+/// @param friction of each candidate
 /// @throws std::invalid_argument if there are more than 64 candidates
-rays::ReactionCone reaction_cone(const problems::Structure& structure,
-                                 const problems::WedgedProblem& problem,
+rays::ReactionCone reaction_cone(const problems::WedgedProblem& problem,
                                  std::span<const double> friction);
 
 /// Every rank makes the same call.

@@ -1,5 +1,5 @@
 // Choice of the undecided candidate by which a node of the tree of sign patterns is split
-// (docs/theory/wedged.md, "Which candidate is branched on").
+// (docs/theory/wedged.md, "Branching rules").
 #pragma once
 
 #include <cstddef>

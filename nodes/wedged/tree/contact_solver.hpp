@@ -5,8 +5,8 @@
 //
 // A node is solved in doubles first. If its sign is undecided, or its value has fewer than three
 // digits where that is required, the same program is solved again in long double precision and then
-// in 104 bits, with an F of the same precision (docs/theory/wedged.md, "More digits"). All bounds
-// hold for the F of the structure at any precision level.
+// in 104 bits, with an F of the same precision (docs/theory/wedged.md, "Precision levels"). All
+// bounds hold for the F of the structure at any precision level.
 #pragma once
 
 #include <optional>

@@ -53,6 +53,8 @@ verify::Claim claim_of(Evidence::Kind kind) {
       return verify::Claim::dead;
     case Evidence::Kind::cut:
       return verify::Claim::cut;
+    case Evidence::Kind::form:
+      return verify::Claim::form;
     case Evidence::Kind::alive:
       return verify::Claim::alive;
     case Evidence::Kind::marginal:

@@ -86,11 +86,9 @@ void SymmetryCheck::set_diagonal() {
     const MatrixEntry* own = find(row, row);
     const double value = own == nullptr ? 0 : own->value;
     if (!(value > 0)) {
-      fail(
-          own == nullptr ? data_.size_line : own->line,
-          fmt::format("entry ({0}, {0}), on the diagonal, is {1}; expected more than 0: what moves "
-                      "a body takes a force",
-                      row + 1, own == nullptr ? "missing" : fmt::format("{:g}", value)));
+      fail(own == nullptr ? data_.size_line : own->line,
+           fmt::format("entry ({0}, {0}), on the diagonal, is {1}; expected a positive stiffness",
+                       row + 1, own == nullptr ? "missing" : fmt::format("{:g}", value)));
     }
     roots_.push_back(std::sqrt(value));
   }

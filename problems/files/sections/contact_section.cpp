@@ -44,10 +44,10 @@ void warn_of_old_name(ProblemDraft& draft, const TomlReader& reader, const toml:
       structure_error(
           draft.structure(), reader.position(entry),
           fmt::format(
-              "friction = {0} is no coefficient but a factor: the coefficient that is asked "
-              "for is multiplied by it at these nodes{1}; expected friction_factor = {0}, "
-              "its name now, or no such line and the coefficient as --mu {0}",
-              factor, groups > 1 ? fmt::format(" (and likewise in {} groups in all)", groups) : ""))
+              "friction = {0} is the former name of friction_factor: it multiplies --mu at these "
+              "nodes{1}; expected friction_factor = {0} for a factor, or --mu {0} and no such line "
+              "for a coefficient",
+              factor, groups > 1 ? fmt::format(" (one of {} such groups)", groups) : ""))
           .what());
 }
 
@@ -84,7 +84,7 @@ void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& sur
   const double clearance = clearance_in(reader, group);
   std::string name;
   if (const toml::node* entry = group.table->get("name"); entry != nullptr)
-    name = reader.text(*entry, "the name of what is touched").text;
+    name = reader.text(*entry, "the name of the obstacle").text;
   const auto listed = draft.nodes_listed(group);
   const auto normal_position = reader.position(*group.table->get("normal"));
   auto places = against(draft, group, listed);

@@ -40,13 +40,14 @@ std::vector<std::string> facet_warnings(const std::vector<FacetDoubt>& doubts, d
     lines.emplace_back(
         support::InputError(
             file, doubt.position,
-            fmt::format("normal = \"surface\" is the mean of faces that differ by up to {:.3g} "
-                        "degrees at {} of {} candidates, more than the {:.3g} degrees of the "
-                        "friction coefficient {:.4g}: where they stand for a curved surface the "
-                        "coefficient may be off by up to {}; expected the true surface, normal = "
-                        "{{ point = [...], axis = [...], half_angle = ..., body = \"inside\" }}, "
-                        "or elements of second order with curved sides",
-                        doubt.between, doubt.candidates, doubt.of, angle, friction, error))
+            fmt::format(
+                "normal = \"surface\" is the mean of faces that differ by up to {:.3g} "
+                "degrees at {} of {} candidates, more than the {:.3g} degrees of the "
+                "friction coefficient {:.4g}; if the faces approximate a curved surface, the "
+                "coefficient may be off by up to {}; expected the true surface, normal = "
+                "{{ point = [...], axis = [...], half_angle = ..., body = \"inside\" }}, "
+                "or elements of second order with curved sides",
+                doubt.between, doubt.candidates, doubt.of, angle, friction, error))
             .what());
   }
   return lines;

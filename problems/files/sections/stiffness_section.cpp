@@ -192,8 +192,8 @@ SuperelementRow StiffnessSection::named_row(const MatrixRow& row) const {
 std::vector<Row> StiffnessSection::named_rows() const {
   for (const char* key : {"nodes", "except", "every", "rows"}) {
     if (const auto* other = entry(key); other != nullptr) {
-      reader_.fail(*other, fmt::format("{} is for a Matrix Market file; expected none, for {} says "
-                                       "what its rows are",
+      reader_.fail(*other, fmt::format("{} is for a Matrix Market file; expected none, since {} "
+                                       "names the rows",
                                        key, support::in_quotes(data_.rows_file)));
     }
   }

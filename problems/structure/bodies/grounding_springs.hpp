@@ -1,6 +1,6 @@
-// Grounding springs of unconstrained bodies for the computation of F (docs/theory/wedged.md, "Loose
-// bodies"). No force acts in them when the reactions are in equilibrium, so their choice does not
-// influence any answer.
+// Grounding springs of unconstrained bodies for the computation of F (docs/theory/wedged.md,
+// "Unconstrained bodies"). No force acts in them when the reactions are in equilibrium, so their
+// choice does not influence any answer.
 #pragma once
 
 #include <span>

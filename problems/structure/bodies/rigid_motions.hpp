@@ -1,5 +1,5 @@
 // Unconstrained bodies: connected components of a structure whose supports and springs admit
-// rigid-body modes (docs/theory/wedged.md, "Loose bodies").
+// rigid-body modes (docs/theory/wedged.md, "Unconstrained bodies").
 //
 // The modes follow from the supported axes of nodes and the coordinates of these nodes by
 // elimination in 104 bits, where zeros are clearly distinguished from other numbers. A structure

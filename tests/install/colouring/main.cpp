@@ -1,4 +1,4 @@
-// How to search a tree of your own: all ways to give the ten vertices of the Petersen graph one of
+// Search of a tree outside Kusabi: all ways to give the ten vertices of the Petersen graph one of
 // a few colours each, so that no edge joins two vertices of one colour.
 //
 //   colouring                 three colours, in this process
@@ -56,9 +56,9 @@ class Colouring {
       archive& colours;
     }
   };
-  // What a leaf yields. Travels as well, to rank 0 at the end.
+  // Result of a leaf, sent to rank 0 at the end.
   using Solution = std::vector<int>;
-  // What this problem counts for itself: nodes that no colour could be found for. Outcome::tally()
+  // Counts of this problem: nodes that no colour could be found for. Outcome::tally()
   // is the sum over all ranks.
   using Tally = std::uint64_t;
 
@@ -87,7 +87,7 @@ class Colouring {
   Tally tally() const { return dead_ends_; }
 
  private:
-  // Whether the next vertex may have the colour.
+  // True if the next vertex may have the colour.
   static bool allowed(const Node& node, int colour) {
     const std::size_t next = node.colours.size();
     for (const auto& [lower, upper] : edges) {

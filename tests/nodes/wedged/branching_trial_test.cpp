@@ -63,11 +63,11 @@ TEST(BranchingTrial, LeavesSmallBlocksAndRulesThatWereAskedForAlone) {
   const std::vector<double> friction(problem.contact_names.size(), 5.2);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  EXPECT_THAT(
-      tried_trees(analysis, problem, friction, {.tolerances = {}, .branching = Branching::deepest},
-                  45),
-      testing::ElementsAre(testing::AllOf(testing::Field(&TriedTree::branching, Branching::deepest),
-                                          testing::Field(&TriedTree::nodes, 0))));
+  EXPECT_THAT(tried_trees(analysis, problem, friction,
+                          {.tolerances = {}, .branching = Branching::deepest}, 45),
+              ::testing::ElementsAre(
+                  ::testing::AllOf(::testing::Field(&TriedTree::branching, Branching::deepest),
+                                   ::testing::Field(&TriedTree::nodes, 0))));
 }
 
 }  // namespace

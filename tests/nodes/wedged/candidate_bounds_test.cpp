@@ -20,11 +20,15 @@
 #include "random_problem.hpp"
 #include "random_truss.hpp"
 #include "solvers/rays/double_description.hpp"
+#include "tests/support/thorough.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
 using problems::WedgedProblem;
+
+// Candidates of the largest problems.
+constexpr int most_candidates = test::thorough ? 8 : 7;
 
 /// Number of comparisons with bounds, and of nontrivial bounds.
 struct Compared {
@@ -182,7 +186,7 @@ class CandidateBoundsIn : public ::testing::TestWithParam<int> {};
 
 TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomMatrices) {
   Compared compared;
-  for (int m = 5; m <= 8; ++m)
+  for (int m = 5; m <= most_candidates; ++m)
     for (const double mu : {0.6, 1.2, 3.0})
       compare(random_problem(GetParam(), m, static_cast<std::uint64_t>(m)), mu, compared);
   expect_something(compared);
@@ -191,7 +195,7 @@ TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomMatrices) {
 TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomTrusses) {
   std::mt19937_64 generator(5);
   Compared compared;
-  for (int m = 5; m <= 8; ++m)
+  for (int m = 5; m <= most_candidates; ++m)
     for (const double mu : {0.5, 1.0, 2.0}) {
       const auto made = testing::random_problem(
           {.dimension = GetParam(), .candidates = m, .free_nodes = m + 2}, generator);
@@ -205,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Dimension, CandidateBoundsIn, ::testing::Values(2, 3));
 // In the plane a number is largest at a ray, and rays are found without cone programs.
 TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
   Compared compared;
-  for (int m = 5; m <= 8; ++m)
+  for (int m = 5; m <= most_candidates; ++m)
     for (const double mu : {0.6, 1.2, 3.0}) {
       const auto problem = random_problem(2, m, 100 + static_cast<std::uint64_t>(m));
       const std::vector<double> friction(static_cast<std::size_t>(m), mu);

@@ -327,7 +327,7 @@ TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
   EXPECT_EQ(part.status, engine::Status::solved);
   EXPECT_EQ(part.lower, all.lower);
   EXPECT_EQ(part.upper, all.upper);
-  EXPECT_THAT(part.open, testing::Contains(CriticalDoubt::list_not_complete));
+  EXPECT_THAT(part.open, ::testing::Contains(CriticalDoubt::list_not_complete));
   EXPECT_EQ(part.patterns.size(), 1U);
 }
 

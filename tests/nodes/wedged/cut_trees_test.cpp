@@ -85,7 +85,7 @@ struct Leaves {
   }
 };
 
-class CutTreesIn : public testing::TestWithParam<int> {};
+class CutTreesIn : public ::testing::TestWithParam<int> {};
 
 TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
   Leaves compared;
@@ -165,7 +165,7 @@ TEST_P(CutTreesIn, LeaveNothingOpenOfUnconstrainedBodies) {
   EXPECT_GT(flat, 20U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimension, CutTreesIn, testing::Values(2, 3));
+INSTANTIATE_TEST_SUITE_P(Dimension, CutTreesIn, ::testing::Values(2, 3));
 
 /// Square cells of bars with both diagonals, supported below, in contact above with normals that
 /// lean to both sides symmetrically: each pattern has its mirror image.

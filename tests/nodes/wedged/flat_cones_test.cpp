@@ -122,7 +122,7 @@ TEST(FlatCones, InThePlaneAreTheMaximalCliquesOfTheRays) {
     if (!problem) continue;
     for (const double mu : {0.7, 1.3, 3.1}) {
       const std::vector<double> friction(problem->contact_names.size(), mu);
-      const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
+      const rays::ReactionCone cone(problems::precise_compliance(*problem), friction);
       const auto found = rays::complementary_rays(cone);
       ASSERT_TRUE(found.health.sound()) << seed;
       Cones expected;

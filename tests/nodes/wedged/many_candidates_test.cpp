@@ -17,7 +17,7 @@ namespace {
 using support::IndexSet;
 
 constexpr int candidates = 72;
-constexpr double mu = 4;
+constexpr double two_blocks_mu = 4;
 
 // A block of six, spread over both words of a set.
 const std::vector<int> places{0, 1, 63, 64, 65, 71};
@@ -60,7 +60,7 @@ std::vector<double> frictions() {
   const auto block = block_of_six();
   std::vector<double> friction;
   for (int i = 0; i < candidates; ++i)
-    friction.push_back(block.contains(i) || i % 3 != 0 ? mu : 1.5);
+    friction.push_back(block.contains(i) || i % 3 != 0 ? two_blocks_mu : 1.5);
   return friction;
 }
 
@@ -76,7 +76,7 @@ std::set<IndexSet> contact_sets(const engine::Outcome<SignPatternTree>& outcome)
 std::set<IndexSet> expected(const problems::WedgedProblem& six) {
   std::set<IndexSet> sets;
   conic::NodeSolver<2> solver(six.compliance / problems::mean_normal_compliance(six),
-                              std::vector<double>(6, mu));
+                              std::vector<double>(6, two_blocks_mu));
   for (unsigned contact = 1; contact < 64; ++contact) {
     const auto sign = solver.solve(contact, 63U & ~contact).sign;
     EXPECT_NE(sign, conic::Sign::marginal);

@@ -34,7 +34,7 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
       auto problem = problems::wedged_problem(truss);
       problem.blocks.clear();  // rays are those of the whole
       const std::vector<double> friction(problem.friction.size(), mu);
-      const rays::ReactionCone cone(problems::precise_compliance(truss), friction);
+      const rays::ReactionCone cone(problems::precise_compliance(problem), friction);
       RayTree tree(SignPatternTree(problem, friction), cone);
       const auto outcome = engine::search(tree);
       std::vector<rays::ZeroSet> together;
@@ -55,7 +55,7 @@ struct RayProblem {
   explicit RayProblem(const problems::Structure& truss, double mu = 0.65)
       : problem(problems::wedged_problem(truss)),
         friction(problem.friction.size(), mu),
-        cone(problems::precise_compliance(truss), friction) {
+        cone(problems::precise_compliance(problem), friction) {
     problem.blocks.clear();
   }
 

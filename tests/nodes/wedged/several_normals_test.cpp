@@ -192,7 +192,7 @@ TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
 RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod method) {
   const auto problem = problems::wedged_problem(structure);
   const auto friction = everywhere(problem, mu);
-  const auto cone = reaction_cone(structure, problem, friction);
+  const auto cone = reaction_cone(problem, friction);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   return find_rays(analysis, problem, friction, cone, method);

@@ -36,11 +36,11 @@ std::string content(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-problems::WedgedProblem example(const std::string& name) {
+problems::WedgedProblem named_example(const std::string& name) {
   return problems::wedged_problem(problems::read_structure(content("examples/" + name), name));
 }
 
-nlohmann::json reference(const std::string& name) {
+nlohmann::json named_reference(const std::string& name) {
   return nlohmann::json::parse(content("tests/reference/" + name));
 }
 
@@ -52,7 +52,7 @@ ContactSet positions(const support::IndexSet& set) {
   return {set.begin(), set.end()};
 }
 
-std::set<ContactSet> contact_sets(const engine::Outcome<SignPatternTree>& outcome) {
+std::set<ContactSet> alive_sets(const engine::Outcome<SignPatternTree>& outcome) {
   std::set<ContactSet> sets;
   for (const auto& found : outcome.solutions) {
     if (found.solution.state == LeafState::alive)
@@ -61,13 +61,13 @@ std::set<ContactSet> contact_sets(const engine::Outcome<SignPatternTree>& outcom
   return sets;
 }
 
-class SpaceTruss : public testing::TestWithParam<const char*> {};
+class SpaceTruss : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SpaceTruss, HasThePatternsOfTheReference) {
-  const auto known = reference("space-truss.json");
-  auto tree = tree_of(example("space-truss.toml"), std::stod(GetParam()));
+  const auto known = named_reference("space-truss.json");
+  auto tree = tree_of(named_example("space-truss.toml"), std::stod(GetParam()));
   const auto outcome = engine::search(tree);
-  EXPECT_EQ(contact_sets(outcome), known["patterns"][GetParam()].get<std::set<ContactSet>>());
+  EXPECT_EQ(alive_sets(outcome), known["patterns"][GetParam()].get<std::set<ContactSet>>());
   EXPECT_EQ(tree.tally().found, known["counts"][GetParam()].get<std::uint64_t>());
   EXPECT_EQ(tree.tally().marginal, 0U);
   EXPECT_EQ(tree.tally().undecided, 0U);
@@ -75,7 +75,7 @@ TEST_P(SpaceTruss, HasThePatternsOfTheReference) {
 
 // The tree prunes and branches; this test decides each of the 2^10 leaves by itself.
 TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   const double mu = std::stod(GetParam());
   auto tree = tree_of(problem, mu);
   double unit = 0;
@@ -88,19 +88,19 @@ TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
     EXPECT_NE(answer.sign, conic::Sign::marginal);
     if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
   }
-  EXPECT_EQ(contact_sets(engine::search(tree)), alive);
+  EXPECT_EQ(alive_sets(engine::search(tree)), alive);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllFrictions, SpaceTruss,
-                         testing::Values("0.55", "0.6", "0.65", "0.7", "1.0"));
+                         ::testing::Values("0.55", "0.6", "0.65", "0.7", "1.0"));
 
 // Proposition 2.1 (iii): a configuration for one coefficient is one for every larger one.
 TEST(SignPatternTree, KeepsItsPatternsWhenFrictionGrows) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   std::set<ContactSet> smaller;
   for (const double mu : {0.5, 0.63, 0.66, 0.8, 0.95, 1.5, 3.0}) {
     auto tree = tree_of(problem, mu);
-    const auto larger = contact_sets(engine::search(tree));
+    const auto larger = alive_sets(engine::search(tree));
     EXPECT_TRUE(std::includes(larger.begin(), larger.end(), smaller.begin(), smaller.end())) << mu;
     smaller = larger;
   }
@@ -108,7 +108,7 @@ TEST(SignPatternTree, KeepsItsPatternsWhenFrictionGrows) {
 
 // The evidence is checked against (6), in the units of the file, without the cone solver.
 TEST(SignPatternTree, EveryConfigurationSolvesTheWedgedProblem) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   const double mu = 1.0;
   auto tree = tree_of(problem, mu);
   const auto outcome = engine::search(tree);
@@ -140,7 +140,7 @@ TEST(SignPatternTree, EveryConfigurationSolvesTheWedgedProblem) {
 
 // Both branching rules find the same; one of them takes a third fewer nodes here.
 TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8}) {
     const std::vector<double> friction(10, mu);
     SignPatternTree relative(problem, friction,
@@ -148,7 +148,7 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
     SignPatternTree product(problem, friction, {.tolerances = {}, .branching = Branching::product});
     const auto few = engine::search(relative);
     const auto many = engine::search(product);
-    EXPECT_EQ(contact_sets(few), contact_sets(many));
+    EXPECT_EQ(alive_sets(few), alive_sets(many));
     EXPECT_LT(3 * few.opened(), 2 * many.opened() + 100) << mu;
   }
 }
@@ -163,29 +163,29 @@ TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
                              {.tolerances = {}, .branching = Branching::relative});
     const auto few = engine::search(deepest);
     const auto many = engine::search(relative);
-    EXPECT_EQ(contact_sets(few), contact_sets(many));
+    EXPECT_EQ(alive_sets(few), alive_sets(many));
     EXPECT_LT(few.opened(), many.opened() / (mu == 5.0 ? 3 : 1)) << mu;
   }
 }
 
 // In space, where they do not have fewer.
 TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8, 1.0}) {
     const std::vector<double> friction(10, mu);
     SignPatternTree relative(problem, friction,
                              {.tolerances = {}, .branching = Branching::relative});
-    const auto expected = contact_sets(engine::search(relative));
+    const auto expected = alive_sets(engine::search(relative));
     for (const Branching rule : {Branching::deepest, Branching::weighed}) {
       SignPatternTree tree(problem, friction, {.tolerances = {}, .branching = rule});
-      EXPECT_EQ(contact_sets(engine::search(tree)), expected);
+      EXPECT_EQ(alive_sets(engine::search(tree)), expected);
     }
   }
 }
 
 // Compared with all leaves one by one, with different friction at every candidate.
 TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   double unit = 0;
   for (int i = 0; i < 10; ++i) unit += problem.compliance(3 * i, 3 * i) / 10;
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -193,7 +193,7 @@ TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
     std::vector<double> friction(10);
     for (double& mu : friction) mu = std::uniform_real_distribution(0.4, 1.1)(random);
     SignPatternTree tree(problem, friction);
-    const auto found = contact_sets(engine::search(tree));
+    const auto found = alive_sets(engine::search(tree));
     EXPECT_GT(found.size(), 0U);
     conic::NodeSolver<3> solver(problem.compliance / unit, friction);
     std::set<ContactSet> alive;
@@ -207,52 +207,52 @@ TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
 
 TEST(SignPatternTree, DoesNotDependOnTheUnits) {
   // Scaling the stiffness by a hundred thousand does not change the patterns.
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   auto tree = tree_of(problem, 0.65);
-  const auto expected = contact_sets(engine::search(tree));
+  const auto expected = alive_sets(engine::search(tree));
   for (const double factor : {1e-5, 1e5}) {
     auto scaled = problem;
     scaled.stiffness *= factor;
     scaled.compliance /= factor;
     auto other = tree_of(scaled, 0.65);
-    EXPECT_EQ(contact_sets(engine::search(other)), expected);
+    EXPECT_EQ(alive_sets(engine::search(other)), expected);
   }
 }
 
 // Coefficients far beyond physical ones, for which higher precision levels are required.
 TEST(SignPatternTree, IsDecidedAtAnyFriction) {
   for (const double mu : {1e-6, 1e-3, 1e3, 1e6}) {
-    auto tree = tree_of(example("space-truss.toml"), mu);
+    auto tree = tree_of(named_example("space-truss.toml"), mu);
     const auto outcome = engine::search(tree);
     EXPECT_EQ(tree.tally().undecided + tree.tally().marginal + tree.tally().doubtful, 0U) << mu;
     EXPECT_EQ(tree.tally().found == 0, mu < 0.47) << mu;
   }
 }
 
-class PlaneTruss : public testing::TestWithParam<const char*> {};
+class PlaneTruss : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PlaneTruss, HasAsManyPatternsAsTheReference) {
-  const auto known = reference("plane-truss.json")["table"]["5"][GetParam()];
-  auto tree = tree_of(example("plane-truss.toml"), std::stod(GetParam()));
+  const auto known = named_reference("plane-truss.json")["table"]["5"][GetParam()];
+  auto tree = tree_of(named_example("plane-truss.toml"), std::stod(GetParam()));
   const auto outcome = engine::search(tree);
-  EXPECT_EQ(contact_sets(outcome).size(), known["patterns"].get<std::size_t>());
+  EXPECT_EQ(alive_sets(outcome).size(), known["patterns"].get<std::size_t>());
 }
 
 INSTANTIATE_TEST_SUITE_P(AllFrictions, PlaneTruss,
-                         testing::Values("0.62", "0.65", "0.7", "0.8", "1.0"));
+                         ::testing::Values("0.62", "0.65", "0.7", "0.8", "1.0"));
 
 // Algorithm 5.8 compared with Algorithm 5.1: the same patterns from different numbers of
 // candidates, which do not grow with the number of facets if each polygon contains the next.
 TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.6, 0.65, 1.0}) {
     auto cones = tree_of(problem, mu);
-    const auto patterns = contact_sets(engine::search(cones));
+    const auto patterns = alive_sets(engine::search(cones));
     std::uint64_t fewer = std::uint64_t{1} << 10U;
     for (const int facets : {4, 8, 16, 32}) {
       SignPatternTree tree(problem, std::vector<double>(10, mu),
                            {.tolerances = {}, .facets = facets});
-      EXPECT_EQ(contact_sets(engine::search(tree)), patterns) << facets;
+      EXPECT_EQ(alive_sets(engine::search(tree)), patterns) << facets;
       const auto tally = tree.tally();
       EXPECT_GE(tally.candidates, patterns.size());
       EXPECT_LE(tally.candidates, fewer);
@@ -264,11 +264,11 @@ TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
 
 // Step 1 and step 2 of Algorithm 5.8, each on all 2^10 leaves one by one.
 TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   const std::vector<double> friction(10, 0.65);
   const int facets = 4;
   SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
-  const auto alive = contact_sets(engine::search(tree));
+  const auto alive = alive_sets(engine::search(tree));
   std::map<support::IndexSet, bool> discarded;
   for (const auto& candidate : tree.tally().tested) {
     EXPECT_FALSE(candidate.pattern.contact.meets(candidate.pattern.separated));
@@ -309,13 +309,13 @@ struct Watched {
 
 // Remark 5.2: the order is arbitrary.
 TEST(Order, BreadthFirstOpensTheSameNodesLevelByLevel) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   const auto depths = [&](engine::Order order) {
     Watched watched{tree_of(problem, 0.65)};
     engine::Options options;
     options.order = order;
     const auto outcome = engine::search(watched, options);
-    EXPECT_EQ(outcome.solutions.size(), reference("space-truss.json")["counts"]["0.65"]);
+    EXPECT_EQ(outcome.solutions.size(), named_reference("space-truss.json")["counts"]["0.65"]);
     return std::pair(watched.depths, outcome.fingerprint());
   };
   auto [deep, of_deep] = depths(engine::Order::depth_first);
@@ -351,10 +351,10 @@ TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
       decide_all(conic::NodeSolver<3>(problem.compliance, friction));
     patterns += alive.size();
     SignPatternTree cones(problem, friction);
-    EXPECT_EQ(contact_sets(engine::search(cones)), alive) << seed;
+    EXPECT_EQ(alive_sets(engine::search(cones)), alive) << seed;
     if (plane) continue;
     SignPatternTree polyhedral(problem, friction, {.tolerances = {}, .facets = 8});
-    EXPECT_EQ(contact_sets(engine::search(polyhedral)), alive) << seed;
+    EXPECT_EQ(alive_sets(engine::search(polyhedral)), alive) << seed;
   }
   EXPECT_GT(patterns, 100U);
 }
@@ -384,7 +384,7 @@ TEST(Polyhedral, ConeTouchesTheFrictionConeInTheMiddleOfAFacet) {
 }
 
 TEST(SignPatternTree, OpensTheSameNodesOnAnyNumberOfSimulatedRanks) {
-  const auto problem = example("space-truss.toml");
+  const auto problem = named_example("space-truss.toml");
   auto tree = tree_of(problem, 1.0);
   const auto alone = engine::search(tree);
   for (const int ranks : {2, 3, 8, 40}) {

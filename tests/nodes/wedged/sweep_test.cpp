@@ -85,7 +85,7 @@ TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
   std::size_t absorbed = 0;
   for (const int dimension : {2, 3}) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-      SCOPED_TRACE(testing::Message() << dimension << " " << seed);
+      SCOPED_TRACE(::testing::Message() << dimension << " " << seed);
       problems::WedgedProblem problem;
       try {
         problem = problems::wedged_problem(random_structure(dimension, seed));

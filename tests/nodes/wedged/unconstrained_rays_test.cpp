@@ -25,7 +25,7 @@ using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
 RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod method) {
   const auto problem = problems::wedged_problem(structure);
   const std::vector<double> friction(problem.contact_names.size(), mu);
-  const auto cone = reaction_cone(structure, problem, friction);
+  const auto cone = reaction_cone(problem, friction);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   return find_rays(analysis, problem, friction, cone, method);

@@ -140,7 +140,8 @@ TEST(Superelement, IsRefusedIfARotationIsLoose) {
   matrix.topLeftCorner(size - 2, size - 2) = Eigen::MatrixXd(beam.stiffness);
   matrix.bottomRightCorner(2, 2) << 1, -1, -1, 1;
   beam.stiffness = sparse(matrix);
-  EXPECT_THAT(error_of(structure), HasSubstr("a rotation, or another unknown"));
+  EXPECT_THAT(error_of(structure),
+              HasSubstr("an internal unknown of a stiffness, such as a rotation"));
 }
 
 TEST(Superelement, IsRefusedIfItIsNoStiffness) {

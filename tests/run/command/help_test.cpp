@@ -50,6 +50,7 @@ TEST(Help, HasAllOptionsAndTheirChoices) {
     auto text = help(entry);
     EXPECT_THAT(text, HasSubstr("Example: kusabi " + std::string(entry.name()) + " "));
     for (const auto& row : entry.table.rows()) {
+      if (!row.shown()) continue;
       const auto letter = row.letter.empty() ? row.letter : row.letter + ", ";
       EXPECT_THAT(text, HasSubstr("\n  " + letter + row.name));
     }
@@ -107,6 +108,7 @@ TEST(Manual, HasAllOptionsOfAllSubcommands) {
     EXPECT_THAT(whole, HasSubstr(".SS kusabi " + roff(std::string(entry.name())) + "\n"));
     EXPECT_TRUE(page.starts_with(".TH KUSABI\\-")) << page;
     for (const auto& row : entry.table.rows()) {
+      if (!row.shown()) continue;
       EXPECT_THAT(whole, HasSubstr("\\fB" + roff(row.name) + "\\fR"));
       EXPECT_THAT(page, HasSubstr("\\fB" + roff(row.name) + "\\fR"));
     }
@@ -120,7 +122,7 @@ TEST(Completion, HasAllOptionsForEachShell) {
     for (const auto& entry : list.entries()) {
       EXPECT_THAT(script, HasSubstr(std::string(entry.name())));
       for (const auto& row : entry.table.rows()) {
-        if (!row.named()) continue;
+        if (!row.named() || !row.shown()) continue;
         const auto found = std::string(shell) == "fish" ? "-l " + row.name.substr(2) : row.name;
         EXPECT_THAT(script, HasSubstr(found)) << shell;
         for (const auto& word : row.words) EXPECT_THAT(script, HasSubstr(word)) << shell;

@@ -137,13 +137,13 @@ TEST_F(Files, OfOneCallAreAllDifferent) {
         ThrowsMessage<WrongInput>(HasSubstr(why)))
         << one << " and " << other;
   };
-  const auto* const twice = "is the file of --output, too";
+  const auto* const twice = "is also the file of --output";
   refused("new", "new", twice);
   refused("new", "folder/../new", twice);
   refused("folder/new", "way/new", twice);
   refused("old", "link", twice);
   refused("old", "twin", twice);
-  refused("new", "problem", "is the problem file itself");
+  refused("new", "problem", "would overwrite the problem file");
   refused("new", "nowhere/new", "cannot be written");
   refused("new", "folder", "is a folder");
   check_outputs(in_folder("problem"), {{"--output", in_folder("old")},
@@ -151,7 +151,7 @@ TEST_F(Files, OfOneCallAreAllDifferent) {
                                        {"--certificate", ""},
                                        {"--csv", ""}});
   EXPECT_THROW(check_outputs(in_folder("problem"), {{"--output", in_folder("state")}},
-                             {{"--checkpoint", in_folder("state")}}),
+                             {{"--resume", in_folder("state")}}),
                WrongInput);
   EXPECT_EQ(content("old"), "old");
   EXPECT_THAT(files(), UnorderedElementsAre("folder", "way", "problem", "old", "link", "twin"));

@@ -57,7 +57,7 @@ TEST_F(OutputFiles, AreRefusedWithTheirOptionAndTheReason) {
   fs::create_directory(in_folder("folder"));
   EXPECT_THAT(opened(in_folder("folder")),
               ThrowsMessage<WrongInput>("--output " + in_folder("folder") +
-                                        ": is a folder, expected a file name"));
+                                        ": is a folder; expected a file name"));
   EXPECT_THAT(opened(in_folder("none/result")),
               ThrowsMessage<WrongInput>("--output " + in_folder("none/result") +
                                         ": cannot be written: No such file or directory"));
@@ -65,8 +65,9 @@ TEST_F(OutputFiles, AreRefusedWithTheirOptionAndTheReason) {
   std::ofstream(problem) << "name = \"x\"\n";
   fs::create_hard_link(problem, in_folder("twin.toml"));
   for (const auto& same : {problem, in_folder("folder/../problem.toml"), in_folder("twin.toml")}) {
-    EXPECT_THAT(opened(same, problem), ThrowsMessage<WrongInput>(fmt::format(
-                                           "--output {}: is the problem file itself", same)));
+    EXPECT_THAT(opened(same, problem),
+                ThrowsMessage<WrongInput>(fmt::format(
+                    "--output {}: would overwrite the problem file; expected another name", same)));
   }
   EXPECT_EQ(content(problem), "name = \"x\"\n");
 }
@@ -100,9 +101,9 @@ TEST_F(OutputFiles, SayThatTheDiskIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
   OutputFile file("--output", "/dev/full", "");
   file.stream() << "text";
-  EXPECT_THAT([&] { file.put_in_place(); },
-              ThrowsMessage<std::runtime_error>(
-                  "/dev/full: could not be written in full; is the disk full?"));
+  EXPECT_THAT(
+      [&] { file.put_in_place(); },
+      ThrowsMessage<std::runtime_error>("/dev/full: the file is incomplete; the disk may be full"));
 }
 
 TEST_F(OutputFiles, SayThatTheirFolderIsGone) {
@@ -110,9 +111,8 @@ TEST_F(OutputFiles, SayThatTheirFolderIsGone) {
   OutputFile file("--output", in_folder("folder/result"), "");
   file.stream() << "text";
   fs::remove_all(in_folder("folder"));
-  EXPECT_THAT(
-      [&] { file.put_in_place(); },
-      ThrowsMessage<std::runtime_error>(HasSubstr("folder/result: cannot be put in place")));
+  EXPECT_THAT([&] { file.put_in_place(); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("folder/result: cannot be renamed")));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(RankTable, ShowsSharesMessagesAndIdleTime) {
   table.add(some(100, 3), {5});
   const auto lines = words(table.text());
   ASSERT_EQ(lines.size(), 4U);
-  EXPECT_THAT(lines[0], ElementsAre("rank", "opened", "share", "leaves", "requests", "gifts",
+  EXPECT_THAT(lines[0], ElementsAre("rank", "opened", "share", "leaves", "requests", "transfers",
                                     "messages", "idle", "seconds"));
   EXPECT_THAT(lines[1], ElementsAre("0", "300", "75.0", "7", "9", "2", "20", "25.0", "4.000"));
   EXPECT_THAT(lines[2], ElementsAre("1", "100", "25.0", "5", "9", "2", "20", "75.0", "4.000"));

@@ -174,7 +174,7 @@ TEST(ProgressText, NamesWhatIsDoneOnceTheProofIsOver) {
   EXPECT_THAT(progress_row(state), EndsWith(" 15:00"));
   state.progress.open = 0;
   EXPECT_THAT(progress_row(state), EndsWith("  ending"));
-  EXPECT_THAT(progress_bar(state, 199), HasSubstr("ending: ranks agree that all is done"));
+  EXPECT_THAT(progress_bar(state, 199), HasSubstr("ending: the ranks terminate"));
   // Without a point there is no proof, whatever the bound.
   state = some_state();
   state.minimising = true;

@@ -9,6 +9,7 @@ namespace kusabi::run::testing {
 namespace {
 
 using Standings = std::initializer_list<std::optional<Standing>>;
+constexpr auto all_grounds = {Grounds::exact_arithmetic, Grounds::solver_bounds};
 constexpr Standings standings{std::nullopt, Standing::computed, Standing::proved};
 
 const std::initializer_list<std::optional<ExactDoubt>> doubts{
@@ -34,14 +35,18 @@ void add_sticking(std::vector<AnyAnswer>& all) {
       for (const auto standing : {Standing::computed, Standing::proved}) {
         for (const bool ambiguous : {false, true}) {
           for (const auto& doubt : doubts) {
-            all.push_back(Sticking{.thing = "way",
-                                   .friction = 0.65,
-                                   .factor = ambiguous,
-                                   .count = *support::ExactCount::read(count),
-                                   .undecided = undecided,
-                                   .standing = standing,
-                                   .ambiguous = ambiguous,
-                                   .doubt = doubt});
+            for (const auto grounds : all_grounds) {
+              all.push_back(Sticking{.thing = "way",
+                                     .friction = 0.65,
+                                     .factor = ambiguous,
+                                     .count = *support::ExactCount::read(count),
+                                     .undecided = undecided,
+                                     .standing = standing,
+                                     .grounds = grounds,
+                                     .degenerate = standing == Standing::computed ? undecided : 0,
+                                     .ambiguous = ambiguous,
+                                     .doubt = doubt});
+            }
           }
         }
       }
@@ -56,12 +61,14 @@ void add_critical(std::vector<AnyAnswer>& all) {
       for (const bool wide : {false, true}) {
         for (const bool open : {false, true}) {
           if ((wide || open) && !bracket.upper) continue;
-          all.push_back(CriticalBracket{.bracket = bracket,
-                                        .factor = open,
-                                        .most = 1000,
-                                        .width = 1e-8,
-                                        .wide = wide || (bracket.upper && !bracket.lower),
-                                        .patterns_open = open});
+          all.push_back(CriticalBracket{
+              .bracket = bracket,
+              .factor = open,
+              .most = 1000,
+              .width = 1e-8,
+              .wide = wide || (bracket.upper && !bracket.lower),
+              .patterns_open = open,
+              .grounds = open ? Grounds::solver_bounds : Grounds::exact_arithmetic});
         }
       }
     }
@@ -112,6 +119,11 @@ void add_loads(std::vector<AnyAnswer>& all) {
                         .points = 3,
                         .points_asked = open ? 5U : 3U,
                         .open = open || !worst.lower || !worst.upper};
+        for (const double above : {0.4, 2.1}) {
+          steps.least = {bound(above - 0.1, nominal), bound(above, nominal)};
+          all.push_back(steps);
+        }
+        steps.least = {};
         all.push_back(steps);
         steps.worst = {};
         steps.worst_at_none = nominal;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "all_verdicts.hpp"
@@ -15,7 +16,9 @@
 namespace kusabi::run {
 namespace {
 
-using testing::all_verdicts;
+using run::testing::all_verdicts;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -182,6 +185,48 @@ TEST(StickingWords, CountNothingOfAListThatTheExactTestDoesNotShow) {
                          .doubt = ExactDoubt{3e11, "the exact test was stopped early", 0}}};
   EXPECT_EQ(headline(verdict), "It is not known whether it can stick at friction coefficient 0.5.");
   EXPECT_EQ(exit_code(verdict), stopped_early);
+}
+
+TEST(StickingWords, SayOnWhatAProofRests) {
+  Sticking list{.friction = 0.5, .count = 2};
+  EXPECT_THAT(all_words({.answer = list}), HasSubstr("Proved by the bounds of the solver"));
+  list.grounds = Grounds::exact_arithmetic;
+  EXPECT_THAT(all_words({.answer = list}), Not(HasSubstr("bounds of the solver")));
+  const Bracket proved{Bound{0.5, Standing::proved}, Bound{0.6, Standing::proved}};
+  CriticalBracket bracket{.bracket = proved, .most = 1000, .width = 1e-8};
+  EXPECT_THAT(all_words({.answer = bracket}), Not(HasSubstr("bounds of the solver")));
+  bracket.grounds = Grounds::solver_bounds;
+  const Verdict verdict{.answer = bracket};
+  EXPECT_THAT(all_words(verdict), HasSubstr("Proved by the bounds of the solver"));
+  EXPECT_EQ(verdict_json(verdict)["answer"]["grounds"], "solver-bounds");
+  EXPECT_EQ(exit_code(verdict), solved);
+}
+
+TEST(StickingWords, CountDegenerateNodes) {
+  const Verdict verdict{
+      .answer =
+          Sticking{.friction = 0.5, .count = 2, .standing = Standing::computed, .degenerate = 5}};
+  EXPECT_THAT(all_words(verdict), HasSubstr("of 5 degenerate nodes, with a margin of zero, nothing "
+                                            "is proved"));
+  EXPECT_EQ(exit_code(verdict), solved);
+}
+
+TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
+  const Bracket proved{Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}};
+  LoadSteps steps{.nominal = Bound{3, Standing::computed},
+                  .half_width = 1.5,
+                  .worst = proved,
+                  .least = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}},
+                  .points = 1,
+                  .points_asked = 1};
+  EXPECT_THAT(headline({.answer = steps}),
+              HasSubstr("the worst case is 1.5, proved; factors from "
+                        "0.5 to 1.5 are carried under all admissible loads."));
+  steps.least = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
+  EXPECT_THAT(headline({.answer = steps}),
+              HasSubstr("no load factor is carried under all admissible loads."));
+  steps.least = {};
+  EXPECT_THAT(headline({.answer = steps}), HasSubstr("is open"));
 }
 
 TEST(LoadWords, ReportAnEmptyInterval) {

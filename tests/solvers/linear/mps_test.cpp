@@ -156,7 +156,7 @@ TEST(Mps, TakesANegativeUpperBoundAloneForNoLowerBoundAndSaysSo) {
   const auto program = read(file("BOUNDS\n UP B x -2\n"));
   EXPECT_EQ(bounds(program, 0), Ends(-infinity, -2));
   EXPECT_THAT(program.warnings,
-              ElementsAre(HasSubstr("t.mps:13: column \"x\" has an upper bound of -2")));
+              ElementsAre(HasSubstr("t.mps:13: column \"x\" has the upper bound -2")));
   EXPECT_THAT(refusal(file("BOUNDS\n LO B x 0\n UP B x -2\n")),
               HasSubstr("column \"x\" has a lower bound of 0 and an upper bound of -2"));
   EXPECT_THAT(read(file("BOUNDS\n UP B x 0\n")).warnings, IsEmpty());

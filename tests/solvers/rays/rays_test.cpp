@@ -33,7 +33,7 @@ nlohmann::json reference(const std::string& name) {
 
 ReactionCone cone_of(const problems::Structure& structure, double mu) {
   const std::vector<double> friction(structure.contact.size(), mu);
-  return {problems::precise_compliance(structure), friction};
+  return {problems::precise_compliance(problems::wedged_problem(structure)), friction};
 }
 
 test::Reactions reactions(const ReactionCone& cone, const std::vector<ZeroSet>& zeros) {

@@ -1,9 +1,8 @@
-// Checkpoints and states of searches: the one to resume from, common to all subcommands.
+// States of analyses that --resume keeps, common to all subcommands.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +17,6 @@ void warn(const std::string& line);
 /// Warnings about the input, on rank 0 only: on standard error at once, beneath the answer and in
 /// the result file.
 void warn_all(Session& session, const std::vector<std::string>& lines);
-
-/// The checkpoint to resume from, found on rank 0 and broadcast; empty if none is requested.
-/// @param checkpoint file that keeps the state; empty: none
-/// @param restart file to resume from; empty: none
-/// @param tree fingerprint of the tree, as in engine::CheckpointOptions
-/// @throws WrongInput if one cannot be used
-std::string restart_from(Session& session, const std::string& checkpoint,
-                         const std::string& restart, std::optional<std::uint64_t> tree);
 
 /// The state file of --resume, opened or created; on rank 0. If another run holds it, the call
 /// waits: a queue may begin a job while ranks of the previous one still write.

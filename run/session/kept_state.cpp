@@ -1,14 +1,10 @@
-// Checkpoints and states: found, opened, or refused.
-#include "run/session/restart.hpp"
+// States of analyses: opened, awaited, or refused.
+#include "run/session/kept_state.hpp"
 
-#include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <filesystem>
 #include <thread>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "engine/analysis/recording.hpp"
 #include "engine/checkpoint.hpp"
@@ -31,17 +27,8 @@ std::unique_ptr<engine::Journal> journal_when_free(const std::string& state,
       if (std::chrono::duration<double>(Clock::now() - begun).count() >= patience) throw;
     }
     if (!announced)
-      warn(fmt::format("{}: is in use by another run; waiting {} s for its end", state, patience));
+      warn(fmt::format("{}: in use by another run; waiting up to {} s", state, patience));
     std::this_thread::sleep_for(between_two_looks);
-  }
-}
-
-// Checked before the search, so that a wrong name is reported at once.
-void require_writable_folder(const std::string& checkpoint) {
-  const auto folder = std::filesystem::absolute(checkpoint).parent_path();
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw WrongInput(fmt::format("--checkpoint {}: cannot be written: {}: {}", checkpoint,
-                                 folder.string(), std::strerror(errno)));
   }
 }
 
@@ -57,30 +44,6 @@ void warn_all(Session& session, const std::vector<std::string>& lines) {
     warn(line);
     session.note(line);
   }
-}
-
-std::string restart_from(Session& session, const std::string& checkpoint,
-                         const std::string& restart, std::optional<std::uint64_t> tree) {
-  return session.from_first_rank([&]() -> std::string {
-    if (!checkpoint.empty()) require_writable_folder(checkpoint);
-    // The engine refuses to overwrite a checkpoint, too; this message contains the call that
-    // resumes.
-    if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {
-      throw WrongInput(
-          fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
-                      "that it is removed, or a new name",
-                      checkpoint, checkpoint));
-    }
-    if (restart.empty()) return {};
-    try {
-      std::string warning;
-      auto file = engine::usable_checkpoint(restart, tree.value(), warning);
-      if (!warning.empty()) warn(warning);
-      return file;
-    } catch (const engine::CheckpointError& error) {
-      throw WrongInput(fmt::format("--restart {}", error.what()));
-    }
-  });
 }
 
 std::unique_ptr<engine::Journal> opened_journal(const std::string& state,

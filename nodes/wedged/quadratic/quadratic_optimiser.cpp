@@ -1,0 +1,236 @@
+// L-BFGS with a diagonal of estimated second derivatives, renewed in each round.
+#include "nodes/wedged/quadratic/quadratic_optimiser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "nodes/wedged/quadratic/quadratic_form.hpp"
+#include "nodes/wedged/quadratic/quadratic_proof.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Weight of the first round and its growth: at weight w the form keeps 1/w of the coefficient from
+/// being singular, and a weight that grows slowly keeps the steps long.
+constexpr double first_weight = 100;
+constexpr double growth = 1.5;
+constexpr int most_rounds = 22;
+constexpr int steps_a_round = 100;
+/// |S_jk| is rounded off below this over the weight: its kink at zero would shorten the steps.
+constexpr double roundness = 0.1;
+/// The rounds end with one that adds less than this share.
+constexpr double worth_a_round = 1.5e-3;
+
+constexpr std::size_t remembered = 30;
+/// Armijo's rule, and the least curvature of a pair that is remembered, over |y|^2.
+constexpr double enough_decrease = 1e-4;
+constexpr double least_curvature_of_pair = 1e-15;
+constexpr int most_halvings = 25;
+
+/// Root of P_ij at the start.
+constexpr double first_root = 0.02;
+/// Share of the largest coefficient of the first multipliers at which the search starts.
+constexpr double inside = 0.9;
+/// Shares of that coefficient that are tried for the proof: rounding errors need some room.
+constexpr std::array room_for_proof{1 - 1e-6, 1 - 1e-4, 1 - 1e-2};
+
+// Past steps and changes of the derivatives.
+class Memory {
+ public:
+  void forget() { pairs_.clear(); }
+  [[nodiscard]] bool is_empty() const { return pairs_.empty(); }
+
+  void add(Eigen::VectorXd step, Eigen::VectorXd change) {
+    const double product = step.dot(change);
+    if (!(product > least_curvature_of_pair * change.squaredNorm())) return;
+    pairs_.push_back({std::move(step), std::move(change), product});
+    if (pairs_.size() > remembered) pairs_.pop_front();
+  }
+
+  // The two-loop recursion (Nocedal 1980).
+  [[nodiscard]] Eigen::VectorXd direction(const Eigen::VectorXd& slopes,
+                                          const Eigen::VectorXd& scales) const {
+    Eigen::VectorXd q = slopes;
+    std::vector<double> shares(pairs_.size());
+    for (std::size_t k = pairs_.size(); k-- > 0;) {
+      shares[k] = pairs_[k].step.dot(q) / pairs_[k].product;
+      q -= shares[k] * pairs_[k].change;
+    }
+    q = q.cwiseProduct(scales).eval();
+    if (!is_empty()) {
+      const auto& last = pairs_.back();
+      q *= last.product / last.change.cwiseAbs2().dot(scales);
+    }
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      q += (shares[k] - pairs_[k].change.dot(q) / pairs_[k].product) * pairs_[k].step;
+    return q;
+  }
+
+ private:
+  struct Pair {
+    Eigen::VectorXd step, change;
+    double product;
+  };
+  std::deque<Pair> pairs_;
+};
+
+class Optimiser {
+ public:
+  Optimiser(QuadraticForm& form, support::Stop stop)
+      : form_(form),
+        stop_(std::move(stop)),
+        point_(form.candidates(), form.tangents()),
+        slopes_(point_),
+        scales_(point_) {}
+
+  void start();
+  void round(double weight);
+
+  [[nodiscard]] bool ended() const { return support::asked(stop_); }
+  [[nodiscard]] int evaluations() const { return evaluations_; }
+  [[nodiscard]] double factor() {
+    form_.set(point_, 0);
+    return form_.largest_factor();
+  }
+  QuadraticPoint& point() { return point_; }
+
+ private:
+  double evaluate(QuadraticPoint& point, double weight) {
+    ++evaluations_;
+    form_.set(point, roundness / weight);
+    return form_.potential(std::exp(point.log_factor()), weight);
+  }
+  bool step(double weight);
+  double clip(double threshold, double log_square);
+
+  QuadraticForm& form_;
+  support::Stop stop_;
+  QuadraticPoint point_, slopes_, scales_;
+  Memory memory_;
+  double value_ = 0;
+  int evaluations_ = 0;
+};
+
+// P = -I; S takes what F_nt has above the threshold.
+double Optimiser::clip(double threshold, double log_square) {
+  const auto m = form_.candidates();
+  Eigen::MatrixXd excess = Eigen::MatrixXd::Zero(m, m);
+  for (Eigen::Index k = 1; k <= form_.tangents(); ++k)
+    excess += form_.rows().middleCols(k * m, m).cwiseAbs2();
+  excess = excess.unaryExpr([threshold](double square) {
+    return square > threshold * threshold ? 1 - threshold / std::sqrt(square) : 0.0;
+  });
+  for (Eigen::Index k = 0; k < form_.tangents(); ++k)
+    point_.slips().middleCols(k * m, m) =
+        form_.rows().middleCols((k + 1) * m, m).cwiseProduct(excess);
+  point_.log_squares().setConstant(log_square);
+  return factor();
+}
+
+void Optimiser::start() {
+  const auto m = form_.candidates();
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(m, m);
+  for (Eigen::Index k = 1; k <= form_.tangents(); ++k)
+    squares += form_.rows().middleCols(k * m, m).cwiseAbs2();
+  std::vector<double> sizes(squares.data(), squares.data() + squares.size());
+  std::ranges::sort(sizes);
+  double best = 0;
+  std::pair<double, double> chosen{0, 0};
+  for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
+    for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
+      const auto place =
+          static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
+      const double threshold = std::sqrt(sizes[place]);
+      const double own = clip(threshold, log_square);
+      if (!(own > best)) continue;
+      best = own;
+      chosen = {threshold, log_square};
+      if (ended()) return;
+    }
+  clip(chosen.first, chosen.second);
+  point_.roots().setConstant(first_root);
+  point_.roots().diagonal().setZero();
+  for (double root = first_root; !(factor() > best / 2) && root > first_root / 100; root /= 2) {
+    point_.roots().setConstant(root);
+    point_.roots().diagonal().setZero();
+  }
+  point_.log_factor() = std::log(inside * factor());
+}
+
+bool Optimiser::step(double weight) {
+  auto way = memory_.direction(slopes_.values, scales_.values);
+  double descent = slopes_.values.dot(way);
+  if (!(descent > 0)) {
+    memory_.forget();
+    way = slopes_.values.cwiseProduct(scales_.values);
+    descent = slopes_.values.dot(way);
+  }
+  double length = memory_.is_empty() ? std::min(1.0, 1 / std::sqrt(descent)) : 1.0;
+  auto next = point_;
+  for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+    next.values = point_.values - length * way;
+    const double value = evaluate(next, weight);
+    if (!(value <= value_ - enough_decrease * length * descent)) continue;
+    const Eigen::VectorXd before = slopes_.values;
+    form_.derivatives(next, weight, slopes_);
+    memory_.add(next.values - point_.values, slopes_.values - before);
+    point_ = std::move(next);
+    value_ = value;
+    return true;
+  }
+  const bool again = !memory_.is_empty();
+  memory_.forget();
+  return again;
+}
+
+void Optimiser::round(double weight) {
+  memory_.forget();
+  value_ = evaluate(point_, weight);
+  if (!std::isfinite(value_)) return;
+  form_.scales(point_, weight, scales_);
+  form_.derivatives(point_, weight, slopes_);
+  for (int k = 0; k < steps_a_round && !ended(); ++k)
+    if (!step(weight)) return;
+}
+
+}  // namespace
+
+QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
+                               const QuadraticQuestion& question) {
+  QuadraticBound bound;
+  if (block.motions.cols() > 0) return bound;
+  QuadraticForm form(block);
+  Optimiser optimiser(form, question.stop);
+  optimiser.start();
+  double best = 0;
+  double weight = first_weight;
+  for (int round = 0; round < most_rounds && !optimiser.ended(); ++round, weight *= growth) {
+    optimiser.round(weight);
+    const double reached = optimiser.factor();
+    const bool worth = reached > best * (1 + worth_a_round);
+    best = std::max(best, reached);
+    if (!worth || best >= question.most) break;
+  }
+  bound.evaluations = optimiser.evaluations();
+  const double reached = std::min(optimiser.factor(), question.most);
+  for (const double room : room_for_proof) {
+    const double factor = room * reached;
+    if (!(factor > question.enough)) break;
+    const auto multipliers = form.multipliers(optimiser.point(), factor);
+    auto friction = candidate_friction(block, factor);
+    if (friction.empty()) friction.assign(block.contact_names.size(), factor);
+    if (!quadratic_is_dead(block, friction, multipliers)) continue;
+    bound.factor = factor;
+    bound.numbers = multipliers.numbers();
+    break;
+  }
+  return bound;
+}
+
+}  // namespace kusabi::wedged

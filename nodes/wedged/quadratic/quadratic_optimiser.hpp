@@ -1,0 +1,35 @@
+// The largest friction coefficient up to which a quadratic form proves that nothing is wedged, and
+// its multipliers: -log det(-form) - w log f is minimised over multipliers and coefficient f by
+// L-BFGS, with a weight w that grows from round to round.
+#pragma once
+
+#include <vector>
+
+#include "problems/wedged/wedged_problem.hpp"
+#include "support/stop.hpp"
+
+namespace kusabi::wedged {
+
+struct QuadraticBound {
+  double factor = 0;  ///< nothing is wedged at this coefficient or below
+  std::vector<double> numbers;  ///< QuadraticMultipliers::numbers()
+  int evaluations = 0;          ///< of the potential
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& factor& numbers& evaluations;
+  }
+};
+
+struct QuadraticQuestion {
+  double enough = 0;  ///< a bound up to here is of no interest
+  double most = 0;    ///< nor is one above
+  support::Stop stop{};
+};
+
+/// The bound, found in doubles and held by quadratic_is_dead(); 0: none.
+/// @param block a problem of one block
+QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
+                               const QuadraticQuestion& question);
+
+}  // namespace kusabi::wedged
