@@ -7,6 +7,8 @@ from decimal import Decimal
 from itertools import product
 
 DISAGREE, OPEN, DOUBTFUL, REFUSED = "disagreement", "open", "doubtful", "refused"
+#: Default width of the brackets of `critical`.
+WIDTH = 1e-8
 
 
 class Finding:
@@ -68,6 +70,15 @@ def describe(cones):
     """A line for a set of cones."""
     words = sorted(f"{' '.join(sorted(s)) or '-'} | {' '.join(sorted(g)) or '-'}" for s, g in cones)
     return "{" + "; ".join(words[:6]) + (f"; ... {len(words)} in all" if len(words) > 6 else "") + "}"
+
+
+def _same_cell(one, other):
+    """True if two brackets share a coefficient and their bounds differ by at most one cell: a critical coefficient that
+    is a multiple of the width may be in either cell beside it."""
+    if one == other or None in one or None in other:
+        return one == other
+    near = all(abs(a - b) <= 1.5 * WIDTH for a, b in zip(one, other))
+    return near and max(one[0], other[0]) <= min(one[1], other[1])
 
 
 class Judge:
@@ -206,7 +217,7 @@ class Judge:
         lower, upper = bracket
         for method in ("descent", "global"):
             other = self._bracket("--method", method)
-            if other is not None and other != bracket:
+            if other is not None and not _same_cell(other, bracket):
                 self._find(DISAGREE, f"critical --method {method}", f"{other}, but by itself {bracket}")
         most = 2 * upper if upper is not None else min(lower, 10 * self.case.mu)
         for method in ("newton", "bisection"):
@@ -216,7 +227,7 @@ class Judge:
             if upper is None:
                 if other != (most, None):
                     self._find(DISAGREE, f"critical --method {method}", f"{other}, but nothing wedges up to {lower!r}")
-            elif other != bracket:
+            elif not _same_cell(other, bracket):
                 self._find(DISAGREE, f"critical --method {method} --mu-max {most!r}", f"{other}, but globally {bracket}")
         if upper is not None and lower > 0:
             most = 0.9 * lower

@@ -111,19 +111,18 @@ bool CriticalEnds::enclose() {
   return stiffness_.has_value();
 }
 
-// If K cannot be enclosed, the bounds of the solver are used, unless they may be wrong.
-CriticalEnds::Test CriticalEnds::test(std::span<const double> friction,
-                                      std::span<const ProvedBound> bounds) const {
+std::shared_ptr<const EvidenceCheck> CriticalEnds::check(
+    std::span<const double> friction, std::span<const ProvedBound> bounds) const {
   const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_);
-  if (stiffness == nullptr) {
-    return [far_apart = far_apart_](const Evidence& evidence) {
-      return !far_apart && evidence.kind != Evidence::Kind::marginal;
-    };
-  }
-  return [check = std::make_shared<const EvidenceCheck>(
-              problem_, *stiffness, friction, bounds,
-              far_apart_ ? FarMotion::counted : FarMotion::left_out)](const Evidence& evidence) {
-    return check->holds(evidence);
+  if (stiffness == nullptr) return nullptr;
+  return std::make_shared<const EvidenceCheck>(
+      problem_, *stiffness, friction, bounds,
+      far_apart_ ? FarMotion::counted : FarMotion::left_out);
+}
+
+CriticalEnds::Test CriticalEnds::test(std::shared_ptr<const EvidenceCheck> check) const {
+  return [far_apart = far_apart_, check = std::move(check)](const Evidence& evidence) {
+    return check ? check->holds(evidence) : !far_apart && evidence.kind != Evidence::Kind::marginal;
   };
 }
 
@@ -157,10 +156,8 @@ void CriticalEnds::prove_at_once() {
 }
 
 Evidence CriticalEnds::form_of(std::uint32_t block) const {
-  return {.kind = Evidence::Kind::form,
-          .block = block,
-          .node = {},
-          .numbers = forms_.numbers[block]};
+  return {
+      .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
 // A stiffness that cannot be enclosed leaves the proof in doubles (quadratic_is_dead).
@@ -171,7 +168,7 @@ void CriticalEnds::prove_by_forms(QuadraticForms forms) {
   }
   forms_ = std::move(forms);
   const bool holds = analysis_.by_first_rank([&] {
-    const auto accepts = test(candidate_friction(problem_, forms_.factor));
+    const auto accepts = test(check(candidate_friction(problem_, forms_.factor)));
     for (std::uint32_t block = 0; block < forms_.numbers.size(); ++block)
       if (!accepts(form_of(block))) return false;
     return true;
@@ -187,8 +184,8 @@ void CriticalEnds::prove_by_forms(QuadraticForms forms) {
 
 // Written by one rank.
 void CriticalEnds::record_forms() {
-  const auto record = recorder_(CriticalEnd::lower, forms_.factor,
-                                candidate_friction(problem_, forms_.factor));
+  const auto record =
+      recorder_(CriticalEnd::lower, forms_.factor, candidate_friction(problem_, forms_.factor));
   if (!record) return;
   for (std::uint32_t block = 0; block < forms_.numbers.size() && analysis_.is_first(); ++block)
     record->add(form_of(block));
@@ -202,7 +199,7 @@ bool CriticalEnds::roots_are_dead(double factor) {
         problem_, friction,
         {.tolerances = CriticalFriction::tolerances, .precision = Precision::doubles});
     tree.end_when(analysis_.budget().stop());
-    const auto accepts = test(friction);
+    const auto accepts = test(check(friction));
     bool holds = true;
     tree.report_to([&](const auto& evidence) {
       holds = holds && evidence.kind == Evidence::Kind::dead && accepts(evidence);
@@ -230,7 +227,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
         problem_, friction,
         {.tolerances = tolerances(), .thorough = true, .precision = question_.grid.precision});
     tree.end_when(analysis_.budget().stop());
-    const auto accepts = test(friction);
+    const auto accepts = test(check(friction));
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
       decided.holds = evidence.kind == Evidence::Kind::alive && accepts(evidence);
@@ -262,11 +259,13 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
                                    .thorough = true,
                                    .precision = question_.grid.precision};
   SignPatternTree tree(problem_, friction, options);
-  const auto prepared = prepare(analysis_, problem_, friction, options);
+  auto prepared = prepare(analysis_, problem_, friction, options);
+  const auto exact = check(friction, proved_bounds(prepared));
+  if (exact && exact->is_able() && !exact->proves_bounds()) remove_bounds(prepared);
   inform(tree, prepared);
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder ? recorder(end, factor, friction) : nullptr;
-  tree.judge_by(test(friction, bounds), far_apart_);
+  tree.judge_by(test(exact), far_apart_);
   if (record) tree.report_to([&record](const auto& evidence) { record->add(evidence); });
   engine::Options search;
   search.limits.nodes = nodes;

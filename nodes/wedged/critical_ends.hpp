@@ -100,8 +100,11 @@ class CriticalEnds {
     return far_apart_ && question_.grid.precision == Precision::escalating &&
            std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
   }
-  [[nodiscard]] Test test(std::span<const double> friction,
-                          std::span<const ProvedBound> bounds = {}) const;
+  /// Exact test at one coefficient. Null: K cannot be enclosed.
+  [[nodiscard]] std::shared_ptr<const EvidenceCheck> check(
+      std::span<const double> friction, std::span<const ProvedBound> bounds = {}) const;
+  /// The test; without one the bounds of the solver hold, unless they may be wrong.
+  [[nodiscard]] Test test(std::shared_ptr<const EvidenceCheck> check) const;
   [[nodiscard]] conic::Tolerances tolerances() const;
   template <class Wanted>
   DecidedEnd decide(CriticalEnd end, double factor, CriticalPhase phase,
@@ -130,7 +133,7 @@ class CriticalEnds {
   bool far_apart_;  ///< unconstrained bodies with very different scales: results of the solver may
                     ///< be wrong
   double proved_lower_ = 0;
-  QuadraticForms forms_;  ///< none, or proved at their coefficient
+  QuadraticForms forms_;                   ///< none, or proved at their coefficient
   std::vector<Configuration> known_;       ///< feasible at the upper bound
   std::optional<PatternNode> known_leaf_;  ///< leaf of the bracket at that time
 };

@@ -141,15 +141,23 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   const SignPatternOptions as_it_is{.tolerances = options.tolerances,
                                     .branching = Branching::relative,
                                     .tightening = Tightening::never};
-  const auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
+  auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
+  // A certificate leaves degenerate nodes out. For unconstrained bodies the exact test shows of
+  // some that other leaves contain all their configurations.
+  std::optional<verify::EnclosedProblem> of_unconstrained;
+  if (!enclosed && question.recorder && problem.motions.cols() > 0)
+    of_unconstrained = enclosed_if_small(analysis, question);
+  std::optional<EvidenceCheck> check;
+  if (enclosed || of_unconstrained) {
+    const bool far_apart = enclosed && findings.exact.scale_ratio > wide_scales;
+    check.emplace(problem, enclosed ? *enclosed : *of_unconstrained, friction,
+                  proved_bounds(prepared), far_apart ? FarMotion::counted : FarMotion::left_out);
+    if (check->is_able() && !check->proves_bounds()) remove_bounds(prepared);
+  }
   inform(tree, prepared);
   if (question.recorder) tree.report_to(question.recorder);
   findings.bounds = proved_bounds(prepared);
-  std::optional<EvidenceCheck> check;
   if (enclosed) {
-    const bool far_apart = findings.exact.scale_ratio > wide_scales;
-    check.emplace(problem, *enclosed, friction, findings.bounds,
-                  far_apart ? FarMotion::counted : FarMotion::left_out);
     findings.exact.done = check->is_able();
     // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
     // modes.
@@ -158,19 +166,12 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     if (check->is_able() || problem.motions.cols() > 0)
       tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
   }
-  std::optional<verify::EnclosedProblem> of_unconstrained;
-  if (!enclosed && question.recorder && problem.motions.cols() > 0) {
-    // A certificate leaves degenerate nodes out. For unconstrained bodies the exact test shows of
-    // some that other leaves contain all their configurations.
-    of_unconstrained = enclosed_if_small(analysis, question);
-    if (of_unconstrained) {
-      check.emplace(problem, *of_unconstrained, friction, findings.bounds);
-      tree.judge_by(
-          [&check](const auto& evidence) {
-            return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
-          },
-          false);
-    }
+  if (of_unconstrained) {
+    tree.judge_by(
+        [&check](const auto& evidence) {
+          return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
+        },
+        false);
   }
   findings.outcome = analysis.search(tree, search);
   if (question.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {

@@ -62,6 +62,17 @@ class Bisection {
   std::vector<LeafChange> changes_;
 };
 
+/// A leaf that is feasible remains so as friction grows: from a change to infeasible on its state
+/// is numerically undecided.
+LeafHistory closed(std::vector<LeafChange> changes) {
+  const auto back =
+      std::ranges::find(changes, Kind::dead, [](const auto& change) { return change.to.kind; });
+  if (back == changes.end()) return {.changes = std::move(changes)};
+  const auto open_above = back->before;
+  changes.erase(back, changes.end());
+  return {.changes = std::move(changes), .open_above = open_above};
+}
+
 }  // namespace
 
 const LeafChange* LeafHistory::change_to(const LeafStage& stage) const {
@@ -81,6 +92,13 @@ LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, co
   if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.dead};
   // A wide cell contains degenerate points, which may be flat cones that Newton's method does not
   // detect.
+  // Near its own coefficient a degenerate leaf may be feasible to Newton's method and infeasible by
+  // its relative interior, which decides the state.
+  if (first.stage.kind == Kind::dead) {
+    if (at_most.open()) return {.changes = {}, .open_above = cell.dead};
+    bisection.between(first, at_most);
+    return closed(std::move(bisection.changes()));
+  }
   if (first.open())
     bisection.between(dead, at_most);
   else if (cell.alive - cell.dead > narrow)
@@ -90,7 +108,7 @@ LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, co
   const bool grows = first.stage.kind == Kind::flat;
   if (grows && at_most.open()) return {std::move(bisection.changes()), cell.alive};
   if (grows) bisection.between(first, at_most);
-  return {.changes = std::move(bisection.changes())};
+  return closed(std::move(bisection.changes()));
 }
 
 }  // namespace kusabi::wedged

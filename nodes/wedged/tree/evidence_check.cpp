@@ -43,6 +43,7 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
          .numbers = bound.numbers});
     if (refusal) return;  // later bounds may depend on it
   }
+  proves_bounds_ = true;
 }
 
 namespace {

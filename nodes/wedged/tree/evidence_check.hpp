@@ -51,6 +51,9 @@ class EvidenceCheck {
   /// proved.
   [[nodiscard]] bool is_able() const { return proof_->least_eigenvalue().has_value(); }
 
+  /// True if every bound is proved.
+  [[nodiscard]] bool proves_bounds() const { return proves_bounds_; }
+
   /// True if the evidence proves its claim. For a node without claim: whether a contact without
   /// reaction proves that its configurations are those of other nodes.
   [[nodiscard]] bool holds(const Evidence& evidence) const;
@@ -59,6 +62,7 @@ class EvidenceCheck {
   FarMotion far_motion_;
   verify::Certificate certificate_;
   std::optional<verify::Proof> proof_;
+  bool proves_bounds_ = false;
 };
 
 }  // namespace kusabi::wedged

@@ -56,6 +56,13 @@ void inform(SignPatternTree& tree, std::span<const Preparation> blocks) {
   }
 }
 
+void remove_bounds(std::span<Preparation> blocks) {
+  for (auto& block : blocks) {
+    block.root.bounds.clear();
+    block.root.proved.clear();
+  }
+}
+
 std::vector<ProvedBound> proved_bounds(std::span<const Preparation> blocks) {
   std::vector<ProvedBound> all;
   for (const auto& block : blocks)

@@ -33,6 +33,9 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
 /// Passes the rules and bounds to a tree of the same problem.
 void inform(SignPatternTree& tree, std::span<const Preparation> blocks);
 
+/// Removes all bounds: where the exact test refuses one, later ones may depend on it.
+void remove_bounds(std::span<Preparation> blocks);
+
 /// The bounds of all blocks, in the order of their proofs.
 std::vector<ProvedBound> proved_bounds(std::span<const Preparation> blocks);
 

@@ -14,9 +14,12 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
+#include "problems/files/problem_text.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "random_structure.hpp"
 #include "support/input_error.hpp"
@@ -306,6 +309,30 @@ TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
       EXPECT_GT(own.of_kind(Evidence::Kind::alive), 5U) << structure.name;
       EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
     }
+}
+
+// Bounds that the exact test refuses are not used, and do not enter a certificate.
+TEST(CutTrees, HaveNoBoundsThatTheVerifierRefuses) {
+  const std::string path = KUSABI_SOURCE_DIR "/tests/nodes/wedged/cases/long_lever.toml";
+  const auto structure = problems::read_structure(problems::problem_text(path), path);
+  const auto problem = problems::wedged_problem(structure);
+  const auto friction = candidate_friction(problem, 0.988566);
+  const auto enclosed = std::get<verify::EnclosedProblem>(enclosed_stiffness(structure));
+  std::vector<KeptEvidence> evidence;
+  PatternQuestion question;
+  question.tree.tightening = Tightening::always;
+  question.structure = &structure;
+  question.recorder = [&](const Evidence& one) {
+    evidence.push_back({one, {one.numbers.begin(), one.numbers.end()}});
+  };
+  engine::SingleProcess alone;
+  engine::Analysis analysis(alone, {});
+  const auto findings = find_patterns(analysis, problem, friction, question);
+  EXPECT_EQ(findings.count(), 5U);
+  const EvidenceCheck check(problem, enclosed, friction, findings.bounds);
+  EXPECT_TRUE(check.proves_bounds());
+  EXPECT_FALSE(evidence.empty());
+  for (const auto& one : evidence) EXPECT_TRUE(one.holds(check));
 }
 
 /// The largest reaction or gap of a candidate over all configurations found on its side.

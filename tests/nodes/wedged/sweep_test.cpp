@@ -30,9 +30,13 @@ constexpr double width = 1e-8;
 /// Block, S and G.
 using Cones = std::set<std::tuple<std::uint32_t, support::IndexSet, support::IndexSet>>;
 
+problems::WedgedProblem problem_in(const std::string& file) {
+  const std::string path = KUSABI_SOURCE_DIR "/" + file;
+  return problems::wedged_problem(problems::read_structure(problems::problem_text(path), path));
+}
+
 problems::WedgedProblem example(const std::string& name) {
-  const std::string file = std::string(KUSABI_SOURCE_DIR) + "/examples/" + name;
-  return problems::wedged_problem(problems::read_structure(problems::problem_text(file), file));
+  return problem_in("examples/" + name);
 }
 
 SweepFindings swept(const problems::WedgedProblem& problem, double most) {
@@ -64,6 +68,18 @@ void expect_as_enumerated(const problems::WedgedProblem& problem, const SweepFin
   for (const auto& leaf : own.leaves)
     cones.emplace(leaf.block, leaf.pattern.contact, leaf.pattern.separated);
   EXPECT_EQ(maximal_at(findings, friction), cones) << friction;
+}
+
+// At its own coefficient this flat leaf is feasible to Newton's method and infeasible by its
+// relative interior.
+TEST(FrictionSweep, CountsNoFlatConeThatLiesInAnother) {
+  const auto problem = problem_in("tests/nodes/wedged/cases/normals_in_balance.toml");
+  for (const double most : {1.70468, 2.43526, 3.65289}) {
+    const auto findings = swept(problem, most);
+    EXPECT_TRUE(findings.answered());
+    expect_as_enumerated(problem, findings, most);
+    EXPECT_EQ(findings.count_at(most).known, 4U);
+  }
 }
 
 TEST(FrictionSweep, CountsWhatAnEnumerationFindsAtEachCoefficient) {
