@@ -124,14 +124,12 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   PatternFindings findings;
   auto options = question.tree;
   const auto enclosed = enclosed_for_test(analysis, problem, question, findings.exact);
-  if (enclosed) {
-    options.thorough = true;
-    if (options.tolerances.sign <= conic::Tolerances{}.sign) options.tolerances.resolution = finest;
-  }
+  options.thorough = options.thorough || enclosed;
+  options.tolerances = resolving(options.tolerances, enclosed ? finest : rounding_of_files);
   SignPatternTree tree(problem, friction, options);
   std::vector<Configuration> known;
   if (options.facets == 0 && !enclosed)
-    known = known_patterns(analysis, problem, friction, question, options.tolerances);
+    known = known_patterns(analysis, problem, friction, question, question.tree.tolerances);
   auto search = question.search;
   if (question.exists) search.limits.solutions = 1;
   // No search if the known patterns suffice.

@@ -32,7 +32,7 @@ struct LeavesAtMost {
 LeavesAtMost leaves_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                        double most, SweepFindings& findings) {
   const auto friction = candidate_friction(problem, most);
-  const SignPatternOptions options;
+  const SignPatternOptions options{.tolerances = resolving({}, rounding_of_files)};
   SignPatternTree tree(problem, friction, options);
   inform(tree, prepare(analysis, problem, friction, options));
   auto outcome = analysis.search(tree, {});

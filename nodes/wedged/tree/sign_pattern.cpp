@@ -173,7 +173,10 @@ void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
 SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
                                                     const conic::ConicResult& answer) {
   Block& block = blocks_[node.block];
-  const bool tie = conic::is_resolved_tie(answer, tolerances_);
+  // A sign that no precision level resolves counts as zero, unless an exact test follows.
+  const bool counts_as_zero = tolerances_.resolution >= rounding_of_files;
+  const bool tie = counts_as_zero ? conic::is_tie(answer, tolerances_)
+                                  : conic::is_resolved_tie(answer, tolerances_);
   const auto free = block.free(node.pattern);
   if (tie) {
     const Eigen::VectorXd multipliers = block.solver.multipliers();
@@ -206,7 +209,10 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
           return close(node, configuration({node.block, cone}, LeafState::alive, own));
         if (!conic::is_resolved_tie(own, tolerances_)) return branch(node, free);
       }
-      return close(node, configuration({node.block, cone}, LeafState::flat, answer));
+      auto flat = configuration({node.block, cone}, LeafState::flat, answer);
+      const IndexSet doubtful = cone.at_rest & free;
+      if (!doubtful.empty() && is_solid(block, cone)) return branch(node, doubtful);
+      return close(node, std::move(flat));
     }
     const auto both = inside ? inside->loaded & inside->moved : IndexSet();
     if (!both.empty() || repeated) return branch(node, both.empty() ? free : both);
@@ -216,6 +222,14 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
                  configuration(node, tie ? LeafState::marginal : LeafState::undecided, answer));
   ++tally_.doubtful;
   return branch(node, free);
+}
+
+// The inactive candidates of a flat cone are those of negligible reactions and gaps. Their gaps may
+// be positive nevertheless.
+bool SignPatternTree::is_solid(Block& block, const SignPattern& cone) {
+  const auto answer = block.solver.solve(cone.contact, block.all - cone.contact, {});
+  tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  return answer.sign == conic::Sign::alive;
 }
 
 SignPatternTree::Fate SignPatternTree::branch(const Node& node, const IndexSet& open) {

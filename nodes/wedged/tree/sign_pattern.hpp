@@ -226,6 +226,16 @@ struct SignPatternOptions {
   Precision precision = Precision::escalating;
 };
 
+/// Largest |t*| that the sixteen digits of a file's coordinates and directions may leave of zero.
+/// Above it t* is decided by its sign, although it is degenerate by the tolerance.
+inline constexpr double rounding_of_files = 1e-14;
+
+/// Tolerances that resolve signs down to `resolution`, unless a larger tolerance is requested.
+inline conic::Tolerances resolving(conic::Tolerances tolerances, double resolution) {
+  if (tolerances.sign <= conic::Tolerances{}.sign) tolerances.resolution = resolution;
+  return tolerances;
+}
+
 /// Problem type of engine::search.
 class SignPatternTree {
  public:
@@ -313,6 +323,8 @@ class SignPatternTree {
   std::optional<Fate> decide_with_cuts(const Node& node);
   Fate decide_doubt(const Node& node, const conic::ConicResult& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::ConicResult& answer);
+  // True if the leaf with these contacts is feasible.
+  bool is_solid(Block& block, const SignPattern& cone);
   Fate branch(const Node& node, const support::IndexSet& open);
   Fate branch_living(const Node& node);
   int probed(const Node& node, std::span<const int> tried);

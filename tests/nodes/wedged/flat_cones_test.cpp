@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,9 +11,13 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/families/space_truss.hpp"
+#include "problems/files/problem_text.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "random_structure.hpp"
 #include "solvers/rays/double_description.hpp"
@@ -62,6 +67,21 @@ std::optional<problems::WedgedProblem> problem_of(const problems::Structure& str
 
 // The two candidates are decoupled, but the problem does not have the blocks. The first can stick
 // by itself, with r_t = 2 r_n; the second is then inactive.
+// The margin is 1.24e-13, by the oracle of bench/hostile.
+TEST(FlatCones, AreNotThoseOfAMarginBelowTheTolerance) {
+  const std::string path =
+      KUSABI_SOURCE_DIR "/tests/nodes/wedged/cases/margin_below_tolerance.toml";
+  const auto problem =
+      problems::wedged_problem(problems::read_structure(problems::problem_text(path), path));
+  const std::vector<double> friction(4, 1.8548356032431665);
+  engine::SingleProcess alone;
+  engine::Analysis analysis(alone);
+  const auto findings = find_patterns(analysis, problem, friction);
+  ASSERT_EQ(findings.leaves.size(), 1U);
+  EXPECT_EQ(findings.leaves.front().state, LeafState::alive);
+  EXPECT_NEAR(findings.leaves.front().lower, 1.24e-13, 0.01e-13);
+}
+
 TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
