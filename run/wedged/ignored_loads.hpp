@@ -1,5 +1,5 @@
-// Warnings about loads and clearances that a subcommand ignores: wedged configurations exist without
-// load, and fit exactly.
+// Warnings about loads and clearances that a subcommand ignores: wedged configurations exist
+// without load, and fit exactly.
 #pragma once
 
 #include <string>

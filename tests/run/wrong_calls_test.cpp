@@ -40,7 +40,8 @@ TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
 TEST_F(Command, RefusesWrongCalls) {
   const std::string good = "patterns " + truss + " --mu 0.5";
   const std::string above_0 = "expected a number above 0";
-  const std::string all = "expected one of patterns, rays, critical, hold, limit, sweep, mip, verify";
+  const std::string all =
+      "expected one of patterns, rays, critical, hold, limit, sweep, mip, verify";
   const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
   struct Wrong {
     std::string call;

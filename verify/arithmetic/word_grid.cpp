@@ -20,8 +20,8 @@ WordGrid words_of(std::span<const double> values, std::size_t terms) {
   grid.exponent = above - word_bits(terms);
   grid.words.reserve(values.size());
   for (const double value : values)
-    grid.words.push_back(static_cast<std::int64_t>(
-        std::trunc(std::ldexp(value, static_cast<int>(-grid.exponent)))));
+    grid.words.push_back(
+        static_cast<std::int64_t>(std::trunc(std::ldexp(value, static_cast<int>(-grid.exponent)))));
   return grid;
 }
 

@@ -62,8 +62,8 @@ struct Record {
   /// tangential reactions of the candidates in U, in their order, d - 1 each. Both: coefficients of
   /// the block's rigid-body modes in the mean motion of w (dead) or u (alive). cut: the numbers of
   /// dead, then multipliers of cuts, one for each candidate, >= 0. form: those of products of
-  /// u_ni and r_nj, by rows; for each pair (j, k) the d - 1 components of that of r_nj and r_tk; one
-  /// for the square of each candidate's friction cone.
+  /// u_ni and r_nj, by rows; for each pair (j, k) the d - 1 components of that of r_nj and r_tk;
+  /// one for the square of each candidate's friction cone.
   std::vector<double> numbers;
 };
 

@@ -93,7 +93,9 @@ class SlipPart {
   }
 
   // Upper bound of mu_k |S_jk|.
-  [[nodiscard]] const Dyadic& size(std::size_t j, std::size_t k) const { return sizes_[m_ * j + k]; }
+  [[nodiscard]] const Dyadic& size(std::size_t j, std::size_t k) const {
+    return sizes_[m_ * j + k];
+  }
 
   [[nodiscard]] Dyadic product(std::size_t j, std::size_t l) const {
     const auto* const row = words_.data() + m_ * tangents_ * j;
@@ -152,8 +154,8 @@ Judgement BlockProof::judge_form(std::span<const double> numbers) const {
   std::vector<Dyadic> lower;
   for (std::size_t j = 0; j < m; ++j) {
     for (std::size_t l = 0; l <= j; ++l) {
-      const auto twice = responses.at(j, d * l) + responses.at(l, d * j) + slips.size(j, l) +
-                         slips.size(l, j);
+      const auto twice =
+          responses.at(j, d * l) + responses.at(l, d * j) + slips.size(j, l) + slips.size(l, j);
       auto entry = twice.scaled(-1) + slips.product(j, l);
       if (j == l) entry = entry + square(friction_[j]) * Dyadic(form.squares[j]);
       lower.push_back(Dyadic() - entry);

@@ -17,10 +17,9 @@ QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::Wedge
   double least = std::min(grid.most, bracket.upper_or_infinity());
   for (const auto& block : problems::blocks_of(problem)) {
     auto own = analysis.by_first_rank([&] {
-      return quadratic_bound(problems::block_problem(problem, block),
-                             {.enough = bracket.lower(),
-                              .most = least,
-                              .stop = analysis.budget().stop()});
+      return quadratic_bound(
+          problems::block_problem(problem, block),
+          {.enough = bracket.lower(), .most = least, .stop = analysis.budget().stop()});
     });
     result.evaluations += static_cast<std::uint64_t>(own.evaluations);
     least = std::min(least, own.factor);

@@ -163,9 +163,8 @@ double QuadraticForm::largest_factor() const {
 
 // In units of the candidates' own friction phi, the tangential reactions are r_t / phi.
 QuadraticMultipliers QuadraticForm::multipliers(QuadraticPoint& point, double factor) const {
-  QuadraticMultipliers result{.products = products_,
-                              .slips = unit_ * point.slips(),
-                              .squares = unit_ / factor * squares_};
+  QuadraticMultipliers result{
+      .products = products_, .slips = unit_ * point.slips(), .squares = unit_ / factor * squares_};
   const auto m = candidates();
   for (Eigen::Index i = 0; i < m; ++i) {
     const double own = friction_[i];

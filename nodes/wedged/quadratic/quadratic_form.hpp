@@ -37,7 +37,8 @@ Eigen::MatrixXd normal_rows(const problems::WedgedProblem& block);
 class QuadraticPoint {
  public:
   QuadraticPoint(Eigen::Index candidates, Eigen::Index tangents)
-      : values(Eigen::VectorXd::Zero(2 * candidates + (tangents + 1) * candidates * candidates + 1)),
+      : values(
+            Eigen::VectorXd::Zero(2 * candidates + (tangents + 1) * candidates * candidates + 1)),
         m_(candidates),
         e_(tangents) {}
 
@@ -94,11 +95,11 @@ class QuadraticForm {
   double unit_;
   Eigen::VectorXd friction_;
   Eigen::MatrixXd rows_;
-  Eigen::VectorXd weights_, squares_;         // -P_ii and s
-  Eigen::MatrixXd products_, responses_;      // P, P'[F_nn, F_nt]
-  Eigen::MatrixXd sums_, shares_, sizes_;     // E, E diag(1/s), |S|
+  Eigen::VectorXd weights_, squares_;             // -P_ii and s
+  Eigen::MatrixXd products_, responses_;          // P, P'[F_nn, F_nt]
+  Eigen::MatrixXd sums_, shares_, sizes_;         // E, E diag(1/s), |S|
   Eigen::MatrixXd minus_linear_, friction_part_;  // -B, M
-  Eigen::MatrixXd inverse_;                   // of -B - f M
+  Eigen::MatrixXd inverse_;                       // of -B - f M
   double factor_ = 0;
 };
 

@@ -144,8 +144,7 @@ void Optimiser::start() {
   std::pair<double, double> chosen{0, 0};
   for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
     for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
-      const auto place =
-          static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
+      const auto place = static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
       const double threshold = std::sqrt(sizes[place]);
       const double own = clip(threshold, log_square);
       if (!(own > best)) continue;

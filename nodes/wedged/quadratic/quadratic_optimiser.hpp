@@ -11,7 +11,7 @@
 namespace kusabi::wedged {
 
 struct QuadraticBound {
-  double factor = 0;  ///< nothing is wedged at this coefficient or below
+  double factor = 0;            ///< nothing is wedged at this coefficient or below
   std::vector<double> numbers;  ///< QuadraticMultipliers::numbers()
   int evaluations = 0;          ///< of the potential
 

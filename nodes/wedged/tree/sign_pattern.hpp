@@ -130,7 +130,7 @@ struct Evidence {
             ///< bodies both continue with the mean motion of w or u (mean_motion.hpp)
     cut,    ///< infeasible with cuts; numbers: those of `dead`, then one for the cut of each
             ///< candidate
-    form,  ///< the whole block; numbers: QuadraticMultipliers::numbers() (quadratic_form.hpp)
+    form,   ///< the whole block; numbers: QuadraticMultipliers::numbers() (quadratic_form.hpp)
     marginal,  ///< flat, marginal or undecided: no claim and no numbers
   };
   Kind kind = Kind::marginal;

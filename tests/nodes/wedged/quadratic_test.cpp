@@ -56,8 +56,8 @@ TEST(QuadraticBound, IsBelowAllLeavesOfSmallProblems) {
 TEST(QuadraticBound, MeetsTheCoefficientOfASingleCandidate) {
   for (const int dimension : {2, 3}) {
     const auto problem = random_problem(dimension, 1, 7);
-    const double exact = problem.compliance(0, 0) /
-                         problem.compliance.row(0).tail(dimension - 1).norm();
+    const double exact =
+        problem.compliance(0, 0) / problem.compliance.row(0).tail(dimension - 1).norm();
     EXPECT_LE(bound_of(problem).factor, exact * (1 + 1e-12));
     EXPECT_NEAR(bound_of(problem).factor, exact, 2e-2 * exact);
   }
@@ -136,13 +136,12 @@ TEST(QuadraticProof, HoldsUpToTheSpectralCoefficient) {
   const auto problem = random_problem(3, 9, 5);
   const auto multipliers = spectral(problem);
   const auto m = multipliers.squares.size();
-  Eigen::MatrixXd sizes = (multipliers.slips.leftCols(m).cwiseAbs2() +
-                           multipliers.slips.rightCols(m).cwiseAbs2())
-                              .cwiseSqrt();
+  Eigen::MatrixXd sizes =
+      (multipliers.slips.leftCols(m).cwiseAbs2() + multipliers.slips.rightCols(m).cwiseAbs2())
+          .cwiseSqrt();
   sizes = (sizes + sizes.transpose()).eval() / 2;
   const Eigen::MatrixXd normal = normal_rows(problem).leftCols(m);
-  const double exact =
-      1 / (normal.inverse() * sizes).eigenvalues().real().maxCoeff();
+  const double exact = 1 / (normal.inverse() * sizes).eigenvalues().real().maxCoeff();
   const auto dead = [&](double factor) {
     return quadratic_is_dead(problem, std::vector<double>(9, factor), multipliers);
   };
