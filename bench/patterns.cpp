@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/session/remaining_time.hpp"

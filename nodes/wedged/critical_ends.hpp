@@ -17,6 +17,8 @@
 #include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
+#include "nodes/wedged/tree/evidence.hpp"
+#include "nodes/wedged/tree/pattern_options.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"

@@ -9,7 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/tree/evidence.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/output_file.hpp"
 #include "run/session/session.hpp"

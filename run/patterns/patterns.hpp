@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/pattern_options.hpp"
 #include "run/command/subcommand.hpp"
 #include "solvers/conic/node_solver.hpp"
 

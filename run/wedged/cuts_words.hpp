@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/pattern_options.hpp"
 
 namespace kusabi::run {
 

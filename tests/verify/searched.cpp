@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "support/sha1.hpp"

@@ -11,7 +11,7 @@
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/preparation.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/wedged/problem_block.hpp"
+
 namespace kusabi::wedged {
 namespace {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "problems/wedged/problem_block.hpp"
+
 namespace kusabi::wedged {
 
 using support::IndexSet;

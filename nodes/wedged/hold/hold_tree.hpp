@@ -1,5 +1,5 @@
 // Tree of sign patterns under load: search for a state in which a load of the given shares acts.
-// Nodes are those of sign_pattern.hpp, with the loads as further columns (load_program.hpp).
+// Nodes are those of sign_pattern_tree.hpp, with the loads as further columns (load_program.hpp).
 //
 //   t* < 0   no state below the node, and no wedged configuration either;
 //   t* > 0   at a leaf: a state in which every load acts and all inequalities are strict;

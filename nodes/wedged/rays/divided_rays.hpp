@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "nodes/wedged/rays/ray_tree.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
 

@@ -15,7 +15,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
 

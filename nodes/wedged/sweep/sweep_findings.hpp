@@ -15,7 +15,7 @@
 #include "engine/outcome.hpp"
 #include "nodes/wedged/friction/friction_grid.hpp"
 #include "nodes/wedged/sweep/sweep_tree.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "support/exact_count.hpp"
 
 namespace kusabi::wedged {

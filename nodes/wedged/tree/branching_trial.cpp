@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include "engine/together.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
+#include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
+
 namespace kusabi::wedged {
 
 std::vector<Configuration> feasible_leaves(std::span<const PatternNode> leaves,

@@ -6,6 +6,7 @@
 
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "solvers/conic/answer.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::wedged {

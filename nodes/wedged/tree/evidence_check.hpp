@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "nodes/wedged/tree/candidate_bounds.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/evidence.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/stop.hpp"

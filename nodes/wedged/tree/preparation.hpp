@@ -7,7 +7,7 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/candidate_bounds.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

@@ -15,7 +15,7 @@
 
 #include "engine/search.hpp"
 #include "engine/transport/single_process.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "random_problem.hpp"
 #include "random_truss.hpp"

@@ -14,7 +14,7 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"

@@ -7,7 +7,7 @@
 
 #include "engine/search.hpp"
 #include "engine/simulation.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "random_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
 

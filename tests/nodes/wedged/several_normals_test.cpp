@@ -20,7 +20,7 @@
 #include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/rays/ray_search.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "random_truss.hpp"

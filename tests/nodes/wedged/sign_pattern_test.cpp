@@ -1,6 +1,6 @@
 // Tree of sign patterns compared with published counts, with all leaves one by one, and with the
 // definition of a wedged configuration.
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 
 #include <algorithm>
 #include <bit>

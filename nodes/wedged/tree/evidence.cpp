@@ -1,0 +1,24 @@
+// Counts of accepted and refused claims.
+#include "nodes/wedged/tree/evidence.hpp"
+
+namespace kusabi::wedged {
+
+bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const {
+  const bool accepted = !judge_ || judge_(claim);
+  if (!accepted) {
+    ++tally.refused;
+    if (binding_) return false;
+    if (claim.kind != Evidence::Kind::alive) ++tally.doubted;
+  } else if (claim.kind == Evidence::Kind::alive) {
+    ++tally.proved;
+  }
+  if (recorder_) recorder_(claim);
+  return true;
+}
+
+void EvidenceGate::pass_open(const Evidence& node, SignPatternTally& tally) const {
+  if (!judge_ || !judge_(node)) ++tally.unproved;
+  if (recorder_) recorder_(node);
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,64 @@
+// Evidence of closed nodes: an exact test that accepts or refuses it, and its recorder.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "nodes/wedged/tree/pattern_tally.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+
+namespace kusabi::wedged {
+
+/// Evidence of a closed node for a certificate (docs/certificates.md).
+struct Evidence {
+  enum class Kind {
+    dead,   ///< numbers: the multipliers of the proof, one for each candidate of the block
+    alive,  ///< a leaf; numbers: the tangential reactions of the candidates in U. For unconstrained
+            ///< bodies both continue with the mean motion of w or u (mean_motion.hpp)
+    cut,    ///< infeasible with cuts; numbers: those of `dead`, then one for the cut of each
+            ///< candidate
+    form,   ///< the whole block; numbers: QuadraticMultipliers::numbers() (quadratic_form.hpp)
+    marginal,  ///< flat, marginal or undecided: no claim and no numbers
+  };
+  Kind kind = Kind::marginal;
+  std::uint32_t block = 0;
+  SignPattern node;                 ///< of the whole problem's candidates
+  std::span<const double> numbers;  ///< valid during the call
+};
+
+/// Recorder of the evidence of every closed node.
+using EvidenceRecorder = std::function<void(const Evidence&)>;
+
+/// Exact test of the evidence of a node to be closed; for a node without claim, whether its
+/// configurations are also those of others.
+using Judge = std::function<bool(const Evidence&)>;
+
+/// Passage of evidence to the exact test and to the recorder, either of which may be absent.
+class EvidenceGate {
+ public:
+  void report_to(EvidenceRecorder recorder) { recorder_ = std::move(recorder); }
+
+  /// @param binding whether refused claims are not used
+  void judge_by(Judge judge, bool binding) {
+    judge_ = std::move(judge);
+    binding_ = binding;
+  }
+
+  [[nodiscard]] bool records() const { return static_cast<bool>(recorder_); }
+  [[nodiscard]] bool wants_evidence() const { return recorder_ || judge_; }
+
+  /// Records a claim. @return false: the test refuses it, and refused claims are not used
+  bool passes(const Evidence& claim, SignPatternTally& tally) const;
+
+  /// Records a closed node without claim.
+  void pass_open(const Evidence& node, SignPatternTally& tally) const;
+
+ private:
+  EvidenceRecorder recorder_;
+  Judge judge_;
+  bool binding_ = false;
+};
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,68 @@
+// Counts of a search of a tree of sign patterns.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/counts.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+
+namespace kusabi::wedged {
+
+/// Counts of opened nodes by their result, and costs.
+struct SignPatternTally : engine::Counts<SignPatternTally> {
+  std::uint64_t branched = 0;  ///< both children added to the tree
+  std::uint64_t dead = 0;      ///< pruned: no wedged configuration below
+  std::uint64_t found = 0;     ///< feasible leaves
+  std::uint64_t flat = 0;      ///< nodes closed as flat cones, maximal or not
+  std::uint64_t faces = 0;     ///< degenerate nodes closed: another node has all of their solutions
+  std::uint64_t marginal = 0;  ///< leaves that are marginal
+  std::uint64_t undecided = 0;   ///< leaves that are undecided
+  std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
+  std::uint64_t escalated = 0;   ///< nodes solved at a higher precision level
+  std::uint64_t probed = 0;      ///< children solved for strong branching
+  std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
+  std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
+  std::vector<PolyhedralCandidate> tested;  ///< these leaves; not a count
+  std::uint64_t proved = 0;                 ///< leaves proved feasible by the exact test
+  std::uint64_t refused = 0;                ///< claims refused by it
+  std::uint64_t doubted =
+      0;  ///< nodes closed as infeasible although the test refuses their evidence
+  std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
+
+  SignPatternTally& operator+=(const SignPatternTally& other) {
+    Counts::operator+=(other);
+    proved += other.proved;
+    refused += other.refused;
+    doubted += other.doubted;
+    unproved += other.unproved;
+    tested.insert(tested.end(), other.tested.begin(), other.tested.end());
+    return *this;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned version) {
+    Counts::serialize(archive, version);
+    archive& tested& proved& refused& doubted& unproved;
+  }
+
+  static constexpr auto fields() {
+    return std::tuple{field("branched", &SignPatternTally::branched),
+                      field("dead", &SignPatternTally::dead),
+                      field("found", &SignPatternTally::found),
+                      field("flat_nodes", &SignPatternTally::flat),
+                      field("faces", &SignPatternTally::faces),
+                      field("marginal_leaves", &SignPatternTally::marginal),
+                      field("undecided_leaves", &SignPatternTally::undecided),
+                      field("doubtful_branched", &SignPatternTally::doubtful),
+                      field("climbed", &SignPatternTally::escalated),
+                      field("probed", &SignPatternTally::probed),
+                      field("iterations", &SignPatternTally::iterations),
+                      field("candidates", &SignPatternTally::candidates)};
+  }
+};
+
+}  // namespace kusabi::wedged
