@@ -196,8 +196,10 @@ def _solved(matrix, loads):
     return result
 
 
-def compliance(bodies):
-    """F, 2m x 2m in (n, t) of each candidate, and G, rows of the motions. @raises structure.Mechanism"""
+def compliance(bodies, forces=()):
+    """F, 2m x 2m in (n, t) of each candidate, and G, rows of the motions. Each of the forces,
+    {(node, axis): value}, is one more row and column: displacements of the candidates and work on
+    the motions. @raises structure.Mechanism"""
     motions, springs = _motions(bodies)
     number = {}
     for node in bodies.nodes:
@@ -220,6 +222,15 @@ def compliance(bodies):
                                 for node, weight in parts if node in nodes for axis in (0, 1)), Decimal(0)))
             loads.append(load)
             rows.append(row)
+    for force in forces:
+        load = [Decimal(0)] * len(number)
+        for key, value in force.items():
+            if key in number:
+                load[number[key]] += Decimal(value)
+        loads.append(load)
+        rows.append([sum((Decimal(value) * decimal(sum(a * b for a, b in zip(_lever(bodies, centre, node, axis), motion)))
+                          for (node, axis), value in force.items() if node in nodes), Decimal(0))
+                     for centre, nodes, motion in motions])
     moved = _solved(_stiffness(bodies, number, springs), loads)
     flexibility = [[dot(a, b) for b in moved] for a in loads]
     for i, row in enumerate(flexibility):

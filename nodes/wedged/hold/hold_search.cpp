@@ -84,7 +84,8 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   }
   fixed.loads.displacements = numbers::PreciseMatrix(fixed.loads.displacements.leftCols(kept));
   fixed.loads.motions = numbers::PreciseMatrix(fixed.loads.motions.topRows(kept));
-  fixed.loads.unseen_motions = numbers::PreciseMatrix(fixed.loads.unseen_motions.topRows(0));
+  fixed.loads.unseen_motions = numbers::PreciseMatrix(kept, 0);  // in equilibrium at this factor
+  fixed.loads.sizes = Eigen::VectorXd(fixed.loads.sizes.head(kept));
   auto at = held_factors(analysis, fixed, mu, question);
   at.not_in_equilibrium = true;
   for (auto& each : at.intervals) each.low = each.low_out = each.high = each.high_out = *factor;

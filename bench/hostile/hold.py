@@ -1,0 +1,217 @@
+"""Random plane bodies under load: load factors that can be held, and the smallest friction
+coefficient for the dead load, by linear programs in rational numbers for every sign pattern.
+
+    python3 bench/hostile/hold.py --kusabi build/kusabi --count 300 --seed 1 --found wrong/
+
+Prints each case in which `kusabi hold` differs. Exit code 0: none.
+"""
+import argparse
+import math
+import os
+import pathlib
+import random
+import sys
+import tempfile
+from decimal import localcontext
+from fractions import Fraction
+from itertools import product
+
+import bodies
+import generate_bodies
+from compare import Kusabi
+from exact_program import INFEASIBLE, UNBOUNDED, Program, exact_optimum
+from structure import Mechanism
+
+KINDS = ["loose-truss", "loose-mesh", "wedge", "pair", "loose-pair", "corner", "loose-corner"]
+#: Error of rows relative to their largest term: dependent equations of 80 digits remain consistent.
+ROOM = Fraction(1, 10**24)
+#: Relative difference of ends of intervals.
+NEAR = 1e-7
+
+
+def with_loads(case, rng):
+    """The file with random loads and clearances, and the same as data: dead force, reference force, clearances."""
+    text, clearances = [], []
+    for line in case.text.splitlines():
+        text.append(line)
+        if line == "[[contact]]":
+            clearance = rng.choice((0.0, 0.0, rng.uniform(-0.02, 0.05)))
+            clearances.append(clearance)
+            if clearance:
+                text.append(f"clearance = {clearance!r}")
+    free = [node for node in bodies.Bodies(case.text).nodes]
+    forces = []
+    for kind in ("dead", "reference"):
+        force = {}
+        for node in rng.sample(free, rng.randint(1, 2)):
+            value = [rng.choice((0.0, -1.0, rng.uniform(-2, 2))), rng.choice((-1.0, rng.uniform(-2, 2)))]
+            text += ["", "[[loads]]", f'kind = "{kind}"', f'nodes = ["{node}"]', f"force = {value}"]
+            for axis in (0, 1):
+                force[node, axis] = value[axis]
+        forces.append(force)
+    return "\n".join(text) + "\n", forces, clearances
+
+
+class Loaded:
+    """States of one structure under load."""
+
+    def __init__(self, text, forces, clearances):
+        self.bodies = bodies.Bodies(text)
+        self.candidates = len(self.bodies.candidates)
+        with localcontext() as context:
+            context.prec = 140
+            flexibility, rows = bodies.compliance(self.bodies, forces)
+        size = 2 * self.candidates + 2
+        self.flexibility = [[self._short(flexibility[i][j]) for j in range(size)] for i in range(size)]
+        self.motions = [[self._short(x) for x in row] for row in rows]
+        self.clearances = [Fraction(x) for x in clearances]
+        self.relative = [Fraction(own.friction) for own in self.bodies.candidates]
+
+    @staticmethod
+    def _short(value):
+        """Forty digits are enough, and shorter numbers are faster."""
+        with localcontext() as context:
+            context.prec = 40
+            return Fraction(+value)
+
+    def program(self, mu, contacts, dead_only):
+        """The states of one pattern; the last column is the load factor."""
+        program = Program()
+        last = 2 * self.candidates
+        edges = [(program.column(), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in contacts for sign in (1, -1)]
+        modes = [program.column(lower=None) for _ in self.motions[0]]
+        factor = program.column(lower=None if not dead_only else 0, upper=None if not dead_only else 0)
+
+        def row(sense, at, constant, terms):
+            scale = max([abs(constant), *map(abs, terms.values())], default=0)
+            if scale == 0:
+                return
+            terms = {j: value / scale for j, value in terms.items()}
+            for sign in ("L", "G") if sense == "E" else (sense,):
+                program.row(sign, (-constant / scale) + (ROOM if sign == "L" else -ROOM), terms)
+
+        for i in range(self.candidates):
+            line = self.flexibility[2 * i]
+            terms = {j: line[n] + slope * line[t] for j, n, t, slope in edges}
+            terms |= {j: self.motions[2 * i][k] for k, j in enumerate(modes)}
+            terms[factor] = line[last + 1]
+            row("E" if i in contacts else "G", i, line[last] + self.clearances[i], terms)
+        for k in range(len(modes)):
+            terms = {j: self.motions[n][k] + slope * self.motions[t][k] for j, n, t, slope in edges}
+            terms[factor] = self.motions[last + 1][k]
+            row("E", k, self.motions[last][k], terms)
+        return program, factor
+
+    def patterns(self):
+        return ([i for i, touches in enumerate(choice) if touches] for choice in product((1, 0), repeat=self.candidates))
+
+    def intervals(self, mu):
+        """Load factors that can be held, as a union of intervals."""
+        found = []
+        for contacts in self.patterns():
+            ends = []
+            for sense in (1, -1):
+                program, factor = self.program(Fraction(mu), contacts, False)
+                program.columns[factor].cost = float(sense)
+                status, value = exact_optimum(program)
+                if status == INFEASIBLE:
+                    break
+                ends.append(-sense * math.inf if status == UNBOUNDED else sense * float(value))
+            else:
+                found.append(tuple(ends))
+        joined = []
+        for low, high in sorted(found):
+            if joined and low <= joined[-1][1] + NEAR * max(1, abs(low)):
+                joined[-1] = (joined[-1][0], max(joined[-1][1], high))
+            else:
+                joined.append((low, high))
+        return joined
+
+    def holds(self, mu):
+        """True if the dead load can be held."""
+        return any(exact_optimum(self.program(Fraction(mu), contacts, True)[0])[0] != INFEASIBLE for contacts in self.patterns())
+
+
+def near(a, b):
+    return a == b or abs(a - b) <= NEAR * max(1, abs(a), abs(b))
+
+
+def without_points(intervals):
+    return [(low, high) for low, high in intervals if not near(low, high)]
+
+
+def examine(kusabi, seed, index):
+    """(text, differences, whether the answer is open) of one case; nothing for a mechanism."""
+    case = generate_bodies.make(seed, index, KINDS, [1.0, 1e2])
+    rng = random.Random(f"hold/{seed}/{index}")
+    text, forces, clearances = with_loads(case, rng)
+    path = os.path.join(kusabi.folder, "loaded.toml")
+    pathlib.Path(path).write_text(text)
+    try:
+        loaded = Loaded(text, forces, clearances)
+    except Mechanism:
+        return None
+    wrong, open_answers = [], 0
+    code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu))
+    if result is None:
+        return text, [f"hold --mu {case.mu}: exit code {code}: {line}"], 0
+    answer = result["verdict"]["answer"]
+    truth = loaded.intervals(case.mu)
+    held = [(-math.inf if each["low"] is None else each["low"], math.inf if each["high"] is None else each["high"])
+            for each in result["result"]["intervals"]]
+    if answer["reason"] in ("supports", "wedging"):
+        held = [(-math.inf, math.inf)]
+    if code == 3:
+        open_answers += 1
+        inside = all(any(low - NEAR * max(1, abs(low)) <= a and b <= high + NEAR * max(1, abs(high)) for low, high in truth)
+                     for a, b in held)
+        if not inside:
+            wrong.append(f"hold --mu {case.mu}: {held} is not within {truth}")
+    else:
+        one, other = without_points(held), without_points(truth)
+        if len(one) != len(other) or not all(near(x, y) for a, b in zip(one, other) for x, y in zip(a, b)):
+            wrong.append(f"hold --mu {case.mu}: {held}, but {truth}")
+    code, result, line = kusabi.run("hold", path)
+    if code == 2 and "there is no dead load" in line:  # it acts on supports alone
+        return text, wrong, open_answers
+    if result is None:
+        return text, [*wrong, f"hold: exit code {code}: {line}"], open_answers
+    found = result["result"]["holding_friction"]
+    open_answers += code == 3
+    if found["lower_proved"] and found["lower"] and loaded.holds(found["lower"] * (1 - 1e-9)):
+        wrong.append(f"hold: the dead load is held at the lower bound {found['lower']}")
+    if found["upper_proved"] and found["upper"] is not None and not loaded.holds(found["upper"] * (1 + 1e-9)):
+        wrong.append(f"hold: the dead load is not held at the upper bound {found['upper']}")
+    return text, wrong, open_answers
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--kusabi", default="build/kusabi", help="the command under test")
+    parser.add_argument("--count", type=int, default=100, help="number of cases")
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--first", type=int, default=0, help="number of the first case")
+    parser.add_argument("--found", type=pathlib.Path, help="folder for the cases that differ")
+    asked = parser.parse_args()
+    differences = open_answers = mechanisms = 0
+    with tempfile.TemporaryDirectory() as folder:
+        kusabi = Kusabi(asked.kusabi, folder)
+        for index in range(asked.first, asked.first + asked.count):
+            result = examine(kusabi, asked.seed, index)
+            if result is None:
+                mechanisms += 1
+                continue
+            text, wrong, still_open = result
+            open_answers += still_open
+            differences += len(wrong)
+            for line in wrong:
+                print(f"{asked.seed}-{index:05d}: {line}", flush=True)
+            if wrong and asked.found:
+                asked.found.mkdir(parents=True, exist_ok=True)
+                (asked.found / f"{asked.seed}-{index:05d}.toml").write_text("".join(f"# {line}\n" for line in wrong) + text)
+    print(f"{asked.count} cases: {differences} differences, {open_answers} open answers, {mechanisms} mechanisms")
+    sys.exit(1 if differences else 0)
+
+
+if __name__ == "__main__":
+    main()
