@@ -6,7 +6,6 @@
 namespace kusabi::wedged {
 
 using support::IndexSet;
-using Kind = DegenerateNode::Kind;
 
 bool DegenerateClassifier::is_degenerate(const conic::ConicResult& answer) const {
   return tolerances_.resolution >= rounding_of_files ? conic::is_tie(answer, tolerances_)
@@ -16,6 +15,7 @@ bool DegenerateClassifier::is_degenerate(const conic::ConicResult& answer) const
 DegenerateNode DegenerateClassifier::classify(BlockRelaxation& block, const PatternNode& node,
                                               const conic::ConicResult& answer,
                                               std::uint64_t& iterations) const {
+  using Kind = DegenerateNode::Kind;
   const auto solved = [&](const SignPattern& leaf, conic::StopEarly stop) {
     const auto own = block.solver.solve(leaf.contact, block.all - leaf.contact, stop);
     iterations += static_cast<std::uint64_t>(own.iterations);
