@@ -12,7 +12,7 @@
 namespace kusabi::run {
 namespace {
 
-constexpr std::string_view after = R"(.SH EXIT STATUS
+constexpr std::string_view status_and_environment = R"(.SH EXIT STATUS
 .TP
 0
 The analysis is complete; "none" is an answer.
@@ -38,11 +38,30 @@ the file with defaults if KUSABI_CONFIG is not set. Default:
 .TP
 .BR COLUMNS ", " NO_COLOR ", " TERM
 Layout and colours of output on a terminal.
+)";
+
+constexpr std::string_view signals_and_files = R"(.SH SIGNALS
+.TP
+.BR SIGTERM ", " SIGINT
+The run ends as at its time limit: bounds and partial results are printed and written, the state of
+.B \-\-resume
+is saved, and the exit status is 3.
+.TP
+.B SIGUSR1
+The state of
+.B \-\-resume
+is saved, and the run continues.
 .SH FILES
 .TP
-.I config.toml
+.I *.toml
+Problem files: nodes, members, elements or a mesh, supports, contact candidates and loads.
+.TP
+.I ~/.config/kusabi/config.toml
 Defaults of options: a table for each subcommand, whose keys are the options without their dashes.
 Options on the command line override the file.
+.TP
+.I /usr/share/doc/kusabi/
+Documentation and examples, if they are installed.
 )";
 
 // Text of a manual page: hyphens are ASCII hyphens, and no line begins with a macro.
@@ -85,17 +104,11 @@ std::string synopsis(const CommandList::Entry& entry) {
   return fmt::format(".B kusabi {}\n{}\n", roff(entry.name()), roff(usage(entry.table).substr(1)));
 }
 
-// Options, example and notes.
-std::string body(const CommandList::Entry& entry) {
-  const auto& command = *entry.subcommand;
+std::string options(const CommandList::Entry& entry) {
   std::string text;
   for (const auto& row : entry.table.rows()) {
     if (row.shown()) text += paragraph(row);
   }
-  text +=
-      fmt::format(".PP\nExample:\n.B kusabi {} {}\n", roff(entry.name()), roff(command.example()));
-  if (const auto notes = command.notes(); !notes.empty())
-    text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(notes));
   return text;
 }
 
@@ -127,15 +140,21 @@ Each search runs in one process, or on all ranks of an MPI job.
   text +=
       ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint all subcommands; after a subcommand, its "
       "options.\n";
-  text += ".SH SUBCOMMANDS\n";
+  text += ".SH SUBCOMMANDS\nEach has a page of its own.\n";
+  std::string examples, pages;
   for (const auto& chapter : list.chapters()) {
+    fmt::format_to(out, ".SS {}\n", roff(chapter.question));
     for (const auto name : chapter.names) {
       const auto& entry = *list.find(name);
-      fmt::format_to(out, ".SS kusabi {}\n{}\n", roff(name), roff(described(entry)));
-      text += body(entry);
+      const auto purpose = roff(entry.subcommand->purpose());
+      fmt::format_to(out, ".TP\n.BR {} (1)\n{}\n", roff(page_name(entry)), purpose);
+      examples += fmt::format(".TP\n{}:\n.B kusabi {} {}\n", purpose, roff(name),
+                              roff(entry.subcommand->example()));
+      pages += fmt::format("{}.BR {} (1)", pages.empty() ? "" : ",\n", roff(page_name(entry)));
     }
   }
-  return text + std::string(after);
+  return fmt::format("{}{}.SH EXAMPLES\n{}{}.SH SEE ALSO\n{},\n.BR mpirun (1)\n", text,
+                     status_and_environment, examples, signals_and_files, pages);
 }
 
 std::string manual(const CommandList& list, const CommandList::Entry& entry) {
@@ -144,8 +163,13 @@ std::string manual(const CommandList& list, const CommandList::Entry& entry) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name),
                  roff(entry.subcommand->purpose()), synopsis(entry));
-  fmt::format_to(out, ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}{}", roff(described(entry)), body(entry),
-                 after);
+  fmt::format_to(out, ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}{}", roff(described(entry)),
+                 options(entry), status_and_environment);
+  fmt::format_to(out, ".SH EXAMPLES\n.B kusabi {} {}\n", roff(entry.name()),
+                 roff(entry.subcommand->example()));
+  if (const auto notes = entry.subcommand->notes(); !notes.empty())
+    text += fmt::format(".SH PROGRESS\n.nf\n{}\n.fi\n", roff(notes));
+  text += signals_and_files;
   text += ".SH SEE ALSO\n.BR kusabi (1)";
   for (const auto& chapter : list.chapters()) {
     if (std::ranges::find(chapter.names, entry.name()) == chapter.names.end()) continue;

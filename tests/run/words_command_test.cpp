@@ -326,7 +326,8 @@ TEST_F(Words, HelpExplainsALineOfTheLog) {
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(found)) << name;
   for (const std::string name : {"critical", "limit", "mip"})
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(best)) << name;
-  EXPECT_THAT(shell(command + " --manual").output, HasSubstr("idle    ranks without work"));
+  EXPECT_THAT(shell(command + " patterns --manual").output,
+              HasSubstr("idle    ranks without work"));
   // The page explains the same line.
   const auto help = shell(command + " patterns --help").output;
   const auto line = help.substr(help.find('\n', help.find(found)) + 1);

@@ -155,7 +155,8 @@ TEST_F(Command, PrintsHelpAndItsVersion) {
   const auto manual = shell(command + " --manual");
   EXPECT_EQ(manual.exit_code, 0);
   EXPECT_TRUE(manual.output.starts_with(".TH KUSABI 1")) << manual.output;
-  EXPECT_THAT(manual.output, HasSubstr("\\fB\\-\\-checkpoint\\-interval\\fR"));
+  EXPECT_THAT(shell(command + " patterns --manual").output,
+              HasSubstr("\\fB\\-\\-checkpoint\\-interval\\fR"));
 }
 
 TEST_F(Command, NeverCallsMpiWhenSerial) {
