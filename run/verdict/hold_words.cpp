@@ -26,15 +26,11 @@ constexpr const char* by_no_friction =
 
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
-  if (std::isinf(each.low) && std::isinf(each.high))
-    return fmt::format("at any factor{}", standing);
-  if (std::isinf(each.low))
-    return fmt::format("at factors up to {}{}", rounded_down(each.high), standing);
-  if (std::isinf(each.high))
-    return fmt::format("at factors from {} on{}", rounded_up(each.low), standing);
-  if (each.low == each.high) return fmt::format("at the factor {:.6g}{}", each.low, standing);
-  return fmt::format("at factors from {} to {}{}", rounded_up(each.low), rounded_down(each.high),
-                     standing);
+  if (std::isinf(each.low) && std::isinf(each.high)) return fmt::format("any{}", standing);
+  if (std::isinf(each.low)) return fmt::format("up to {}{}", rounded_down(each.high), standing);
+  if (std::isinf(each.high)) return fmt::format("from {} on{}", rounded_up(each.low), standing);
+  if (each.low == each.high) return fmt::format("{:.6g}{}", each.low, standing);
+  return fmt::format("from {} to {}{}", rounded_up(each.low), rounded_down(each.high), standing);
 }
 
 bool is_everything(const HoldingFactors& found) {
@@ -120,8 +116,8 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
                        unless_proved(found.intervals.front().standing));
   }
   if (is_everything(found)) {
-    return fmt::format("It can hold the reference load {} {}.", part(found.intervals.front()),
-                       where);
+    return fmt::format("It can hold the reference load at any factor {}{}.", where,
+                       unless_proved(found.intervals.front().standing));
   }
   std::string parts;
   for (std::size_t i = 0; i < found.intervals.size(); ++i) {
@@ -130,8 +126,9 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
   }
   const auto others = found.open || ended != engine::Status::solved
                           ? std::string("; others are not known")
-                          : fmt::format(", and at no other{}", unless_proved(found.outside));
-  return fmt::format("It can hold the reference load {}{}, {}.", parts, others, where);
+                          : fmt::format(", and no other{}", unless_proved(found.outside));
+  return fmt::format("It can hold these factors of the reference load {}: {}{}.", where, parts,
+                     others);
 }
 
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all) {
@@ -146,8 +143,7 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
                           [](const auto& each) { return each.standing == Standing::computed; })) {
     all.push_back(
         {"States at the ends of intervals are computed, not proved: some inequality holds only "
-         "within "
-         "the rounding of the file's numbers.",
+         "within the rounding of the file's numbers.",
          false});
   }
 }
