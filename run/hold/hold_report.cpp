@@ -70,6 +70,37 @@ std::string end_text(double held, double out, bool upward) {
   return upward ? shown.lower : shown.upper;
 }
 
+// Reactions of the candidates in contact, by their names; null if no state is known.
+ordered_json state_json(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                        const std::optional<wedged::LoadedPattern>& pattern,
+                        const std::optional<wedged::HeldState>& state) {
+  if (!state || !pattern) return nullptr;
+  const auto d = static_cast<std::size_t>(loaded.problem.dimension);
+  const auto names = candidate_names(
+      loaded.problem,
+      problems::in_whole(pattern->contact, problems::blocks_of(loaded.problem)[block]));
+  auto reactions = ordered_json::object();
+  auto name = names.begin();
+  for (const int i : pattern->contact) {
+    const auto first = state->reaction.begin() + static_cast<std::ptrdiff_t>(d) * i;
+    reactions[*name++] = std::vector<double>(first, first + static_cast<std::ptrdiff_t>(d));
+  }
+  return {{"factor", state->factor}, {"reactions", std::move(reactions)}};
+}
+
+// "foot 0.9, top 0.3 kN": normal reactions of a state.
+std::string reactions_text(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                           const std::optional<wedged::LoadedPattern>& pattern,
+                           const std::optional<wedged::HeldState>& state) {
+  const auto json = state_json(loaded, block, pattern, state);
+  if (json.is_null()) return {};
+  std::vector<std::string> parts;
+  for (const auto& [name, force] : json["reactions"].items())
+    parts.push_back(fmt::format("{} {:.6g}", name, force.front().get<double>()));
+  return fmt::format("normal reactions at factor {:.6g}: {}\n", state->factor,
+                     parts.empty() ? "none" : listed(parts));
+}
+
 std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
                        const std::optional<wedged::LoadedPattern>& pattern) {
   if (!pattern) return "-";
@@ -108,7 +139,8 @@ ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings
                {"upper", number_or_null(found.upper)},
                {"lower_proved", found.lower_known && found.lower_proved},
                {"upper_proved", found.upper && found.upper_proved},
-               {"pattern", pattern_names(loaded, found.block, found.pattern)}};
+               {"pattern", pattern_names(loaded, found.block, found.pattern)},
+               {"state", state_json(loaded, found.block, found.pattern, found.state)}};
   } else {
     for (const auto& each : findings.factors->intervals) {
       intervals.push_back({{"low", number_or_null(each.low)},
@@ -118,7 +150,8 @@ ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings
                            {"proved", each.proved},
                            {"low_proved", each.low_proved},
                            {"high_proved", each.high_proved},
-                           {"pattern", pattern_names(loaded, each.block, each.pattern)}});
+                           {"pattern", pattern_names(loaded, each.block, each.pattern)},
+                           {"state", state_json(loaded, each.block, each.pattern, each.state)}});
     }
   }
   return {{"holding_friction", std::move(holding)},
@@ -159,6 +192,7 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
                      *found.upper == 0 ? std::string("0")
                                        : fmt::format("between {} and {}", shown.lower, shown.upper),
                      contact_of(loaded, found.block, found.pattern));
+      text += reactions_text(loaded, found.block, found.pattern, found.state);
     }
   } else {
     fmt::format_to(out, "\n{:>5}  {:>18}  {:>18}  {}\n", "", "held from", "held to",
@@ -169,6 +203,8 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
           out, "{:>5}  {:>18}  {:>18}  {}\n", ++number, end_text(each.low, each.low_out, false),
           end_text(each.high, each.high_out, true), contact_of(loaded, each.block, each.pattern));
     }
+    for (const auto& each : findings.factors->intervals)
+      text += reactions_text(loaded, each.block, each.pattern, each.state);
     fmt::format_to(out, "(factors of the reference load at friction coefficient {})\n",
                    options.mu.value_or(0));
   }

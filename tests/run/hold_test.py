@@ -37,6 +37,10 @@ class Hold(KusabiCase):
         found = result["result"]["holding_friction"]
         self.check_end(found["upper"], found["lower"], 1 / 3)
         self.assertTrue(found["lower_proved"] and found["upper_proved"])
+        # By statics: N_floor + mu N_wall = 1, N_wall = mu N_floor.
+        reactions = found["state"]["reactions"]
+        self.assertAlmostEqual(reactions["ladder.0,0"][0], 0.9, delta=1e-6)
+        self.assertAlmostEqual(reactions["ladder.10,0"][0], 0.3, delta=1e-6)
         self.assertEqual(result["verdict"]["exit_code"], 0)
         self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.3333\d+; at 0\.3333\d+ it can\.$")
 

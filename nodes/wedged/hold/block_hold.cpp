@@ -113,6 +113,20 @@ HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
                                      : sign;
 }
 
+std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
+                                          double factor, double mu) const {
+  if (!pattern || !std::isfinite(factor)) return {};
+  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, question_.precision);
+  nodes.end_when(analysis_.budget().stop());
+  const HoldSign sign = nodes.sign(*pattern);
+  if (sign != HoldSign::alive && sign != HoldSign::limit) return {};
+  auto leaf = nodes.leaf(*pattern);
+  const double amount = leaf.amounts.front();
+  if (!(amount > 0)) return {};
+  for (double& force : leaf.reaction) force /= amount;
+  return HeldState{factor, std::move(leaf.reaction)};
+}
+
 // Ratio of both loads in terms of the displacements under them.
 double BlockHold::factor_scale() const {
   const double scale = scale_of(block_, {1, 0}) / scale_of(block_, {0, 1});
@@ -309,6 +323,10 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
       if (gap.high >= each.low_out && gap.low < each.low_out) each.low_proved = false;
     }
   }
+  for (auto& each : found.intervals) {
+    each.state = state(each.pattern, each.high, mu);
+    if (!each.state) each.state = state(each.pattern, each.low, mu);
+  }
   return found;
 }
 
@@ -325,6 +343,7 @@ HeldFactors BlockHold::dead_alone(double mu) {
   HeldInterval all{-no_end, -no_end, no_end, no_end};
   all.proved = !at_limit;
   all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
+  all.state = state(all.pattern, 0, mu);
   found.intervals.push_back(all);
   return found;
 }

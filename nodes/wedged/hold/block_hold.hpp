@@ -49,6 +49,11 @@ class BlockHold {
   /// Bracket for the dead load with its clearances.
   HoldingFriction friction();
 
+  /// The state of a pattern under the dead load and a factor of the reference load. Nothing if
+  /// neither a state nor its relative interior is known.
+  [[nodiscard]] std::optional<HeldState> state(const std::optional<LoadedPattern>& pattern,
+                                               double factor, double mu) const;
+
  private:
   /// The ends of a monotone answer along a line from a point where it is `alive`.
   struct Ends {

@@ -146,8 +146,10 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     if (block.problem.motions.cols() == 0 || !is_under_dead(block)) continue;
     auto costs = std::move(found.costs);
-    auto own = BlockHold(analysis, block, question, costs).friction();
+    BlockHold hold(analysis, block, question, costs);
+    auto own = hold.friction();
     found.costs = std::move(costs);
+    if (own.upper) own.state = hold.state(own.pattern, 0, *own.upper);
     if (own.status != engine::Status::solved) found.status = own.status;
     if (own.lower_known && (!found.lower_known || own.lower > found.lower)) {
       found.lower = own.lower;
@@ -160,6 +162,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
       found.upper = own.upper;
       found.block = number;
       found.pattern = own.pattern;
+      found.state = own.state;
     }
     if (!found.upper) found.most = own.most;
     if (found.status != engine::Status::solved || !found.upper) break;

@@ -21,6 +21,12 @@ namespace kusabi::wedged {
 /// End of an unbounded interval.
 inline constexpr double no_end = std::numeric_limits<double>::infinity();
 
+/// Reactions of a state that is held.
+struct HeldState {
+  double factor = 0;             ///< of the reference load
+  std::vector<double> reaction;  ///< r of the block, force, dm
+};
+
 /// Factors of the reference load that can be held, from `low` to `high`; infinite: unbounded.
 struct HeldInterval {
   double low_out, low;    ///< no state at low_out: the end is between them
@@ -29,6 +35,7 @@ struct HeldInterval {
   bool low_proved = true, high_proved = true;  ///< no state outside, up to the next interval
   std::uint32_t block = 0;
   std::optional<LoadedPattern> pattern{};  ///< of the block, with a state at `high` or inside
+  std::optional<HeldState> state{};        ///< of the pattern, at an end that is not infinite
 };
 
 /// One search of a tree.
@@ -64,6 +71,7 @@ struct HoldingFriction {
   double most = 0;          ///< upper limit of the search
   std::uint32_t block = 0;  ///< the decisive one
   std::optional<LoadedPattern> pattern{};
+  std::optional<HeldState> state{};  ///< of the pattern, at `upper`
   std::vector<HoldCost> costs{};
 };
 
