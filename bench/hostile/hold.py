@@ -19,12 +19,15 @@ from itertools import product
 import bodies
 import generate_bodies
 from compare import Kusabi
-from exact_program import INFEASIBLE, UNBOUNDED, Program, exact_optimum
+from exact_program import INFEASIBLE, Program, exact_optimum
 from structure import Mechanism
 
 KINDS = ["loose-truss", "loose-mesh", "wedge", "pair", "loose-pair", "corner", "loose-corner"]
 #: Error of rows relative to their largest term: dependent equations of 80 digits remain consistent.
 ROOM = Fraction(1, 10**24)
+#: Largest force and load factor of the programs: with the room above, larger ones could be in any state. A load factor
+#: of this size counts as unbounded.
+LARGE = 10**10
 #: Relative difference of ends of intervals.
 NEAR = 1e-7
 
@@ -75,31 +78,33 @@ class Loaded:
             return Fraction(+value)
 
     def program(self, mu, contacts, dead_only):
-        """The states of one pattern; the last column is the load factor."""
+        """The states of one pattern, and the column of the load factor."""
         program = Program()
         last = 2 * self.candidates
-        edges = [(program.column(), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in contacts for sign in (1, -1)]
+        edges = [(program.column(upper=LARGE), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in contacts for sign in (1, -1)]
         modes = [program.column(lower=None) for _ in self.motions[0]]
-        factor = program.column(lower=None if not dead_only else 0, upper=None if not dead_only else 0)
+        most = 0 if dead_only else LARGE // 10
+        factor = program.column(lower=-most, upper=most)
+        one = program.column(lower=1, upper=1)  # of the constants: rows of nothing else are kept
 
-        def row(sense, at, constant, terms):
+        def row(sense, constant, terms):
             scale = max([abs(constant), *map(abs, terms.values())], default=0)
             if scale == 0:
                 return
-            terms = {j: value / scale for j, value in terms.items()}
+            terms = {j: value / scale for j, value in [*terms.items(), (one, constant)]}
             for sign in ("L", "G") if sense == "E" else (sense,):
-                program.row(sign, (-constant / scale) + (ROOM if sign == "L" else -ROOM), terms)
+                program.row(sign, ROOM if sign == "L" else -ROOM, terms)
 
         for i in range(self.candidates):
             line = self.flexibility[2 * i]
             terms = {j: line[n] + slope * line[t] for j, n, t, slope in edges}
             terms |= {j: self.motions[2 * i][k] for k, j in enumerate(modes)}
             terms[factor] = line[last + 1]
-            row("E" if i in contacts else "G", i, line[last] + self.clearances[i], terms)
+            row("E" if i in contacts else "G", line[last] + self.clearances[i], terms)
         for k in range(len(modes)):
             terms = {j: self.motions[n][k] + slope * self.motions[t][k] for j, n, t, slope in edges}
             terms[factor] = self.motions[last + 1][k]
-            row("E", k, self.motions[last][k], terms)
+            row("E", self.motions[last][k], terms)
         return program, factor
 
     def patterns(self):
@@ -116,7 +121,8 @@ class Loaded:
                 status, value = exact_optimum(program)
                 if status == INFEASIBLE:
                     break
-                ends.append(-sense * math.inf if status == UNBOUNDED else sense * float(value))
+                end = sense * float(value)
+                ends.append(math.copysign(math.inf, end) if abs(end) > LARGE / 11 else end)
             else:
                 found.append(tuple(ends))
         joined = []

@@ -108,9 +108,8 @@ HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
   nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(pattern);
   if (standard == Standard::proved) return sign;
-  return sign == HoldSign::limit     ? HoldSign::alive
-         : sign == HoldSign::nothing ? HoldSign::dead
-                                     : sign;
+  if (sign == HoldSign::limit || sign == HoldSign::face) return HoldSign::alive;
+  return sign == HoldSign::nothing ? HoldSign::dead : sign;
 }
 
 std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
@@ -173,8 +172,11 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
                                   double mu, Standard standard) const {
   const double endless = direction * no_end;
-  if (at(pattern, {0, static_cast<double>(direction)}, mu, standard) == HoldSign::alive)
-    return {endless, endless};
+  // Any multiple of a state of the reference load alone may be added to a state.
+  const LoadShare reference{0, static_cast<double>(direction)};
+  if (at(pattern, reference, mu, Standard::proved) == HoldSign::alive) return {endless, endless};
+  if (at(pattern, reference, mu, Standard::computed) == HoldSign::alive)
+    return {endless, endless, true};
   const double scale = factor_scale();
   double alive = from;
   double step = std::max(std::abs(from), scale);
@@ -237,6 +239,10 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   held.high_out = up.dead;
   held.low = down.alive;
   held.low_out = down.dead;
+  held.proved = held.proved && !up.endless_by_limit && !down.endless_by_limit;
+  held.high_proved = std::isinf(up.alive) || std::isfinite(up.dead);
+  held.low_proved = std::isinf(down.alive) || std::isfinite(down.dead);
+  found.open = found.open || !held.high_proved || !held.low_proved;
   std::vector<Gap> left;
   for (const Gap& each : unknown) {
     if (each.low < held.low_out)

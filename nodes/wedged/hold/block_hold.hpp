@@ -58,6 +58,7 @@ class BlockHold {
   /// The ends of a monotone answer along a line from a point where it is `alive`.
   struct Ends {
     double alive, dead;
+    bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
   };
   struct Gap {
     double low, high;

@@ -57,6 +57,8 @@ HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
   const bool acts = scales_.empty() ? !inside->loaded.empty() : inside->loaded.meets(acting_);
   if (!acts) return HoldSign::nothing;
   const IndexSet loaded = inside->loaded & all_;
+  const bool leaf = (node.contact | node.separated) == all_;
+  if (leaf && !loaded.includes(node.contact)) return HoldSign::face;
   if (!loaded.includes(node.contact) || loaded.meets(inside->moved)) return HoldSign::open;
   return HoldSign::limit;
 }
@@ -92,6 +94,7 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
       tally_.limits.push_back(nodes_.leaf(node));
       return;
     case HoldSign::nothing:
+    case HoldSign::face:
       ++tally_.computed;
       return;
     case HoldSign::open:

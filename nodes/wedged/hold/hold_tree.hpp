@@ -83,7 +83,7 @@ struct HoldTally : engine::Counts<HoldTally> {
 };
 
 /// Answer for one node.
-enum class HoldSign { dead, alive, limit, nothing, open };
+enum class HoldSign { dead, alive, limit, face, nothing, open };
 
 /// The node programs of one block under given loads.
 class HoldNodes {
@@ -95,8 +95,9 @@ class HoldNodes {
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
   void set_friction(double mu);
 
-  /// `limit`: states at a limit, in which a load acts; `nothing`: t* = 0 and no load acts; `open`:
-  /// neither is known, or a candidate remains to be decided.
+  /// `limit`: states at a limit, in which a load acts; `face`: a leaf with such states, in all of
+  /// which some candidate of U has no reaction, so that they are states of other leaves; `nothing`:
+  /// t* = 0 and no load acts; `open`: neither is known, or a candidate remains to be decided.
   HoldSign sign(const LoadedPattern& node);
 
   [[nodiscard]] const support::IndexSet& all() const { return all_; }
