@@ -326,7 +326,7 @@ TEST_F(Words, HelpExplainsALineOfTheLog) {
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(found)) << name;
   for (const std::string name : {"critical", "limit", "mip"})
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(best)) << name;
-  EXPECT_THAT(shell(command + " patterns --manual").output,
+  EXPECT_THAT(shell(command + " --manual patterns").output,
               HasSubstr("idle    ranks without work"));
   // The page explains the same line.
   const auto help = shell(command + " patterns --help").output;

@@ -155,7 +155,7 @@ TEST_F(Command, PrintsHelpAndItsVersion) {
   const auto manual = shell(command + " --manual");
   EXPECT_EQ(manual.exit_code, 0);
   EXPECT_TRUE(manual.output.starts_with(".TH KUSABI 1")) << manual.output;
-  EXPECT_THAT(shell(command + " patterns --manual").output,
+  EXPECT_THAT(shell(command + " --manual patterns").output,
               HasSubstr("\\fB\\-\\-checkpoint\\-interval\\fR"));
 }
 

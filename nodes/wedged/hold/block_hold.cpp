@@ -135,7 +135,7 @@ double BlockHold::factor_scale() const {
 // Where the answer is undecided near the end, both sides approach it separately.
 BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
                                   const std::function<HoldSign(double)>& sign) const {
-  auto [alive, dead] = ends;
+  auto [alive, dead, endless] = ends;
   double open_alive = dead, open_dead = alive;  // nearest undecided points
   const auto narrow = [&](double from, double to) {
     return std::abs(to - from) <=
@@ -166,7 +166,7 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
         met_open = true;
     }
   }
-  return {alive, dead};
+  return {alive, dead, endless};
 }
 
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
