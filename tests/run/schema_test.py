@@ -81,7 +81,7 @@ OPTIONAL_OF = {
     "hold": {"structure": {"reference_loads"}},
 }
 # keys are names of the problem
-NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns"}
+NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
 
 
 def places(value, way=(), name=""):
