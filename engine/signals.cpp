@@ -2,12 +2,16 @@
 #include "engine/signals.hpp"
 
 #include <csignal>
+#include <cstdlib>
+
+#include <unistd.h>
 
 namespace kusabi::engine {
 namespace {
 
 volatile std::sig_atomic_t stop_asked = 0;
 volatile std::sig_atomic_t checkpoint_asked = 0;
+volatile pid_t launcher = 0;
 
 extern "C" void note_stop(int signal) {
   stop_asked = 1;
@@ -18,11 +22,27 @@ extern "C" void note_checkpoint(int /*signal*/) {
   checkpoint_asked = 1;
 }
 
+extern "C" void note_continued(int /*signal*/, siginfo_t* info, void* /*context*/) {
+  if (info->si_pid == launcher) stop_asked = 1;
+}
+
+// The mpirun of Open MPI ends its ranks by SIGCONT, then, each after the pause of
+// odls_base_sigkill_timeout, SIGTERM and SIGKILL. The first one leaves twice the time to write.
+void heed_launcher() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return;
+  launcher = getppid();
+  struct sigaction action {};
+  action.sa_sigaction = &note_continued;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  sigaction(SIGCONT, &action, nullptr);
+}
+
 }  // namespace
 
 void heed_signals() {
+  heed_launcher();
   std::signal(SIGINT, &note_stop);
-  std::signal(SIGTERM, &note_stop);
+  for (const int signal : {SIGTERM, SIGXCPU, SIGUSR2}) std::signal(signal, &note_stop);
   // SIGHUP means that the terminal is closed. Under nohup it is ignored and stays so.
   if (std::signal(SIGHUP, &note_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGUSR1, &note_checkpoint);

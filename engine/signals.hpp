@@ -5,9 +5,10 @@
 
 namespace kusabi::engine {
 
-/// Installs the handlers. SIGINT, SIGTERM and SIGHUP (unless ignored, as under nohup) request a
-/// stop; a second SIGINT ends the process at once. SIGUSR1, which batch systems send before the
-/// time is up, requests a checkpoint.
+/// Installs the handlers. SIGINT, SIGTERM, SIGHUP (unless ignored, as under nohup), SIGXCPU (limit
+/// of CPU time) and SIGUSR2 request a stop, as does SIGCONT from the mpirun of Open MPI, by which
+/// it begins to end its ranks; a second SIGINT ends the process at once. SIGUSR1 requests a
+/// checkpoint.
 void heed_signals();
 
 /// True if a stop was requested.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/together.hpp"
+#include "engine/transport/reason.hpp"
 #include "run/command/command_line.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/config_file.hpp"
@@ -62,8 +63,9 @@ int main(int argc, char** argv) {
     if (session.speaks()) print_message("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {
-    session.transport().abandon(error.what());
-    print_message("kusabi: {}\n", error.what());
+    const auto reason = kusabi::engine::reason_of(error.what());
+    session.transport().abandon(reason);
+    print_message("kusabi: {}\n", reason);
     return failed;
   }
 }

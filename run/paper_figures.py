@@ -45,6 +45,10 @@ def cones(run):
                      for cone, rest in sorted(zip(run.result["cones"], idle), key=lambda pair: -len(pair[0]["rays"])))
 
 
+def rays_of_cones(run):
+    return ", ".join(str(each) for each in sorted((len(cone["rays"]) for cone in run.result["cones"]), reverse=True))
+
+
 def braced(numbers):
     return "{" + ", ".join(str(each) for each in numbers) + "}"
 
@@ -241,6 +245,8 @@ TABLES = {
         Row("Figure 5: t̂", "kusabi rays plane-5.toml --mu 1", "5", lambda run: str(len(run.result["cones"]))),
         Row("Figure 5: the circles", "kusabi rays plane-5.toml --mu 1", LOST, cones,
             "ours: rays of each cone, and where it is in contact"),
+        Row("7.2: rays (a)–(i) of one pattern", "kusabi rays plane-5.toml --mu 1", "9", rays_of_cones,
+            "ours: rays of each cone. The letters are those of Figure 5, which is lost; no cone has nine rays"),
         Row("Table 3: μᶜ of (a)–(e)", "kusabi critical plane-5.toml --method bisection --mu-max 1",
             "0.6072, 0.6718, 0.7804, 0.7909, 0.9422", coefficients(4)),
         Row("Table 3, by one sweep", "kusabi sweep plane-5.toml --mu-max 1 --svg chart.svg",

@@ -1,6 +1,7 @@
 // Products by Boost.Multiprecision; a count is kept as what is shown of it.
 #include "support/exact_count.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -47,8 +48,10 @@ std::optional<std::uint64_t> ExactCount::number() const {
 
 double ExactCount::log10() const {
   constexpr std::size_t enough = 18;
-  const auto first = digits_.substr(0, enough);
-  return std::log10(std::stod(first)) + static_cast<double>(digits_.size() - first.size());
+  const auto size = std::min(digits_.size(), enough);
+  std::uint64_t first = 0;
+  std::from_chars(digits_.data(), digits_.data() + size, first);
+  return std::log10(static_cast<double>(first)) + static_cast<double>(digits_.size() - size);
 }
 
 std::string ExactCount::text() const {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "engine/detail/contract.hpp"
+#include "engine/transport/reason.hpp"
 
 namespace kusabi::engine {
 namespace {
@@ -109,7 +110,7 @@ std::optional<Reduction> MpiTransport::reduction() {
 
 void MpiTransport::abandon(const std::string& reason) {
   std::fflush(stdout);
-  std::fprintf(stderr, "rank %d of %d: %s\n", rank_, size_, reason.c_str());
+  std::fprintf(stderr, "rank %d of %d: %s\n", rank_, size_, reason_of(reason).c_str());
   std::fflush(stderr);
   MPI_Abort(messages_, EXIT_FAILURE);
   std::abort();  // MPI_Abort does not return, but is not declared so

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,6 +33,7 @@ namespace kusabi::run {
 namespace {
 
 constexpr const char* standard_output = "-";  // name of standard output in a call
+constexpr const char* status_ending = ".status";
 
 // Destination of an output; empty: none.
 std::string place_of(const OptionRow& row) {
@@ -45,6 +48,7 @@ CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable&
     : session_(session), command_(command), table_(table), defaults_(defaults) {
   const auto* const quiet = table.find("--quiet");
   quiet_ = quiet != nullptr && quiet->given;
+  if (quiet_) session_.silence_warnings();
   // Output on standard output is read by programs, so no table is printed.
   for (const auto& row : table.rows())
     quiet_ = quiet_ || (row.role == Role::output && row.given == standard_output);
@@ -52,7 +56,7 @@ CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable&
 
 int CommandRun::execute() {
   check();
-  if (session_.speaks()) {
+  if (session_.speaks() && !session_.silent()) {
     for (const auto& line : table_.warnings()) warn(line);
   }
   settle_time_limit();
@@ -68,7 +72,9 @@ int CommandRun::execute() {
   command_.search(*this);
   std::uint64_t code = solved;
   if (session_.speaks()) {
-    do_all(command_.results(*this));
+    auto steps = command_.results(*this);
+    if (keeping_) steps.insert(steps.begin(), [this] { write_status(); });
+    do_all(steps);
     if (!quiet_) {
       for (const auto& name : written_) print_message("wrote {}\n", name);
     }
@@ -88,6 +94,14 @@ int CommandRun::execute() {
   // Reduction of a value of rank 0 only; the other ranks sleep until it has written.
   return static_cast<int>(
       engine::all_reduce(session_.transport(), {.ranks = 1, .found = code}).found);
+}
+
+// The end of the search, before long results are written: a job script knows it even if the process
+// is killed meanwhile.
+void CommandRun::write_status() const {
+  OutputFile file("--resume", keeping_->file + status_ending, input());
+  file.stream() << status_text(verdict()) << '\n';
+  file.put_in_place();
 }
 
 Verdict CommandRun::verdict() const {
@@ -258,6 +272,8 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
   }
   kept_ = session_.from_first_rank([&] {
     journal_ = opened_journal(choice.state, facts, question.value(), choice.patience);
+    std::error_code none;
+    std::filesystem::remove(choice.state + status_ending, none);
     for (const auto& line : journal_->warnings()) warn(line);
     if (journal_->is_finished() && !quiet_) print_message("{}: finished before\n", choice.state);
     return state_of(*journal_);
@@ -278,10 +294,29 @@ engine::Supervision CommandRun::supervision(const engine::Limits& limits) {
     left.seconds = std::max(0.0, until.count());
   }
   auto result = run::supervision(kept_.finished ? engine::Limits{} : left, quiet_);
+  if (ends_with_the_job_at_ && session_.speaks()) reserve_time_to_write(result);
   if (kept_.finished) result.interrupt = {};  // too short to be stopped
   result.warn = warn;
   result.keeping = keeping_;
   return result;
+}
+
+// A search ends the earlier before the end of the job the more results it has to write.
+void CommandRun::reserve_time_to_write(engine::Supervision& supervision) const {
+  const auto found = std::make_shared<std::uint64_t>(0);
+  supervision.watch = [found, watch = supervision.watch](engine::Goal goal,
+                                                         const engine::ShownObjective& shown) {
+    const auto show = watch ? watch(goal, shown) : std::function<void(const engine::Progress&)>();
+    return [found, show](const engine::Progress& progress) {
+      *found = progress.found;
+      if (show) show(progress);
+    };
+  };
+  supervision.interrupt = [found, asked = supervision.interrupt, end = *ends_with_the_job_at_] {
+    const std::chrono::duration<double> left = end - std::chrono::steady_clock::now();
+    if (*found != 0 && left.count() <= seconds_to_write(*found)) return engine::Interrupt::stop;
+    return asked();
+  };
 }
 
 bool CommandRun::wants(const std::string& option) const {

@@ -119,7 +119,9 @@ class CommandRun {
   [[nodiscard]] support::LongWork long_work();
   [[nodiscard]] double seconds() const;
   int stopped_before_the_search();
+  void write_status() const;
   void settle_time_limit();
+  void reserve_time_to_write(engine::Supervision& supervision) const;
   void open_outputs();
   void announce();
   void put_in_place(const std::string& option);

@@ -41,6 +41,7 @@ class Example : public Subcommand {
 
   static void describe_output(OptionTable& table) {
     table.output("problem file to write; default: standard output");
+    table.quiet();
   }
 
  private:

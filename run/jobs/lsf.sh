@@ -16,11 +16,12 @@ call=(patterns FILE --mu 0.65)
 again=75
 
 result=$LSB_JOBNAME.json
-rm -f "$result"
-mpirun kusabi "${call[@]}" --resume "$LSB_JOBNAME.state" --time-limit 3h55m --output "$result"
+state=$LSB_JOBNAME.state
+rm -f "$result" "$state.status"
+mpirun kusabi "${call[@]}" --resume "$state" --time-limit 3h55m --output "$result"
 code=$?
 
-if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result"; then
+if grep -Eqsx 'time-limit|interrupted' "$state.status"; then
   exit "$again"
 fi
 exit "$code"

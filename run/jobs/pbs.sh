@@ -16,12 +16,13 @@ turn=${TURN:-1}
 most_turns=${KUSABI_MOST_TURNS:-100}
 
 result=$PBS_JOBNAME.json
-rm -f "$result"
+state=$PBS_JOBNAME.state
+rm -f "$result" "$state.status"
 # shellcheck disable=SC2086  # CALL is words
-mpirun kusabi $CALL --resume "$PBS_JOBNAME.state" --time-limit "${TIME:-3h55m}" --output "$result"
+mpirun kusabi $CALL --resume "$state" --time-limit "${TIME:-3h55m}" --output "$result"
 code=$?
 
-if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result" && [ "$turn" -lt "$most_turns" ]; then
+if grep -Eqsx 'time-limit|interrupted' "$state.status" && [ "$turn" -lt "$most_turns" ]; then
   qsub -N "$PBS_JOBNAME" -v "CALL=$CALL,TIME=${TIME:-3h55m},SCRIPT=$script,TURN=$((turn + 1))" "$script"
   exit
 fi

@@ -23,13 +23,14 @@ for word in "$@"; do
 done
 
 result=$SLURM_JOB_NAME.$number.json
-rm -f "$result"
+state=$SLURM_JOB_NAME.$number.state
+rm -f "$result" "$state.status"
 # shellcheck disable=SC2086  # the launcher may have options
-${KUSABI_LAUNCHER:-mpirun} kusabi "${words[@]}" --resume "$SLURM_JOB_NAME.$number.state" --time-limit slurm \
+${KUSABI_LAUNCHER:-mpirun} kusabi "${words[@]}" --resume "$state" --time-limit slurm \
   --output "$result"
 code=$?
 
-if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result" &&
+if grep -Eqsx 'time-limit|interrupted' "$state.status" &&
   [ "${SLURM_RESTART_COUNT:-0}" -lt "$most_turns" ]; then
   scontrol requeue "$SLURM_JOB_ID"
   exit

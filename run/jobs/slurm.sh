@@ -15,15 +15,17 @@ set -u
 most_turns=${KUSABI_MOST_TURNS:-100}
 
 result=$SLURM_JOB_NAME.json
+state=$SLURM_JOB_NAME.state
 # What kills its ranks kills mpirun, too: what the last turn has written says nothing of this one.
-rm -f "$result"
+rm -f "$result" "$state.status"
 # shellcheck disable=SC2086  # the launcher may have options: KUSABI_LAUNCHER="srun --mpi=pmix"
-${KUSABI_LAUNCHER:-mpirun} kusabi "$@" --resume "$SLURM_JOB_NAME.state" --time-limit slurm --output "$result"
+${KUSABI_LAUNCHER:-mpirun} kusabi "$@" --resume "$state" --time-limit slurm --output "$result"
 code=$?
 
-# The result says whether more time helps. Exit code 3 does not: something may have been left open for good; and
+# The status is written before the results, so it is there even if kusabi is killed while it writes these. It says
+# whether more time helps. Exit code 3 does not: something may have been left open for good; and
 # MPICH's mpirun may lose the code when it passed a signal on.
-if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result" &&
+if grep -Eqsx 'time-limit|interrupted' "$state.status" &&
   [ "${SLURM_RESTART_COUNT:-0}" -lt "$most_turns" ]; then
   scontrol requeue "$SLURM_JOB_ID"
   exit

@@ -14,8 +14,9 @@ name=$1
 shift
 ranks=${KUSABI_RANKS:-$(nproc)}
 most_turns=${KUSABI_MOST_TURNS:-100}
-# To end, Open MPI's mpirun gives its ranks time to keep their state: see docs/long-runs.md.
-export OMPI_MCA_odls_base_sigkill_timeout=${OMPI_MCA_odls_base_sigkill_timeout:-60}
+# Half the time, in seconds, that Open MPI's mpirun gives its ranks to keep their state and to write: see
+# docs/long-runs.md.
+export OMPI_MCA_odls_base_sigkill_timeout=${OMPI_MCA_odls_base_sigkill_timeout:-10}
 
 for ((turn = 1; turn <= most_turns; ++turn)); do
   mpirun -np "$ranks" \

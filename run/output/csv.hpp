@@ -1,5 +1,6 @@
 // Tables as CSV files (RFC 4180, with line feeds as line ends): header first, numbers that read
-// back to the same bits, empty cells for absent values.
+// back to the same bits, empty cells for absent values, no text that spreadsheets take for a
+// formula.
 #pragma once
 
 #include <cmath>
@@ -14,9 +15,12 @@
 
 namespace kusabi::run {
 
-/// A text as a cell, in quotes where commas or quotes require it.
+/// A text as a cell, in quotes. Spreadsheets compute a text that begins with = + - @ even in
+/// quotes; an apostrophe before it prevents that.
 inline std::string csv_cell(std::string_view text) {
   std::string quoted = "\"";
+  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
+    quoted += '\'';
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';
 }

@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "engine/transport/reason.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -14,7 +15,7 @@ void do_all(const std::vector<std::function<void()>>& steps) {
       step();
     } catch (const std::exception& error) {
       if (first) {
-        print_message("kusabi: {}\n", error.what());
+        print_message("kusabi: {}\n", engine::reason_of(error.what()));
       } else {
         first = std::current_exception();
       }

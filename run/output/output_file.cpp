@@ -100,6 +100,7 @@ std::string OutputFile::open_beside() {
   remove_what_the_dead_left(place_);
   const auto stem = fmt::format("{}.{}.{}", place_.string(), host_name(), getpid());
   constexpr mode_t for_all = 0666;
+  constexpr mode_t all_bits = 07777;
   // The name may be used by a process with the same number on a machine or container with the same
   // host name.
   for (int number = 0; lock_ < 0; ++number) {
@@ -112,6 +113,10 @@ std::string OutputFile::open_beside() {
     beside_ = std::move(name);
   }
   flock(lock_, LOCK_EX | LOCK_NB);  // without locks, abandoned files are not removed
+  // The new file has the permissions of the one that it replaces.
+  struct stat old {};
+  if (stat(place_.c_str(), &old) == 0 && S_ISREG(old.st_mode))
+    fchmod(lock_, old.st_mode & all_bits);
   file_.open(beside_, std::ios::binary | std::ios::in | std::ios::out);
   if (!file_) return std::strerror(errno);
   return {};

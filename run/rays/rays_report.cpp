@@ -251,7 +251,9 @@ void RaysReport::begin(CsvWriter& csv) const {
 }
 
 void RaysReport::add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) const {
-  csv.count(number + 1).text(states(number));
+  // One letter for each candidate, also where a spreadsheet takes them for a formula: readers count
+  // them.
+  csv.count(number + 1).word(fmt::format("\"{}\"", states(number)));
   add_configuration(csv, problem_, numbers(ray.reaction), numbers(ray.displacement));
   csv.end_row();
 }

@@ -41,7 +41,7 @@ void warn(const std::string& line) {
 void warn_all(Session& session, const std::vector<std::string>& lines) {
   if (!session.speaks()) return;
   for (const auto& line : lines) {
-    warn(line);
+    if (!session.silent()) warn(line);
     session.note(line);
   }
 }

@@ -14,8 +14,8 @@ namespace kusabi::run {
 /// One line on standard error.
 void warn(const std::string& line);
 
-/// Warnings about the input, on rank 0 only: on standard error at once, beneath the answer and in
-/// the result file.
+/// Warnings about the input, on rank 0 only: on standard error at once unless the session is
+/// silent, beneath the answer and in the result file.
 void warn_all(Session& session, const std::vector<std::string>& lines);
 
 /// The state file of --resume, opened or created; on rank 0. If another run holds it, the call

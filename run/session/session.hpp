@@ -40,6 +40,10 @@ class Session {
   /// True on rank 0, which reads files, prints and writes.
   [[nodiscard]] bool speaks() { return transport().rank() == 0; }
 
+  /// From here on warnings about the input and the call are only in the answer (--quiet).
+  void silence_warnings() { silent_ = true; }
+  [[nodiscard]] bool silent() const { return silent_; }
+
   /// Adds a warning about the input, to be repeated with the answer.
   void note(const std::string& warning) { warnings_.push_back(warning); }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -58,6 +62,7 @@ class Session {
   struct Mpi;  // hides mpi.h from the command
   std::unique_ptr<Mpi> mpi_;
   std::unique_ptr<engine::Transport> alone_;
+  bool silent_ = false;
   std::vector<std::string> warnings_;
 };
 

@@ -110,6 +110,11 @@ double margin_before_the_end(double left) {
   return std::clamp(share * left, 0.0, most);
 }
 
+double seconds_to_write(std::uint64_t results) {
+  constexpr double each = 1e-4;
+  return each * static_cast<double>(results);
+}
+
 double seconds_of_slurm_job(const Environment& environment, const Shell& shell, double now) {
   const auto* const job = environment("SLURM_JOB_ID");
   if (job == nullptr) {

@@ -1,6 +1,7 @@
 // Time limit of a run: a duration (90s, 1h30m, 5400), or the end of the batch job.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@ std::optional<double> seconds_in(std::string_view text);
 /// most.
 /// @param left seconds
 double margin_before_the_end(double left);
+
+/// Time to write so many results, such as patterns, on a slow machine.
+double seconds_to_write(std::uint64_t results);
 
 /// Output of a shell command; empty if it fails. popen, except in tests.
 using Shell = std::function<std::string(const std::string& command)>;

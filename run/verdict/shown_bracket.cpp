@@ -2,6 +2,7 @@
 #include "run/verdict/shown_bracket.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,13 @@ int places_of(double number, int digits) {
   return digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number))));
 }
 
+// The number of a text made by fmt, which has a decimal point in any locale.
+double value_of(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 // Trailing zeros are removed.
 std::string trimmed(std::string number) {
   if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
@@ -33,7 +41,7 @@ std::string rounded(double number, int places, int way) {
   if (!std::isfinite(number) || places < 0 || places > most_places)
     return fmt::format("{}", number);
   auto text = fmt::format("{:.{}f}", number, places);
-  const double shown = std::stod(text);
+  const double shown = value_of(text);
   if (way * (number - shown) > 0)
     text = fmt::format("{:.{}f}", shown + way * std::pow(10, -places), places);
   return trimmed(std::move(text));
@@ -61,7 +69,7 @@ ShownBracket in_sentence(double lower, double upper) {
 ShownBracket in_table(double lower, double upper) {
   for (int digits = digits_of_table; digits < all_digits; ++digits) {
     auto shown = to(lower, upper, digits);
-    if (std::stod(shown.upper) - std::stod(shown.lower) <= 2 * (upper - lower)) return shown;
+    if (value_of(shown.upper) - value_of(shown.lower) <= 2 * (upper - lower)) return shown;
   }
   return {fmt::format("{}", lower), fmt::format("{}", upper)};
 }

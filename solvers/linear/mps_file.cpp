@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -46,17 +45,25 @@ struct MpsColumn {
 // A name and its value: an entry, a right-hand side.
 using Pairs = std::vector<std::pair<std::string_view, std::string_view>>;
 
-// A number such as "1.5e3"; nothing if the word is not one. (Exponents with a D are refused:
-// readers take them as 1 or as 1000.)
+// A number beyond the range of a double: infinite, or as good as zero.
+double beyond_range(std::string_view word) {
+  long double wide = 0;
+  if (std::from_chars(word.data(), word.data() + word.size(), wide).ec == std::errc())
+    return static_cast<double>(wide);
+  if (word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos)
+    return 0;
+  return word.starts_with('-') ? -infinity : infinity;
+}
+
+// A number such as "1.5e3", in any locale with a decimal point; nothing if the word is not one.
+// (Exponents with a D are refused: readers take them as 1 or as 1000.)
 std::optional<double> number(std::string_view word) {
   if (word.starts_with('+') && word.size() > 1 && word[1] != '-') word.remove_prefix(1);
   double value = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, value);
   if (rest != end || error == std::errc::invalid_argument) return {};
-  if (error == std::errc::result_out_of_range)
-    value = std::strtod(std::string(word).c_str(), nullptr);
-  return value;
+  return error == std::errc::result_out_of_range ? beyond_range(word) : value;
 }
 
 std::optional<bool> maximise_says(std::string_view word) {

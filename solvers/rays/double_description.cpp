@@ -303,25 +303,24 @@ void DoubleDescription::add_between(int row, const std::vector<int>& plus,
                                     const std::vector<int>& minus) {
   const AdjacentPairs pairs(list_.zeros, plus, minus, list_.done.gaps, enough());
   const auto stage = after(row);
-  const auto add = [&](const AdjacentPairs::Part& part, NewRays& into) {
+  const auto add = [&](const AdjacentPairs::Part& part, NewRays& into, const auto& stop) {
     const auto found = [&](const AdjacentPair& pair) {
       ZeroSet zero = pair.common;
       if (is_gap(row)) zero.u |= bit(row);
       combine(pair, zero, stage, into);
       ++into.effort.adjacent;
     };
-    into.stopped = !pairs.search(part, found, conduct_.stop, into.effort.pairs);
+    into.stopped = !pairs.search(part, found, stop, into.effort.pairs);
   };
   const auto many = static_cast<std::uint64_t>(plus.size()) * minus.size();
-  if (!conduct_.share || many < pairs_worth_sharing) {
-    add(pairs.whole(), next_);
-    return;
-  }
+  if (!conduct_.share) return add(pairs.whole(), next_, conduct_.stop);
+  // A step that all ranks repeat must end alike on all of them.
+  if (many < pairs_worth_sharing) return add(pairs.whole(), next_, std::function<bool()>());
   const auto parts = pairs.parts(many / pieces_of_cut);
   if (parts.empty()) return;
   for (const NewRays& rays : conduct_.share(parts.size(), [&](std::uint64_t piece) {
          NewRays own;
-         add(parts[piece], own);
+         add(parts[piece], own, conduct_.stop);
          return own;
        })) {
     append(rays);
@@ -416,12 +415,13 @@ std::uint64_t bytes_for(std::uint64_t rays, int candidates) {
 }
 
 struct PatternRaysByTurns::State {
-  State(const ReactionCone& cone, Candidates in_contact)
+  State(const ReactionCone& cone, Candidates in_contact, std::function<bool()> stop)
       : contact(in_contact),
         separated(cone.all() & ~in_contact),
-        description(cone, in_contact, in_contact, {.give_up = [this](const Effort& effort) {
-                      return effort.pairs > most_pairs;
-                    }}) {}
+        description(cone, in_contact, in_contact,
+                    {.stop = std::move(stop), .give_up = [this](const Effort& effort) {
+                       return effort.pairs > most_pairs;
+                     }}) {}
 
   std::uint64_t most_pairs = 0;
   Candidates contact;
@@ -429,8 +429,9 @@ struct PatternRaysByTurns::State {
   DoubleDescription description;
 };
 
-PatternRaysByTurns::PatternRaysByTurns(const ReactionCone& cone, Candidates contact)
-    : state_(std::make_unique<State>(cone, contact)) {}
+PatternRaysByTurns::PatternRaysByTurns(const ReactionCone& cone, Candidates contact,
+                                       std::function<bool()> stop)
+    : state_(std::make_unique<State>(cone, contact, std::move(stop))) {}
 PatternRaysByTurns::PatternRaysByTurns(PatternRaysByTurns&&) noexcept = default;
 PatternRaysByTurns& PatternRaysByTurns::operator=(PatternRaysByTurns&&) noexcept = default;
 PatternRaysByTurns::~PatternRaysByTurns() = default;
@@ -448,8 +449,13 @@ Enumeration PatternRaysByTurns::result() && {
 }
 
 Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact) {
-  PatternRaysByTurns turns(cone, contact);
-  turns.go_on(std::numeric_limits<std::uint64_t>::max());
+  return *rays_of_pattern(cone, contact, {});
+}
+
+std::optional<Enumeration> rays_of_pattern(const ReactionCone& cone, Candidates contact,
+                                           std::function<bool()> stop) {
+  PatternRaysByTurns turns(cone, contact, std::move(stop));
+  if (!turns.go_on(std::numeric_limits<std::uint64_t>::max())) return std::nullopt;
   return std::move(turns).result();
 }
 

@@ -60,7 +60,8 @@ struct Conduct {
   /// Maximum number of rays: above it the enumeration ends, if the list can be divided.
   std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max();
 
-  /// Called now and then; true ends the enumeration. Empty: never.
+  /// Called now and then; true ends the enumeration. With sharing it may differ between the ranks:
+  /// it then ends shared pieces, and `agree` combines it after each step. Empty: never.
   std::function<bool()> stop = {};
 
   /// Computes the pieces of work 0, ..., count - 1 by one function and returns all results in
@@ -126,17 +127,23 @@ std::uint64_t bytes_for(std::uint64_t rays, int candidates);
 /// rays of C_r, since D(Y) is one of its faces.
 Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact);
 
+/// The same; nothing if `stop`, which is called now and then, returned true.
+std::optional<Enumeration> rays_of_pattern(const ReactionCone& cone, Candidates contact,
+                                           std::function<bool()> stop);
+
 /// As rays_of_pattern, in resumable turns of limited cost.
 class PatternRaysByTurns {
  public:
   /// @param cone outlives this object
-  PatternRaysByTurns(const ReactionCone& cone, Candidates contact);
+  /// @param stop called now and then; after it returned true, go_on returns false and the object is
+  ///        of no use. Empty: never
+  PatternRaysByTurns(const ReactionCone& cone, Candidates contact, std::function<bool()> stop = {});
   PatternRaysByTurns(PatternRaysByTurns&&) noexcept;
   PatternRaysByTurns& operator=(PatternRaysByTurns&&) noexcept;
   ~PatternRaysByTurns();
 
   /// Resumes until more than `most_pairs` pairs were tested, over all turns, or all rays are found.
-  /// A step is not interrupted. @return true if all rays are found
+  /// Only `stop` interrupts a step. @return true if all rays are found
   bool go_on(std::uint64_t most_pairs);
 
   /// @pre go_on has returned true

@@ -19,12 +19,15 @@ bool compatible(const Cone& a, const Cone& b) {
 /// fewer.
 class Walk {
  public:
-  Walk(std::vector<Cone> supports, Candidates all) : supports_(std::move(supports)), all_(all) {}
+  Walk(std::vector<Cone> supports, Candidates all, const std::function<bool()>& stop)
+      : supports_(std::move(supports)), all_(all), stop_(stop) {}
 
-  std::vector<Cone> cones() && {
+  // Nothing if the walk was stopped.
+  std::optional<std::vector<Cone>> cones() && {
     std::vector<int> everything(supports_.size());
     for (std::size_t i = 0; i < everything.size(); ++i) everything[i] = static_cast<int>(i);
     descend(everything);
+    if (stopped_) return std::nullopt;
     std::sort(found_.begin(), found_.end(), by_bits);
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     return std::move(found_);
@@ -45,7 +48,8 @@ class Walk {
   // `list` contains all rays compatible with the choices so far. Only a candidate at which it has
   // both a reaction and a gap requires a choice.
   void descend(const std::vector<int>& list) {
-    if (list.empty()) return;
+    stopped_ = stopped_ || (stop_ && stop_());
+    if (list.empty() || stopped_) return;
     const Cone sum = together(list);
     const Candidates disputed = sum.reaction & sum.separated;
     if (disputed == 0) {
@@ -75,12 +79,19 @@ class Walk {
 
   std::vector<Cone> supports_;
   Candidates all_;
+  const std::function<bool()>& stop_;
+  bool stopped_ = false;
   std::vector<Cone> found_;
 };
 
 }  // namespace
 
 std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all) {
+  return *maximal_cones(rays, all, {});
+}
+
+std::optional<std::vector<Cone>> maximal_cones(std::span<const ZeroSet> rays, Candidates all,
+                                               const std::function<bool()>& stop) {
   std::vector<Cone> supports;
   supports.reserve(rays.size());
   for (const ZeroSet& zero : rays) {
@@ -89,8 +100,9 @@ std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all) {
   }
   std::sort(supports.begin(), supports.end(), by_bits);
   supports.erase(std::unique(supports.begin(), supports.end()), supports.end());
-  std::vector<Cone> cones = Walk(std::move(supports), all).cones();
-  std::sort(cones.begin(), cones.end(), [](const Cone& a, const Cone& b) {
+  auto cones = Walk(std::move(supports), all, stop).cones();
+  if (!cones) return cones;
+  std::sort(cones->begin(), cones->end(), [](const Cone& a, const Cone& b) {
     if (a.reaction != b.reaction) return before(a.reaction, b.reaction);
     return before(a.separated, b.separated);
   });

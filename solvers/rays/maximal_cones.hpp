@@ -6,6 +6,8 @@
 // all cliques without the graph (docs/theory/rays.md).
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,5 +36,9 @@ inline bool cross_complementary(const Supports& a, const Supports& b) {
 
 /// All maximal cones, in the order of their reactions.
 std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all);
+
+/// The same; nothing if `stop`, which is called now and then, returned true.
+std::optional<std::vector<Cone>> maximal_cones(std::span<const ZeroSet> rays, Candidates all,
+                                               const std::function<bool()>& stop);
 
 }  // namespace kusabi::rays

@@ -225,7 +225,7 @@ std::vector<std::string> states_of_searches(const fs::path& folder) {
 
 TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
   const auto problem = long_search(in_folder("truss.toml"));
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGUSR2}) {
     const auto child = start(
         {"patterns", problem, "--mu", "1", "--output", in_folder("p.json"), "--trace",
          in_folder("p.trace"), "--resume", in_folder("state"), "--checkpoint-interval", "0.01"},

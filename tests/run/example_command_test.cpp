@@ -16,6 +16,8 @@ TEST_F(Command, WritesExamplesThatItCanSolve) {
   const auto call = command + " example space-truss ";
   EXPECT_EQ(shell(call + "--output " + quoted(file)).exit_code, 0);
   EXPECT_EQ(shell(call).output, content(file));
+  EXPECT_EQ(shell(call + "--quiet").output, content(file));
+  EXPECT_EQ(shell(call + "-q --output " + quoted(file)).output, "");
   const auto solved = shell(command + " patterns " + quoted(file) + " --mu 0.65");
   EXPECT_THAT(solved.output, HasSubstr("27 sign patterns"));
 

@@ -2,6 +2,7 @@
 
     python3 warnings_test.py KUSABI SOURCES
 """
+import json
 import pathlib
 import shutil
 import sys
@@ -47,6 +48,12 @@ class Warnings(Problems):
         shown = self.said("show", CASES / "dup.toml").stdout
         self.assertIn("2, not connected with each other", shown)
         self.assertEqual(shown.count("unconstrained, can move along x and y and turn"), 2)
+
+    def test_quiet_runs_have_them_in_the_result_file_only(self):
+        file = self.folder / "quiet.json"
+        run = self.said("critical", CASES / "dup.toml", "--quiet", "--output", file)
+        self.assertEqual(run.stderr, "")
+        self.assertIn("at the place of another node", json.loads(file.read_text())["warnings"][0])
 
     def test_loads_that_have_no_part_in_it(self):
         file = self.groove('\n[[loads]]\nkind = "dead"\nnodes = ["w.20"]\nforce = [0, -100]\n')

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "verify/arithmetic/least_squares.hpp"
@@ -15,10 +15,13 @@
 namespace kusabi::verify {
 namespace {
 
+// In any locale with a decimal point.
 std::string text_of(double value) {
+  constexpr int digits = 10;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.10g", value);
-  return text.data();
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::general, digits);
+  return {text.data(), end};
 }
 
 std::optional<std::string> other_candidates(const Certificate& certificate,

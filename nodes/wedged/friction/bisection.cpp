@@ -15,8 +15,10 @@ PatternBisection::PatternBisection(const problems::WedgedProblem& problem, doubl
       start_(start),
       method_(method),
       sections_(std::max<std::int64_t>(1, sections)) {
-  for (const auto& candidates : problems::blocks_of(problem))
+  for (const auto& candidates : problems::blocks_of(problem)) {
     critical_.emplace_back(problems::block_problem(problem, candidates), width);
+    critical_.back().end_when(pollable_.stop());
+  }
 }
 
 PatternBisection::Tally PatternBisection::tally() const {
@@ -37,36 +39,41 @@ void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& 
     out.branch({node.first + half, node.count - half, node.cell});
     return;
   }
+  const bool undivided = node.claimed && node.cell == CriticalCell{0, start_};
+  if (patterns_[node.first].lives && method_ == CriticalMethod::bisection && sections_ > 1 &&
+      undivided)
+    return begin(node, out);
+  const auto work = pollable_.within(out, node, [&] { return locate(node); });
+  if (!work || !*work) return;
+  const auto& [cell, done] = **work;
+  if (done)
+    out.solution({node.first, cell});
+  else
+    out.branch({node.first, 1, cell});
+}
+
+std::optional<PatternBisection::Located> PatternBisection::locate(Node node) {
   const auto& [leaf, lives] = patterns_[node.first];
   const auto& pattern = leaf.pattern;
   auto& critical = critical_[leaf.block];
   if (!lives) {
     const CriticalCell unknown{0, CriticalCell::nowhere};
-    out.solution({node.first, critical.locate(pattern, unknown, CriticalMethod::newton, start_)});
-    return;
+    return Located{critical.locate(pattern, unknown, CriticalMethod::newton, start_), true};
   }
-  if (method_ == CriticalMethod::newton) {
-    out.solution({node.first, critical.locate(pattern, node.cell, method_, start_)});
-    return;
-  }
-  if (sections_ > 1 && node.claimed && node.cell == CriticalCell{0, start_})
-    return begin(node, out);
+  if (method_ == CriticalMethod::newton)
+    return Located{critical.locate(pattern, node.cell, method_, start_), true};
   if (!node.claimed) {
     // The change is within the cell if the lower bound is infeasible and the upper one is not. A
     // numerically undecided upper bound belongs to this cell, which is then extended to a proved
     // feasible point.
-    if (node.cell.dead > 0 && !critical.dead(pattern, node.cell.dead)) return;
+    if (node.cell.dead > 0 && !critical.dead(pattern, node.cell.dead)) return {};
     if (node.cell.alive < start_) {
-      if (critical.dead(pattern, node.cell.alive)) return;
+      if (critical.dead(pattern, node.cell.alive)) return {};
       node.cell = critical.alive_from(pattern, node.cell, start_);
     }
-    node.claimed = true;
   }
   const auto half = critical.halve(pattern, node.cell);
-  if (half == node.cell || half.alive - half.dead == 1)
-    out.solution({node.first, half});
-  else
-    out.branch({node.first, 1, half});
+  return Located{half, half == node.cell || half.alive - half.dead == 1};
 }
 
 void PatternBisection::begin(const Node& node, engine::Expansion<PatternBisection>& out) {

@@ -12,12 +12,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
 
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
+#include "nodes/wedged/tree/pollable.hpp"
 
 namespace kusabi::wedged {
 
@@ -69,8 +71,17 @@ class PatternBisection {
   [[nodiscard]] Tally tally() const;
 
  private:
-  void begin(const Node& node, engine::Expansion<PatternBisection>& out);
+  // A smaller cell of a node's pattern.
+  struct Located {
+    CriticalCell cell;
+    bool done = false;  // it is not divided further
+  };
 
+  void begin(const Node& node, engine::Expansion<PatternBisection>& out);
+  // Nothing if the change is in another cell.
+  std::optional<Located> locate(Node node);
+
+  Pollable pollable_;
   std::vector<CriticalFriction> critical_;  // of each block
   std::vector<Pattern> patterns_;
   std::int64_t start_;

@@ -26,6 +26,7 @@ bool CriticalFriction::lives_alone(const support::IndexSet& contact,
   std::vector<double> friction;
   for (const int i : both) friction.push_back(friction_[static_cast<std::size_t>(i)]);
   ContactSolver alone(problems::problem_without_others(*loose_, both), friction, tolerances);
+  alone.end_when(stop_);
   return alone.solve(problems::in_block(contact, both), problems::in_block(separated, both), {})
              .sign == conic::Sign::alive;
 }

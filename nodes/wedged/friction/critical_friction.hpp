@@ -98,7 +98,10 @@ class CriticalFriction {
                    Precision precision = Precision::escalating);
 
   /// Makes all solutions throw support::Stopped soon after the run is to stop.
-  void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+  void end_when(const support::Stop& stop) {
+    stop_ = stop;
+    solver_.end_when(stop);
+  }
 
   /// Solves the node's program at one coefficient. @param factor > 0
   FrictionProbe probe(const SignPattern& node, double factor, conic::StopEarly stop = full);
@@ -177,6 +180,7 @@ class CriticalFriction {
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, then G': (m + p) x dm
   double largest_ = 0;                  // of its entries
   ContactSolver solver_;
+  support::Stop stop_;
   std::vector<CandidateBounds> bounds_;           // empty: no cuts
   std::optional<problems::WedgedProblem> loose_;  // problem of an unconstrained body
   Eigen::VectorXd pull_;                          // w of the multipliers, dm

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "support/stop.hpp"
+
 namespace kusabi::wedged {
 
 std::uint64_t memory_of_lists(int candidates) {
@@ -15,11 +17,13 @@ std::uint64_t memory_of_lists(int candidates) {
 
 DividedRays::DividedRays(SignPatternTree tree, rays::ReactionCone cone, rays::RayList list,
                          std::uint64_t longest)
-    : tree_(std::move(tree)), cone_(std::move(cone)), list_(std::move(list)), longest_(longest) {}
+    : tree_(std::move(tree)), cone_(std::move(cone)), list_(std::move(list)), longest_(longest) {
+  tree_.end_when(pollable_.stop());
+}
 
 RayTally DividedRays::tally() const {
   RayTally all = tally_;
-  all.patterns = tree_.tally();
+  all.patterns = patterns_before_ ? *patterns_before_ : tree_.tally();
   return all;
 }
 
@@ -31,22 +35,30 @@ bool DividedRays::may_have_own(const Node& list) {
   return fate.leaf || !fate.children.empty();
 }
 
-void DividedRays::expand(Node&& node, engine::Expansion<DividedRays>& out) {
-  if (!may_have_own(node)) return;
-  const auto answer_others = [&out] {
-    out.poll();
-    return false;
-  };
-  const auto steps = rays::go_on(node, cone_, {.most_rays = longest_, .stop = answer_others});
+DividedRays::Node DividedRays::gone_on(const Node& list) {
+  auto next = list;
+  const auto steps = rays::go_on(next, cone_, {.most_rays = longest_, .stop = pollable_.stop()});
+  if (steps.stopped) throw support::Stopped();
   tally_.effort += steps.effort;
   tally_.health += steps.health;
-  if (rays::has_ended(node, cone_)) {
-    PatternRays own{own_rays(node.zeros, node.contact, node.separated, cone_.all())};
+  return next;
+}
+
+void DividedRays::expand(Node&& node, engine::Expansion<DividedRays>& out) {
+  patterns_before_ = tree_.tally();
+  auto list =
+      pollable_.within(out, node, [&] { return may_have_own(node) ? gone_on(node) : Node(); });
+  if (!list) return;
+  patterns_before_.reset();
+  node = {};  // releases the memory
+  if (list->zeros.empty()) return;
+  if (rays::has_ended(*list, cone_)) {
+    PatternRays own{own_rays(list->zeros, list->contact, list->separated, cone_.all())};
     if (!own.rays.empty()) out.solution(std::move(own));
     return;
   }
-  auto parts = rays::divided(node);
-  node = {};  // releases the memory
+  auto parts = rays::divided(*list);
+  list.reset();
   for (auto& part : *parts) out.branch(std::move(part));
 }
 

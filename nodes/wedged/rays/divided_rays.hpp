@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "nodes/wedged/rays/ray_tree.hpp"
+#include "nodes/wedged/tree/pollable.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
@@ -46,11 +48,16 @@ class DividedRays {
   /// True if this part may report a ray.
   bool may_have_own(const Node& list);
 
+  /// Continues double description. @throws support::Stopped soon after the run is to stop
+  Node gone_on(const Node& list);
+
   SignPatternTree tree_;
   rays::ReactionCone cone_;
   rays::RayList list_;
   std::uint64_t longest_;
   RayTally tally_;
+  Pollable pollable_;
+  std::optional<SignPatternTally> patterns_before_;  // of an interrupted node, which is not counted
 };
 
 }  // namespace kusabi::wedged

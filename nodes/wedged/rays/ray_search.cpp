@@ -61,12 +61,11 @@ RayFindings searched(engine::Analysis& analysis, Tree tree) {
 }
 
 // Common steps of all ranks until double description is complete, the run is stopped, or the list
-// is longer than `most`. Rank 0 decides on stopping.
+// is longer than `most`. Each rank ends its pieces by itself; rank 0 decides between the steps.
 rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& cone,
                          rays::RayList& list, std::uint64_t most, RayTrial* trial) {
   auto& transport = analysis.transport();
-  rays::Conduct conduct{.most_rays = most};
-  if (analysis.is_first()) conduct.stop = analysis.budget().stop();
+  rays::Conduct conduct{.most_rays = most, .stop = analysis.budget().stop()};
   if (trial != nullptr) {
     conduct.give_up = [&transport, trial](const rays::Effort& effort) {
       return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
@@ -141,10 +140,15 @@ void find_motions(RayFindings& found, const rays::ReactionCone& cone) {
 
 // Cones of configurations include gaps opened by a rigid-body mode; a cone of modes alone is not
 // wedged.
-void find_cones(RayFindings& found, const rays::ReactionCone& cone) {
+void find_cones(RayFindings& found, const rays::ReactionCone& cone, const engine::Budget& budget) {
   auto all = found.rays;
   all.insert(all.end(), found.motions.begin(), found.motions.end());
-  found.cones = rays::maximal_cones(all, cone.all());
+  auto cones = rays::maximal_cones(all, cone.all(), budget.stop());
+  if (!cones) {
+    found.status = budget.why();
+    return;
+  }
+  found.cones = *std::move(cones);
   std::erase_if(found.cones, [](const rays::Cone& each) { return each.reaction == 0; });
 }
 
@@ -173,7 +177,7 @@ RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem&
   if (by_pattern) found.method = RayMethod::tree;
   find_motions(found, cone);
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
-  if (found.status == engine::Status::solved) find_cones(found, cone);
+  if (found.status == engine::Status::solved) find_cones(found, cone, analysis.budget());
   return found;
 }
 

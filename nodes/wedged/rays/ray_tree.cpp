@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "support/stop.hpp"
+
 namespace kusabi::wedged {
 
 RayTally& RayTally::operator+=(const RayTally& other) {
@@ -30,26 +32,35 @@ std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
 }
 
 RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone)
-    : tree_(std::move(tree)), cone_(std::move(cone)) {}
+    : tree_(std::move(tree)), cone_(std::move(cone)) {
+  tree_.end_when(pollable_.stop());
+}
 
 RayTally RayTree::tally() const {
   RayTally all = tally_;
-  all.patterns = tree_.tally();
+  all.patterns = patterns_before_ ? *patterns_before_ : tree_.tally();
   return all;
 }
 
 void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
-  const auto fate = tree_.decide(node, out);
-  if (!fate) return;
-  for (const Node& child : fate->children) out.branch(child);
-  if (!fate->leaf) return;
-  out.poll();
-  const auto leaf = RayLeaf::of(node, *fate);
-  const auto found = rays::rays_of_pattern(cone_, leaf.in_contact);
-  tally_.effort += found.effort;
-  tally_.health += found.health;
-  PatternRays own{leaf.own(found.rays, cone_.all())};
-  if (!own.rays.empty()) out.solution(std::move(own));
+  patterns_before_ = tree_.tally();
+  auto opened = pollable_.within(out, node, [&] { return open(node); });
+  if (!opened) return;
+  patterns_before_.reset();
+  for (const Node& child : opened->fate.children) out.branch(child);
+  if (!opened->own.rays.empty()) out.solution(std::move(opened->own));
+}
+
+RayTree::Opened RayTree::open(const Node& node) {
+  Opened opened{tree_.decide(node), {}};
+  if (!opened.fate.leaf) return opened;
+  const auto leaf = RayLeaf::of(node, opened.fate);
+  const auto found = rays::rays_of_pattern(cone_, leaf.in_contact, pollable_.stop());
+  if (!found) throw support::Stopped();
+  tally_.effort += found->effort;
+  tally_.health += found->health;
+  opened.own = {leaf.own(found->rays, cone_.all())};
+  return opened;
 }
 
 }  // namespace kusabi::wedged

@@ -11,10 +11,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
 
+#include "nodes/wedged/tree/pollable.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
@@ -87,9 +89,20 @@ class RayTree {
   Tally tally() const;
 
  private:
+  // Result of a node.
+  struct Opened {
+    SignPatternTree::Fate fate;
+    PatternRays own;  // of its leaf
+  };
+
+  // @throws support::Stopped soon after the run is to stop
+  Opened open(const Node& node);
+
   SignPatternTree tree_;
   rays::ReactionCone cone_;
   RayTally tally_;
+  Pollable pollable_;
+  std::optional<SignPatternTally> patterns_before_;  // of an interrupted node, which is not counted
 };
 
 }  // namespace kusabi::wedged

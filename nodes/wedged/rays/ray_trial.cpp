@@ -49,19 +49,19 @@ class LeafTree {
   using Tally = SignPatternTally;
 
   /// @param pairs processed by double description
-  LeafTree(SignPatternTree tree, std::uint64_t pairs, const std::function<bool()>& stop)
-      : tree_(std::move(tree)), pairs_(pairs), stop_(stop) {}
+  LeafTree(SignPatternTree tree, std::uint64_t pairs) : tree_(std::move(tree)), pairs_(pairs) {}
 
   Node root() const { return tree_.root(); }
   Tally tally() const { return tree_.tally(); }
 
   void expand(Node&& node, engine::Expansion<LeafTree>& out) {
-    gave_up_ = gave_up_ || is_too_dear(out) || (stop_ && stop_());
+    gave_up_ = gave_up_ || is_too_dear(out);
     if (gave_up_) return;
     ++opened_;
-    const auto fate = tree_.decide(node);
-    for (const Node& child : fate.children) out.branch(child);
-    if (fate.leaf) out.solution(RayLeaf::of(node, fate));
+    const auto fate = tree_.decide(node, out);
+    if (!fate) return;
+    for (const Node& child : fate->children) out.branch(child);
+    if (fate->leaf) out.solution(RayLeaf::of(node, *fate));
   }
 
   /// True if nodes were discarded.
@@ -77,7 +77,6 @@ class LeafTree {
 
   SignPatternTree tree_;
   std::uint64_t pairs_;
-  const std::function<bool()>& stop_;
   std::uint64_t opened_ = 0;
   bool gave_up_ = false;
 };
@@ -94,9 +93,13 @@ bool RayTrial::succeeds(std::uint64_t pairs) {
 
 void RayTrial::look_for_leaves(std::uint64_t pairs) {
   next_search_ = 2 * pairs;
-  LeafTree tree(plant_(), pairs, stop_);
-  auto outcome = engine::search(tree);
-  if (tree.gave_up()) return;
+  LeafTree tree(plant_(), pairs);
+  engine::Options options;
+  options.interrupt = [this] {
+    return stop_ && stop_() ? engine::Interrupt::stop : engine::Interrupt::none;
+  };
+  auto outcome = engine::search(tree, options);
+  if (tree.gave_up() || outcome.status != engine::Status::solved) return;
   for (auto& leaf : outcome.solutions) leaves_.push_back(leaf.solution);
   found_.method = RayMethod::tree;
   found_.tree =
@@ -113,7 +116,7 @@ bool RayTrial::enumerates(std::uint64_t worth) {
     const RayLeaf& leaf = leaves_[done_];
     const auto most = std::min(worth, first_leaf * worth / leaves_.size() * (done_ + 1));
     if (effort_.pairs > most || (stop_ && stop_())) return false;
-    if (!turns_) turns_.emplace(cone_, leaf.in_contact);
+    if (!turns_) turns_.emplace(cone_, leaf.in_contact, stop_);
     if (!turns_->go_on(most - effort_.pairs)) return false;
     const auto rays = std::move(*turns_).result();
     turns_.reset();

@@ -88,6 +88,41 @@ std::vector<FrictionBracket> merged(std::vector<FrictionBracket> brackets) {
   return list;
 }
 
+/// Counts at increasing coefficients outside all brackets, each event taken once.
+class IncreasingCounts {
+ public:
+  explicit IncreasingCounts(const SweepFindings& findings) : of_block_(findings.blocks, 0) {
+    for (const auto& cone : findings.cones) {
+      begins_.push_back({cone.begins.upper, cone.block});
+      if (cone.absorbed) ends_.push_back({cone.absorbed->lower, cone.block});
+    }
+    for (const auto& leaf : findings.open) opens_.push_back({leaf.lower, leaf.block});
+    for (auto* const events : {&begins_, &ends_, &opens_})
+      std::ranges::sort(*events, {}, &Event::at);
+  }
+
+  /// @param from no smaller than `to` of the last call
+  Tread between(double from, double to) {
+    const double friction = std::midpoint(from, to);
+    for (; begun_ < begins_.size() && begins_[begun_].at <= friction; ++begun_)
+      ++of_block_[begins_[begun_].block];
+    for (; ended_ < ends_.size() && ends_[ended_].at < friction; ++ended_)
+      --of_block_[ends_[ended_].block];
+    while (open_ < opens_.size() && opens_[open_].at < friction) ++open_;
+    return {from, to, combinations(of_block_), open_};
+  }
+
+ private:
+  struct Event {
+    double at = 0;
+    std::uint32_t block = 0;
+  };
+
+  std::vector<Event> begins_, ends_, opens_;
+  std::size_t begun_ = 0, ended_ = 0, open_ = 0;
+  std::vector<std::uint64_t> of_block_;
+};
+
 }  // namespace
 
 void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
@@ -136,11 +171,11 @@ std::vector<Tread> SweepFindings::staircase() const {
   }
   for (const auto& leaf : open) brackets.push_back({leaf.lower, leaf.lower});
   std::vector<Tread> treads;
+  IncreasingCounts counts(*this);
   const auto add = [&](double from, double to) {
     to = std::min(to, most);
     if (!(from < to)) return;
-    const auto count = count_at(std::midpoint(from, to));
-    treads.push_back({from, to, count.known, count.open});
+    treads.push_back(counts.between(from, to));
   };
   double from = 0;
   for (const auto& [lower, upper] : merged(std::move(brackets))) {

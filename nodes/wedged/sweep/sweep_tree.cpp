@@ -20,8 +20,10 @@ SweepTree::Leaf SweepTree::leaf_of(const Configuration& found, const support::In
 SweepTree::SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
                      std::vector<Leaf> leaves)
     : leaves_(std::move(leaves)), most_(most) {
-  for (const auto& candidates : problems::blocks_of(problem))
+  for (const auto& candidates : problems::blocks_of(problem)) {
     critical_.emplace_back(problems::block_problem(problem, candidates), width);
+    critical_.back().end_when(pollable_.stop());
+  }
 }
 
 SweepTree::Tally SweepTree::tally() const {
@@ -42,9 +44,12 @@ void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
     out.branch({node.first + half, node.count - half});
     return;
   }
-  ++tally_.leaves;
   const auto& [place, stage] = leaves_[node.first];
-  out.solution({node.first, leaf_history(critical_[place.block], place.pattern, stage, most_)});
+  auto history = pollable_.within(
+      out, node, [&] { return leaf_history(critical_[place.block], place.pattern, stage, most_); });
+  if (!history) return;
+  ++tally_.leaves;
+  out.solution({node.first, *std::move(history)});
 }
 
 }  // namespace kusabi::wedged

@@ -10,6 +10,7 @@
 #include "engine/expansion.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/sweep/leaf_history.hpp"
+#include "nodes/wedged/tree/pollable.hpp"
 
 namespace kusabi::wedged {
 
@@ -63,6 +64,7 @@ class SweepTree {
   [[nodiscard]] Tally tally() const;
 
  private:
+  Pollable pollable_;
   std::vector<CriticalFriction> critical_;  // of each block
   std::vector<Leaf> leaves_;
   std::int64_t most_;

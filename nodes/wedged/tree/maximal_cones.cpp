@@ -1,7 +1,10 @@
-// Comparison of cones by the active candidates of their relative interiors.
+// Comparison of cones by the active candidates of their relative interiors, many cones at a time.
 #include "nodes/wedged/tree/maximal_cones.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -28,6 +31,91 @@ bool in_order(const Configuration& a, const Configuration& b) {
   return wedged::comes_before(a.pattern, b.pattern);
 }
 
+/// Number of cones compared at a time: their bits fit in the cache.
+constexpr std::size_t cones_at_a_time = 4096;
+
+/// Consecutive cones of one block: for each candidate those with it in contact, and those with it
+/// separated, one bit per cone.
+class ConeBits {
+ public:
+  /// @param first, last a range of the leaves, last excluded
+  ConeBits(const std::vector<Configuration>& leaves, std::size_t first, std::size_t last)
+      : leaves_(leaves), first_(first), all_(last - first) {
+    for (std::size_t i = first; i < last; ++i) {
+      all_.add(i - first);
+      add(contact_, leaves[i].pattern.contact, i - first);
+      add(separated_, leaves[i].pattern.separated, i - first);
+    }
+  }
+
+  /// True if another of these cones contains this one. Of equal ones the first contains the others.
+  [[nodiscard]] bool contain(std::size_t leaf) const {
+    const auto& pattern = leaves_[leaf].pattern;
+    auto others = all_;
+    if (!others.restrict_to(contact_, pattern.contact) ||
+        !others.restrict_to(separated_, pattern.separated))
+      return false;
+    for (std::size_t word = 0; word < others.words.size(); ++word) {
+      for (auto left = others.words[word]; left != 0; left &= left - 1) {
+        const auto other = first_ + bits * word + static_cast<std::size_t>(std::countr_zero(left));
+        if (other == leaf) continue;
+        if (other < leaf || !within(leaves_[other].pattern, pattern)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t bits = 64;
+
+  struct Cones {
+    explicit Cones(std::size_t count) : words((count + bits - 1) / bits) {}
+
+    void add(std::size_t cone) { words[cone / bits] |= std::uint64_t{1} << (cone % bits); }
+
+    // Keeps the cones in the rows of all these candidates. @return false if there are none
+    bool restrict_to(const std::vector<Cones>& rows, const support::IndexSet& candidates) {
+      for (const int candidate : candidates) {
+        const auto row = static_cast<std::size_t>(candidate);
+        if (row >= rows.size()) return false;
+        std::uint64_t any = 0;
+        for (std::size_t k = 0; k < words.size(); ++k) any |= words[k] &= rows[row].words[k];
+        if (any == 0) return false;
+      }
+      return true;
+    }
+
+    std::vector<std::uint64_t> words;
+  };
+
+  void add(std::vector<Cones>& rows, const support::IndexSet& candidates, std::size_t cone) const {
+    for (const int candidate : candidates) {
+      const auto row = static_cast<std::size_t>(candidate);
+      if (row >= rows.size()) rows.resize(row + 1, Cones(bits * all_.words.size()));
+      rows[row].add(cone);
+    }
+  }
+
+  const std::vector<Configuration>& leaves_;
+  std::size_t first_;
+  Cones all_;
+  std::vector<Cones> contact_, separated_;  // by candidate
+};
+
+/// Marks flat cones contained in others of a block. Solid cones are contained in no other.
+/// @param first, last the range of its cones
+void mark_contained(const std::vector<Configuration>& leaves, std::size_t first, std::size_t last,
+                    std::vector<bool>& contained) {
+  std::vector<std::size_t> flat;
+  for (std::size_t i = first; i < last; ++i) {
+    if (leaves[i].state == LeafState::flat) flat.push_back(i);
+  }
+  for (std::size_t from = first; from < last && !flat.empty(); from += cones_at_a_time) {
+    const ConeBits cones(leaves, from, std::min(last, from + cones_at_a_time));
+    for (const auto leaf : flat) contained[leaf] = contained[leaf] || cones.contain(leaf);
+  }
+}
+
 }  // namespace
 
 bool comes_before(const SignPattern& first, const SignPattern& second) {
@@ -41,18 +129,17 @@ bool within(const SignPattern& first, const SignPattern& second) {
 
 std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {
   std::sort(leaves.begin(), leaves.end(), in_order);
+  std::vector<bool> contained(leaves.size());
+  std::size_t last = 0;
+  for (std::size_t first = 0; first < leaves.size() && is_cone(leaves[first]); first = last) {
+    while (last < leaves.size() && is_cone(leaves[last]) &&
+           leaves[last].block == leaves[first].block)
+      ++last;
+    mark_contained(leaves, first, last, contained);
+  }
   std::vector<Configuration> kept;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const auto& leaf = leaves[i];
-    // Solid cones are contained in no other. Of equal flat ones the first is kept.
-    const auto contains_it = [&](const Configuration& other) {
-      if (&other == &leaf || !is_cone(other) || other.block != leaf.block) return false;
-      if (!within(leaf.pattern, other.pattern)) return false;
-      return !within(other.pattern, leaf.pattern) || &other < &leaf;
-    };
-    if (leaf.state == LeafState::flat && std::any_of(leaves.begin(), leaves.end(), contains_it))
-      continue;
-    kept.push_back(leaf);
+    if (!contained[i]) kept.push_back(std::move(leaves[i]));
   }
   return kept;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -116,6 +117,11 @@ TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
       }
       for (const double friction : {0.613, 1.171, 2.71})
         expect_as_enumerated(problem, findings, friction);
+      for (const auto& [from, to, known, open] : findings.staircase()) {
+        const auto count = findings.count_at(std::midpoint(from, to));
+        EXPECT_EQ(count.known, known) << from;
+        EXPECT_EQ(count.open, open) << from;
+      }
     }
   }
   EXPECT_GT(flat, 20U);
@@ -207,6 +213,8 @@ TEST(FrictionSweep, PutsHistoriesTogether) {
   EXPECT_EQ(at(71), std::pair(std::uint64_t{1}, std::size_t{1}));
   const auto stairs = findings.staircase();
   ASSERT_EQ(stairs.size(), 4U);
+  for (const auto& [from, to, known, open] : stairs)
+    EXPECT_EQ(at(std::midpoint(from, to)), std::pair(*known.number(), open)) << from;
   EXPECT_EQ(stairs[1].from, 11);
   EXPECT_EQ(stairs[1].to, 40);
   EXPECT_EQ(stairs[1].known, 1U);

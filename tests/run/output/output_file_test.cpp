@@ -72,6 +72,20 @@ TEST_F(OutputFiles, AreRefusedWithTheirOptionAndTheReason) {
   EXPECT_EQ(content(problem), "name = \"x\"\n");
 }
 
+TEST_F(OutputFiles, HaveThePermissionsOfTheFileThatTheyReplace) {
+  const auto name = in_folder("result");
+  std::ofstream(name) << "old";
+  constexpr auto own = fs::perms::owner_read | fs::perms::owner_write;
+  for (const auto kept : {own, own | fs::perms::group_read | fs::perms::group_write}) {
+    fs::permissions(name, kept);
+    OutputFile file("--output", name, "");
+    file.stream() << "new";
+    file.put_in_place();
+    EXPECT_EQ(fs::status(name).permissions(), kept);
+    EXPECT_EQ(content(name), "new");
+  }
+}
+
 TEST_F(OutputFiles, FollowALinkAndKeepIt) {
   std::ofstream(in_folder("old")) << "old";
   fs::create_symlink("old", in_folder("link"));

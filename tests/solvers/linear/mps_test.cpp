@@ -1,4 +1,5 @@
 // Tests of the MPS reader: each rule of docs/mps.md, with accepted and refused files.
+#include <clocale>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -150,6 +151,18 @@ TEST(Mps, ReadsBoundsOfAllTypes) {
   EXPECT_EQ(of(" UP B x 1e400\n"), Ends(0, infinity));
   EXPECT_EQ(of(" UP B x 99999999999999999999\n"), Ends(0, infinity)) << "1e20, almost";
   EXPECT_EQ(of(" UP B x 1e19\n"), Ends(0, 1e19));
+}
+
+TEST(Mps, ReadsDecimalPointsWhereCommasAreUsual) {
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no such locale here";
+  EXPECT_EQ(of(" LO B x -2.5\n UP B x 1.5\n"), Ends(-2.5, 1.5));
+  EXPECT_EQ(of(" LO B x 1.5e-400\n UP B x 1.5e400\n"), Ends(0, infinity));
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(Mps, ReadsNumbersBeyondTheRangeOfDoubles) {
+  EXPECT_EQ(of(" LO B x 1.5e-400\n UP B x 1.5e400\n"), Ends(0, infinity));
+  EXPECT_EQ(of(" LO B x -1e5000\n UP B x 1e-5000\n"), Ends(-infinity, 0));
 }
 
 TEST(Mps, TakesANegativeUpperBoundAloneForNoLowerBoundAndSaysSo) {

@@ -287,6 +287,21 @@ TEST(Rays, AreThoseOfLrsOnIntegerData) {
   }
 }
 
+TEST(Rays, OfAPatternAndConesEndWhenTheyAreAskedTo) {
+  const auto cone = cone_of(plane_truss({.rows = 9}), 1.0);
+  const auto rays = complementary_rays(cone).rays;
+  std::size_t questions = 0;
+  const auto go_on = [&questions] { return ++questions == 0; };
+  ASSERT_TRUE(rays_of_pattern(cone, cone.all(), go_on));
+  EXPECT_GT(questions, 5U);
+  questions = 0;
+  EXPECT_EQ(maximal_cones(rays, cone.all(), go_on), maximal_cones(rays, cone.all()));
+  EXPECT_GT(questions, 5U);
+  const auto stop = [] { return true; };
+  EXPECT_FALSE(rays_of_pattern(cone, cone.all(), stop));
+  EXPECT_FALSE(maximal_cones(rays, cone.all(), stop));
+}
+
 // Property used by the tree of sign patterns: among the small cones of all leaves, each ray is
 // reported by exactly one, with equal bits.
 TEST(Rays, OfAllPatternsTogetherAreTheComplementaryOnes) {
