@@ -99,7 +99,7 @@ std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
   while (nodes.size() < (m <= most_small ? node_count : large_node_count)) {
     nodes.push_back(node);
     const IndexSet open = all - (node.contact | node.separated);
-    if (solver.solve(node.contact, node.separated).sign == Sign::dead || open.empty()) {
+    if (solver.solve(node.contact, node.separated).sign == Sign::infeasible || open.empty()) {
       node = {};
       continue;
     }
@@ -119,7 +119,7 @@ std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
 
 struct Figures {
   double microseconds = 1e300, iterations = 0;
-  int alive = 0, dead = 0, marginal = 0;
+  int feasible = 0, infeasible = 0, marginal = 0;
 };
 
 Figures measure(conic::NodeSolver<dimension>& solver, const std::vector<Node>& nodes,
@@ -132,9 +132,9 @@ Figures measure(conic::NodeSolver<dimension>& solver, const std::vector<Node>& n
     for (const Node& node : nodes) {
       const auto answer = solver.solve(node.contact, node.separated, stop);
       figures.iterations += answer.iterations;
-      ++(answer.sign == Sign::alive  ? figures.alive
-         : answer.sign == Sign::dead ? figures.dead
-                                     : figures.marginal);
+      ++(answer.sign == Sign::feasible     ? figures.feasible
+         : answer.sign == Sign::infeasible ? figures.infeasible
+                                           : figures.marginal);
     }
     const std::chrono::duration<double, std::micro> elapsed =
         std::chrono::steady_clock::now() - start;
@@ -145,7 +145,7 @@ Figures measure(conic::NodeSolver<dimension>& solver, const std::vector<Node>& n
   return best;
 }
 
-constexpr conic::StopEarly never{.when_dead = false, .when_alive = false};
+constexpr conic::StopEarly never{.when_infeasible = false, .when_feasible = false};
 
 void show(const Instance& instance) {
   auto solver = solver_of(scaled_compliance(instance.size), instance.friction);
@@ -153,7 +153,7 @@ void show(const Instance& instance) {
   const auto sign = measure(solver, instance.nodes, {});
   fmt::print("{:>3} | {:>8.1f} {:>11.1f} | {:>8.1f} {:>11.1f} | {:>5} {:>4} {:>8}\n",
              instance.size.rows * instance.size.depth, full.microseconds, full.iterations,
-             sign.microseconds, sign.iterations, sign.alive, sign.dead, sign.marginal);
+             sign.microseconds, sign.iterations, sign.feasible, sign.infeasible, sign.marginal);
 }
 
 json data_of(const Instance& instance) {

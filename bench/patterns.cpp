@@ -73,10 +73,10 @@ class Search {
   void open(std::uint64_t contact, std::uint64_t separated) {
     ++nodes;
     const auto answer = solve(contact, separated);
-    if (answer.sign == Sign::dead) return;
+    if (answer.sign == Sign::infeasible) return;
     const auto rest = candidates_ & ~(contact | separated);
     if (rest == 0) {
-      found += answer.sign == Sign::alive ? 1 : 0;
+      found += answer.sign == Sign::feasible ? 1 : 0;
       return;
     }
     const auto ranked = rank(rest);
@@ -86,9 +86,9 @@ class Search {
          ++i) {
       const auto split = ranked[i];
       const auto touching = solve(contact | split, separated);
-      if (touching.sign == Sign::dead) return close_and_open(contact, separated | split);
+      if (touching.sign == Sign::infeasible) return close_and_open(contact, separated | split);
       const auto apart = solve(contact, separated | split);
-      if (apart.sign == Sign::dead) return close_and_open(contact | split, separated);
+      if (apart.sign == Sign::infeasible) return close_and_open(contact | split, separated);
       if (touching.upper + apart.upper < least) {
         least = touching.upper + apart.upper;
         best = split;

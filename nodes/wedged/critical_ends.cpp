@@ -28,22 +28,22 @@ namespace kusabi::wedged {
 struct DecidedEnd {
   engine::Status status = engine::Status::solved;
   std::vector<Configuration> leaves;  ///< maximal cones and undecided leaves
-  std::uint64_t alive = 0;            ///< leaves that the exact test proves feasible
+  std::uint64_t feasible = 0;         ///< leaves that the exact test proves feasible
   std::uint64_t unproved = 0;         ///< nodes whose evidence it refuses, or which are undecided
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaves& alive& unproved;
+    archive& status& leaves& feasible& unproved;
   }
 
   [[nodiscard]] bool solved() const { return status == engine::Status::solved; }
-  [[nodiscard]] bool all_dead() const { return leaves.empty(); }
+  [[nodiscard]] bool all_infeasible() const { return leaves.empty(); }
   /// Null: there is none.
   [[nodiscard]] const Configuration* first(LeafState state) const {
     const auto found = std::ranges::find(leaves, state, &Configuration::state);
     return found == leaves.end() ? nullptr : &*found;
   }
-  [[nodiscard]] bool is_proved_dead() const { return all_dead() && unproved == 0; }
+  [[nodiscard]] bool is_proved_infeasible() const { return all_infeasible() && unproved == 0; }
 };
 
 /// A leaf at one coefficient.
@@ -60,7 +60,7 @@ struct CriticalEnds::DecidedLeaf {
   [[nodiscard]] bool is(LeafState state) const {
     return !found.empty() && found.front().state == state;
   }
-  [[nodiscard]] bool lives() const { return is(LeafState::alive) || is(LeafState::flat); }
+  [[nodiscard]] bool is_feasible() const { return is(LeafState::feasible) || is(LeafState::flat); }
 };
 
 namespace {
@@ -74,7 +74,7 @@ constexpr double growth = 8;
 constexpr double wide = 2.5;
 
 bool is_cone(const Configuration& leaf) {
-  return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
+  return leaf.state == LeafState::feasible || leaf.state == LeafState::flat;
 }
 
 engine::Status why(engine::Analysis& analysis) {
@@ -148,7 +148,7 @@ void CriticalEnds::prove_at_once() {
     }
   }
   const double factor = bracket_.lower();
-  if (!bracket_.lower_proved() && roots_are_dead(factor)) {
+  if (!bracket_.lower_proved() && roots_are_infeasible(factor)) {
     bracket_.prove_lower(factor);
     proved_lower_ = factor;
   }
@@ -160,7 +160,7 @@ Evidence CriticalEnds::form_of(std::uint32_t block) const {
       .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
-// A stiffness that cannot be enclosed leaves the proof in doubles (quadratic_is_dead).
+// A stiffness that cannot be enclosed leaves the proof in doubles (quadratic_is_infeasible).
 void CriticalEnds::prove_by_forms(QuadraticForms forms) {
   if (!enclose()) {
     bracket_.raise(forms.factor);
@@ -192,7 +192,7 @@ void CriticalEnds::record_forms() {
   record->end({}, EndClaim::all_patterns, true);
 }
 
-bool CriticalEnds::roots_are_dead(double factor) {
+bool CriticalEnds::roots_are_infeasible(double factor) {
   return analysis_.by_first_rank([&] {
     const auto friction = candidate_friction(problem_, factor);
     SignPatternTree tree(
@@ -202,7 +202,7 @@ bool CriticalEnds::roots_are_dead(double factor) {
     const auto accepts = test(check(friction));
     bool holds = true;
     tree.report_to([&](const auto& evidence) {
-      holds = holds && evidence.kind == Evidence::Kind::dead && accepts(evidence);
+      holds = holds && evidence.kind == Evidence::Kind::infeasible && accepts(evidence);
     });
     const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem_).size());
     try {
@@ -230,7 +230,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
     const auto accepts = test(check(friction));
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
-      decided.holds = evidence.kind == Evidence::Kind::alive && accepts(evidence);
+      decided.holds = evidence.kind == Evidence::Kind::feasible && accepts(evidence);
       decided.tie = evidence.kind == Evidence::Kind::marginal;
     });
     try {
@@ -278,7 +278,7 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
     const auto judged = outcome.tally();
     return DecidedEnd{.status = outcome.status,
                       .leaves = maximal_cones(std::move(leaves)),
-                      .alive = judged.proved,
+                      .feasible = judged.proved,
                       .unproved = judged.doubted + judged.unproved};
   });
   if (record) record->end(bounds, EndClaim::all_patterns, decided.solved() && wanted(decided));
@@ -294,18 +294,19 @@ engine::Status CriticalEnds::bisect() {
   const double least = CriticalFriction::range(problem_).least;
   const std::array ends{multiples(bracket_.lower(), width),
                         bracket_.upper() ? multiples(*bracket_.upper(), width) : most, most};
-  std::int64_t dead = 0;
-  auto not_dead = std::numeric_limits<std::int64_t>::max();
+  std::int64_t infeasible = 0;
+  auto not_infeasible = std::numeric_limits<std::int64_t>::max();
   bracket_.prove_lower(0);
   bracket_.move_upper(std::nullopt);
   const auto ask = [&](std::int64_t cell) {
     const auto decided = decide(
         CriticalEnd::lower, grid.at(cell), CriticalPhase::lower_end, {},
-        [](const DecidedEnd& all) { return all.is_proved_dead(); }, engine::Limits{}.nodes);
+        [](const DecidedEnd& all) { return all.is_proved_infeasible(); }, engine::Limits{}.nodes);
     if (!decided.solved()) return decided.status;
-    (decided.is_proved_dead() ? dead : not_dead) = cell;
-    if (decided.is_proved_dead()) bracket_.prove_lower(grid.at(cell));
-    if (const auto* const leaf = decided.first(LeafState::alive); leaf && decided.alive != 0) {
+    (decided.is_proved_infeasible() ? infeasible : not_infeasible) = cell;
+    if (decided.is_proved_infeasible()) bracket_.prove_lower(grid.at(cell));
+    if (const auto* const leaf = decided.first(LeafState::feasible);
+        leaf && decided.feasible != 0) {
       const auto block = problems::blocks_of(problem_)[leaf->block];
       bracket_.prove_upper(grid.at(cell), {leaf->block, own_leaf(*leaf, block)});
       know({*leaf});
@@ -316,10 +317,11 @@ engine::Status CriticalEnds::bisect() {
   auto status = engine::Status::solved;
   const auto goes_on = [&] { return status == engine::Status::solved; };
   for (const auto end : ends)
-    if (goes_on() && end > dead && end < not_dead && grid.at(end) > least) status = ask(end);
-  while (goes_on() && not_dead <= most && not_dead - dead > 1 &&
-         grid.at(std::midpoint(dead, not_dead)) > least)
-    status = ask(std::midpoint(dead, not_dead));
+    if (goes_on() && end > infeasible && end < not_infeasible && grid.at(end) > least)
+      status = ask(end);
+  while (goes_on() && not_infeasible <= most && not_infeasible - infeasible > 1 &&
+         grid.at(std::midpoint(infeasible, not_infeasible)) > least)
+    status = ask(std::midpoint(infeasible, not_infeasible));
   return status;
 }
 
@@ -332,22 +334,22 @@ engine::Status CriticalEnds::prove_lower() {
     return engine::Status::solved;
   }
   const double least = CriticalFriction::range(problem_).least;
-  const auto all_dead = [](const DecidedEnd& decided) { return decided.all_dead(); };
-  std::optional<double> dead;  // by the bounds of the solver
+  const auto all_infeasible = [](const DecidedEnd& decided) { return decided.all_infeasible(); };
+  std::optional<double> infeasible;  // by the bounds of the solver
   double factor = bracket_.lower();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
     const auto decided = decide(CriticalEnd::lower, factor, CriticalPhase::lower_end, recorder_,
-                                all_dead, engine::Limits{}.nodes);
+                                all_infeasible, engine::Limits{}.nodes);
     if (!decided.solved()) return decided.status;
-    if (decided.all_dead() && !dead) dead = factor;
-    if (decided.is_proved_dead()) {
+    if (decided.all_infeasible() && !infeasible) infeasible = factor;
+    if (decided.is_proved_infeasible()) {
       bracket_.prove_lower(factor);
       return engine::Status::solved;
     }
     factor -= step;
   }
-  bracket_.move_lower(dead.value_or(0));
+  bracket_.move_lower(infeasible.value_or(0));
   if (bracket_.lower() <= proved_lower_) bracket_.prove_lower(proved_lower_);
   return engine::Status::solved;
 }
@@ -358,7 +360,7 @@ engine::Status CriticalEnds::prove_upper() {
   const bool recorded = recorder_ && !question_.list;
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
-  std::optional<double> living;
+  std::optional<double> feasible;
   bool ties_decided = false;  // by the other patterns, at the first degenerate one
   double factor = *bracket_.upper();
   double step = question_.grid.width;
@@ -370,8 +372,8 @@ engine::Status CriticalEnds::prove_upper() {
       know(std::move(decided.found));
       return engine::Status::solved;
     }
-    if (decided.lives() && !living) {
-      living = factor;
+    if (decided.is_feasible() && !feasible) {
+      feasible = factor;
       know(decided.found);
     }
     if (decided.is(LeafState::flat)) break;
@@ -382,8 +384,8 @@ engine::Status CriticalEnds::prove_upper() {
     }
     factor += step;
   }
-  bracket_.move_upper(living);
-  return prove_by_any(living.value_or(std::min(factor, question_.grid.most)));
+  bracket_.move_upper(feasible);
+  return prove_by_any(feasible.value_or(std::min(factor, question_.grid.most)));
 }
 
 // Proves the upper bound by any feasible pattern, if the known leaf is degenerate.
@@ -395,12 +397,12 @@ engine::Status CriticalEnds::prove_by_any(double factor) {
       [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
       engine::Limits{}.nodes);
   if (!decided.solved()) return decided.status;
-  for (const LeafState state : {LeafState::alive, LeafState::flat}) {
+  for (const LeafState state : {LeafState::feasible, LeafState::flat}) {
     const auto* const found = decided.first(state);
     if (found == nullptr) continue;
     const auto block = problems::blocks_of(problem_)[found->block];
     bracket_.move_upper(factor, {found->block, own_leaf(*found, block)});
-    if (decided.alive != 0) bracket_.prove_upper(factor, *bracket_.leaf());
+    if (decided.feasible != 0) bracket_.prove_upper(factor, *bracket_.leaf());
     know({*found});
     break;
   }
@@ -423,7 +425,7 @@ engine::Status CriticalEnds::list(CriticalFindings& findings) {
     return own_limit ? engine::Status::solved : decided.status;
   }
   if (cones.empty()) return engine::Status::solved;
-  if (!bracket_.upper_proved() && decided.alive != 0)
+  if (!bracket_.upper_proved() && decided.feasible != 0)
     bracket_.prove_upper(factor, *bracket_.leaf());
   know(std::move(cones));
   return engine::Status::solved;

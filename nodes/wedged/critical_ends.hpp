@@ -16,8 +16,8 @@
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
-#include "nodes/wedged/tree/evidence_check.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
+#include "nodes/wedged/tree/evidence_check.hpp"
 #include "nodes/wedged/tree/pattern_options.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/structure/model/structure.hpp"
@@ -89,7 +89,7 @@ class CriticalEnds {
 
   bool enclose();
   void know(std::vector<Configuration> found);
-  bool roots_are_dead(double factor);
+  bool roots_are_infeasible(double factor);
   [[nodiscard]] Evidence form_of(std::uint32_t block) const;
   [[nodiscard]] bool forms_are_the_bound() const {
     return forms_.factor > 0 && forms_.factor == bracket_.lower();

@@ -49,8 +49,8 @@ struct Living {
   }
 };
 
-Living living_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                       double most, std::vector<CriticalCost>& costs) {
+Living feasible_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                         double most, std::vector<CriticalCost>& costs) {
   SignPatternTree tree(problem, candidate_friction(problem, most));
   auto outcome = analysis.search(tree, {});
   costs.push_back({CriticalPhase::patterns, most, outcome.opened(), outcome.opened()});
@@ -177,9 +177,9 @@ class SmallestWays {
     const auto dive =
         dive_at(analysis_, problem_, multiples(*question_.most, grid_.width), grid_, {});
     findings_.costs.push_back({CriticalPhase::dive, *question_.most, dive.opened, dive.opened});
-    if (dive.all_dead) bracket_.raise(*question_.most);
-    if (std::isfinite(dive.alive)) bracket_.sink(dive.alive, dive.leaf);
-    return dive.all_dead;
+    if (dive.all_infeasible) bracket_.raise(*question_.most);
+    if (std::isfinite(dive.feasible)) bracket_.sink(dive.feasible, dive.leaf);
+    return dive.all_infeasible;
   }
 
   // The search is limited to coefficients up to the known leaf; just below them, that leaf would be
@@ -217,26 +217,26 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
                                     double width, double most, std::vector<CriticalCost>& costs) {
   CriticalFindings findings;
-  const auto living = living_patterns(analysis, problem, most, costs);
-  findings.status = living.status;
+  const auto feasible = feasible_patterns(analysis, problem, most, costs);
+  findings.status = feasible.status;
   // A partial list does not determine the answer.
   if (findings.status != engine::Status::solved) return findings;
   auto outcome =
-      bracket_patterns(analysis, problem, living.leaves, method, width, multiples(most, width));
+      bracket_patterns(analysis, problem, feasible.leaves, method, width, multiples(most, width));
   costs.push_back({CriticalPhase::coefficients, most, outcome.opened(), outcome.tally().programs});
   findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });
   if (!analysis.is_first()) return findings;
   const FrictionGrid grid(width);
   for (const auto& found : outcome.solutions) {
     const auto& [number, cell] = found.solution;
-    const auto& leaf = living.leaves[number];
+    const auto& leaf = feasible.leaves[number];
     CriticalEntry entry{.block = leaf.block,
                         .pattern = leaf.pattern,
-                        .lower = grid.at(cell.dead),
+                        .lower = grid.at(cell.infeasible),
                         .upper = {},
                         .reaction = {},
                         .displacement = {}};
-    if (cell.alive != CriticalCell::nowhere) entry.upper = grid.at(cell.alive);
+    if (cell.feasible != CriticalCell::nowhere) entry.upper = grid.at(cell.feasible);
     findings.patterns.push_back(std::move(entry));
   }
   findings.bisection_ranks = std::move(outcome.ranks);
@@ -265,7 +265,7 @@ void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProble
 
 }  // namespace
 
-void CriticalFindings::conclude(double dead) {
+void CriticalFindings::conclude(double infeasible) {
   std::sort(patterns.begin(), patterns.end(), [](const auto& a, const auto& b) {
     const double from_a = or_infinity(a.upper);
     const double from_b = or_infinity(b.upper);
@@ -273,7 +273,7 @@ void CriticalFindings::conclude(double dead) {
     if (a.block != b.block) return a.block < b.block;
     return a.pattern.contact < b.pattern.contact;
   });
-  lower = dead;
+  lower = infeasible;
   if (patterns.empty()) return;
   upper = patterns.front().upper;
   for (const auto& entry : patterns) lower = std::min(lower, entry.lower);

@@ -58,7 +58,7 @@ bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& fi
     const auto& outcome = findings.outcome;
     return outcome.status == engine::Status::solution_limit &&
            std::ranges::none_of(outcome.solutions, [](const auto& found) {
-             return found.solution.state == LeafState::alive ||
+             return found.solution.state == LeafState::feasible ||
                     found.solution.state == LeafState::flat;
            });
   });
@@ -102,7 +102,7 @@ void sort_by_blocks(const problems::WedgedProblem& problem, std::span<const Prep
       case LeafState::flat:
         ++findings.flat;
         [[fallthrough]];
-      case LeafState::alive:
+      case LeafState::feasible:
         ++block.cones;
         break;
       case LeafState::marginal:

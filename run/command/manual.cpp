@@ -42,7 +42,7 @@ Layout and colours of output on a terminal.
 
 constexpr std::string_view signals_and_files = R"(.SH SIGNALS
 .TP
-.BR SIGTERM ", " SIGINT
+.BR SIGTERM ", " SIGINT ", " SIGXCPU ", " SIGUSR2
 The run ends as at its time limit: bounds and partial results are printed and written, the state of
 .B \-\-resume
 is saved, and the exit status is 3.

@@ -52,7 +52,7 @@ ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::Cr
 }
 
 std::vector<std::uint64_t> columns_of(const wedged::CriticalTree::Tally& tally) {
-  return {tally.branched, tally.dead, tally.leaves, tally.programs};
+  return {tally.branched, tally.infeasible, tally.leaves, tally.programs};
 }
 
 // Cost of the search for the bracket; empty if there was none.

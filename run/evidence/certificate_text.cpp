@@ -38,13 +38,13 @@ void append_bound(std::string& text, const wedged::ProvedBound& bound) {
 const char* kind_name(wedged::Evidence::Kind kind) {
   using Kind = wedged::Evidence::Kind;
   switch (kind) {
-    case Kind::dead:
+    case Kind::infeasible:
       return "dead";
     case Kind::cut:
       return "cut";
     case Kind::form:
       return "form";
-    case Kind::alive:
+    case Kind::feasible:
       return "alive";
     case Kind::marginal:
       break;

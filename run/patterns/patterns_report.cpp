@@ -53,7 +53,7 @@ const char* name_of(wedged::Branching branching) {
 
 const char* state_name(wedged::LeafState state) {
   switch (state) {
-    case wedged::LeafState::alive:
+    case wedged::LeafState::feasible:
       return "alive";
     case wedged::LeafState::flat:
       return "flat";
@@ -121,7 +121,7 @@ std::string PatternsReport::largest_margin() const {
   const auto best = this->best();
   if (best->state == wedged::LeafState::flat)
     return "None has a margin: in each, some inequality is an equality.";
-  if (best->state != wedged::LeafState::alive) return {};
+  if (best->state != wedged::LeafState::feasible) return {};
   const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
                                        best->reaction, best->displacement);
   return fmt::format("The largest margin, {:.3g}, has number {} (in contact: {}). {}", best->lower,
@@ -179,7 +179,7 @@ std::string PatternsReport::details() const {
 std::string PatternsReport::table() const {
   RankTable ranks({"branched", "pruned", "found", "marginal", "iterations"});
   const auto own = [](const wedged::SignPatternTally& its) {
-    return std::vector<std::uint64_t>{its.branched, its.dead, its.found + its.flat,
+    return std::vector<std::uint64_t>{its.branched, its.infeasible, its.found + its.flat,
                                       its.marginal + its.undecided + its.doubtful, its.iterations};
   };
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));

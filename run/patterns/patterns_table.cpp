@@ -25,8 +25,8 @@ constexpr std::size_t many_groups = 20;
 constexpr const char* head_of_contact = "in contact (U); others separated (R)";
 
 std::string margin_text(const wedged::Configuration& leaf) {
-  return leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
-                                                : state_name(leaf.state);
+  return leaf.state == wedged::LeafState::feasible ? fmt::format("{:.3e}", leaf.lower)
+                                                   : state_name(leaf.state);
 }
 
 std::string start_text(const wedged::PatternBracket& bracket) {

@@ -210,7 +210,8 @@ std::string FrictionSweep::cones_text() const {
 std::string FrictionSweep::ranks_text() const {
   RankTable tree({"branched", "pruned", "found", "iterations"});
   for (const auto& [statistics, tally] : found_.tree_ranks) {
-    tree.add(statistics, {tally.branched, tally.dead, tally.found + tally.flat, tally.iterations});
+    tree.add(statistics,
+             {tally.branched, tally.infeasible, tally.found + tally.flat, tally.iterations});
   }
   auto text = "\nThe tree at the largest coefficient:\n" + tree.text();
   if (found_.history_ranks.empty()) return text;

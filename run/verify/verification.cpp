@@ -23,13 +23,13 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
     if (judgement.but_for_far_motion) ++tally_.but_for_far_motion;
     if (judgement.unloaded) ++tally_.unloaded;
     switch (record.claim) {
-      case verify::Claim::dead:
+      case verify::Claim::infeasible:
       case verify::Claim::cut:
       case verify::Claim::form:
-        ++tally_.dead;
+        ++tally_.infeasible;
         break;
-      case verify::Claim::alive:
-        ++tally_.alive;
+      case verify::Claim::feasible:
+        ++tally_.feasible;
         break;
       case verify::Claim::marginal:
         ++tally_.marginal;

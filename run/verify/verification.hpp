@@ -32,8 +32,8 @@ class Verification {
 
   /// Numbers of nodes by proved claim.
   struct Tally : engine::Counts<Tally> {
-    std::uint64_t dead = 0;  ///< with cuts or without
-    std::uint64_t alive = 0;
+    std::uint64_t infeasible = 0;  ///< with cuts or without
+    std::uint64_t feasible = 0;
     std::uint64_t marginal = 0;  ///< without a claim
     /// Infeasible nodes, proved except for displacements over `far_motion` times the strains.
     std::uint64_t but_for_far_motion = 0;
@@ -43,7 +43,7 @@ class Verification {
     [[nodiscard]] std::uint64_t open() const { return marginal - unloaded; }
 
     static constexpr auto fields() {
-      return std::tuple{field("dead", &Tally::dead), field("alive", &Tally::alive),
+      return std::tuple{field("dead", &Tally::infeasible), field("alive", &Tally::feasible),
                         field("marginal", &Tally::marginal),
                         field("but for far motion", &Tally::but_for_far_motion),
                         field("unloaded", &Tally::unloaded)};

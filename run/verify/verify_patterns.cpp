@@ -118,12 +118,12 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
       std::back_inserter(text),
       "cannot stick: {} proved{}\n"
       "sticks: {} proved\n",
-      proved.dead,
+      proved.infeasible,
       proved.but_for_far_motion == 0
           ? ""
           : fmt::format(", {} of them except for displacements over {:.2g} times the strains",
                         proved.but_for_far_motion, verify::farthest_motion),
-      proved.alive);
+      proved.feasible);
   if (proved.unloaded > 0)
     fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
                    proved.unloaded);
@@ -187,15 +187,15 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   const auto proved = outcome.tally();
   const bool one_pattern = certificate.one_pattern;
   auto flaw = one_pattern ? std::optional<std::string>() : verify::flaw_of_cover(certificate);
-  if (one_pattern && proved.alive == 0) flaw = "the pattern of the certificate is missing";
+  if (one_pattern && proved.feasible == 0) flaw = "the pattern of the certificate is missing";
   VerifyFindings findings{
       .check = {.refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U)}};
   if (one_pattern) {
-    findings.check.claim = CertificateCheck::Example{.patterns = proved.alive};
+    findings.check.claim = CertificateCheck::Example{.patterns = proved.feasible};
   } else {
     findings.check.claim =
-        CertificateCheck::List{.patterns = proved.alive,
-                               .nodes = proved.dead + proved.alive + proved.unloaded,
+        CertificateCheck::List{.patterns = proved.feasible,
+                               .nodes = proved.infeasible + proved.feasible + proved.unloaded,
                                .undecided = proved.open(),
                                .but_far_motions = proved.but_for_far_motion,
                                .far_motion = verify::farthest_motion};

@@ -7,9 +7,9 @@
 
 namespace kusabi::conic {
 
-/// Proved sign of t*: alive (positive, feasible), dead (negative, infeasible), or marginal (neither
-/// is proved).
-enum class Sign { alive, dead, marginal };
+/// Proved sign of t*: feasible (positive), infeasible (negative), or marginal
+/// (neither is proved).
+enum class Sign { feasible, infeasible, marginal };
 
 /// Tolerances, in the scaled units of the compliance (mean diagonal of its normal block 1).
 struct Tolerances {
@@ -28,8 +28,8 @@ struct Tolerances {
 /// Early stop as soon as the sign is proved; otherwise the iteration continues to the full accuracy
 /// of the value. A degenerate node stops early in any case.
 struct StopEarly {
-  bool when_dead = true;
-  bool when_alive = true;
+  bool when_infeasible = true;
+  bool when_feasible = true;
   /// Early stop, in addition, once t* >= above or t* <= below is proved, or the bracket is narrow
   /// enough.
   double above = std::numeric_limits<double>::infinity();
@@ -40,9 +40,9 @@ struct StopEarly {
 /// Bracket lower <= t* <= upper and its conclusion. Both bounds include rounding errors and the
 /// stated error of F.
 struct ConicResult {
-  /// alive: lower > tolerance; dead: upper < -tolerance, or the resolution if it is less; otherwise
-  /// marginal: degenerate if the bracket lies within [-tolerance, tolerance], numerically undecided
-  /// if it does not.
+  /// feasible: lower > tolerance; infeasible: upper < -tolerance, or the resolution if it is less;
+  /// otherwise marginal: degenerate if the bracket lies within [-tolerance, tolerance], numerically
+  /// undecided if it does not.
   Sign sign = Sign::marginal;
   double lower = 0;    ///< minus infinity if nothing is proved
   double upper = 0;    ///< proved by multipliers(); minus infinity if R contains all candidates
@@ -56,8 +56,8 @@ struct ConicResult {
 /// Sign proved by the bracket.
 inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
   const double least = tolerances.least_resolved();
-  if (answer.upper < -least) return Sign::dead;
-  return answer.lower > least ? Sign::alive : Sign::marginal;
+  if (answer.upper < -least) return Sign::infeasible;
+  return answer.lower > least ? Sign::feasible : Sign::marginal;
 }
 
 /// True if the bracket of a marginal result lies within the tolerance.
@@ -85,7 +85,7 @@ inline bool is_settled(const ConicResult& answer, StopEarly stop, const Toleranc
     return true;
   const Sign sign = sign_of(answer, tolerances);
   if (sign == Sign::marginal) return false;
-  if (sign == Sign::dead ? stop.when_dead : stop.when_alive) return true;
+  if (sign == Sign::infeasible ? stop.when_infeasible : stop.when_feasible) return true;
   const double size = std::max(std::abs(answer.upper), std::abs(answer.lower));
   if (!std::isfinite(size)) return false;
   return answer.upper - answer.lower <=

@@ -77,7 +77,7 @@ ConicResult NodeSolver<D>::solve(const support::IndexSet& contact,
   ConicResult answer;
   answer.lower = -infinity;
   if (program_.cones().empty()) {  // no r has sum_i r_n = 1: the maximum over the empty set
-    answer.sign = Sign::dead;
+    answer.sign = Sign::infeasible;
     answer.upper = -infinity;
     return answer;
   }

@@ -16,19 +16,19 @@ TEST(Termination, NeedsTwoQuietWaves) {
   EXPECT_TRUE(termination.observe(wave(2, 5, 5)));
 }
 
-TEST(Termination, ABusyRankKeepsTheSearchAlive) {
+TEST(Termination, ABusyRankKeepsTheSearchFeasible) {
   Termination termination;
   EXPECT_FALSE(termination.observe(wave(1, 5, 5)));
   EXPECT_FALSE(termination.observe(wave(1, 5, 5)));
 }
 
-TEST(Termination, ATransferInFlightKeepsTheSearchAlive) {
+TEST(Termination, ATransferInFlightKeepsTheSearchFeasible) {
   Termination termination;
   EXPECT_FALSE(termination.observe(wave(2, 6, 5)));
   EXPECT_FALSE(termination.observe(wave(2, 6, 5)));
 }
 
-TEST(Termination, WorkThatMovedBetweenTheWavesKeepsTheSearchAlive) {
+TEST(Termination, WorkThatMovedBetweenTheWavesKeepsTheSearchFeasible) {
   // A transfer crossed the first wave: both waves are idle and balanced, but the sums differ.
   Termination termination;
   EXPECT_FALSE(termination.observe(wave(2, 5, 5)));

@@ -146,7 +146,7 @@ TEST_F(Command, RefusesWrongCallsAboutCertificates) {
   EXPECT_EQ(files(), (std::vector<std::string>{"cert.part.1.0", "pipe", "state"}));
 }
 
-TEST_F(Command, ACertificateIsNotKeptFromItsPlaceByPartsOfTheDead) {
+TEST_F(Command, ACertificateIsNotKeptFromItsPlaceByPartsOfAKilledProcess) {
   std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\nmarginal 1 0 0\n";
   std::ofstream(in_folder("cert.part.3.1"))
       << "part of the tree 0 of the checkpoint " << in_folder("gone") << '\n';

@@ -137,7 +137,7 @@ TEST(BoundLines, AreOfTheirOwnBlock) {
               HasSubstr("expected 3 multipliers and parts of motions"));
 }
 
-TEST(BoundLines, DeadIsDeadWithCutsOrWithout) {
+TEST(BoundLines, DeadIsInfeasibleWithCutsOrWithout) {
   auto draft = two_candidates(2);
   draft.nodes.push_back("cut 1 0 3" + numbers({0, 0, 0, 0}));
   EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());

@@ -47,16 +47,16 @@ TEST(Bounds, ProveTheListOfTwoCandidates) {
     for (const double mu : {1.25, 2.0, 8.0}) {
       const auto said = verdict(two_candidates(mu, dimension).text());
       EXPECT_THAT(said.refusals, IsEmpty()) << mu;
-      EXPECT_EQ(said.alive, std::set<support::IndexSet>{0b10});
+      EXPECT_EQ(said.feasible, std::set<support::IndexSet>{0b10});
       EXPECT_EQ(said.bounds, 3U);
-      EXPECT_EQ(said.dead, 2U);
+      EXPECT_EQ(said.infeasible, 2U);
     }
   }
 }
 
 TEST(Bounds, ProveThatOneCandidateDoesNotWedge) {
   EXPECT_THAT(verdict(one(1).text()).refusals, IsEmpty());
-  EXPECT_EQ(verdict(one(1).text()).dead, 1U);
+  EXPECT_EQ(verdict(one(1).text()).infeasible, 1U);
   EXPECT_THAT(verdict(one(1.999).text()).refusals, IsEmpty());
   EXPECT_THAT(verdict(one(2.001).text()).refusals,
               testing::ElementsAre(HasSubstr("do not rule out a reaction at a")));
@@ -195,8 +195,8 @@ TEST(BoundsOfALooseBar, ProveItsList) {
   const auto said = verdict(loose_bar(2).text());
   EXPECT_THAT(said.refusals, IsEmpty());
   EXPECT_EQ(said.bounds, 3U);
-  EXPECT_EQ(said.alive.size(), 1U);
-  EXPECT_EQ(said.dead, 2U);
+  EXPECT_EQ(said.feasible.size(), 1U);
+  EXPECT_EQ(said.infeasible, 2U);
   EXPECT_EQ(said.but_for_far_motion, 0U);
   auto without = loose_bar(2);
   without.bounds.clear();
@@ -240,7 +240,7 @@ TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
         EXPECT_TRUE(bound.side == Side::separated || (bound.most && *bound.most >= 0.5));
       }
       const auto said = verdict(wrong);
-      EXPECT_TRUE(!said.proved() || said.alive.size() + said.marginal >= 1) << wrong;
+      EXPECT_TRUE(!said.proved() || said.feasible.size() + said.marginal >= 1) << wrong;
     } catch (const CertificateError&) {
     }
   }
@@ -313,8 +313,8 @@ TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
       const auto said = verdict(wrong);
       if (!said.proved()) continue;
       ++proved;
-      EXPECT_TRUE(said.alive.empty() || said.alive == std::set<support::IndexSet>{0b10});
-      EXPECT_GE(said.alive.size() + said.marginal, 1U) << wrong;
+      EXPECT_TRUE(said.feasible.empty() || said.feasible == std::set<support::IndexSet>{0b10});
+      EXPECT_GE(said.feasible.size() + said.marginal, 1U) << wrong;
     } catch (const CertificateError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }

@@ -156,7 +156,7 @@ TEST(CertificateInBlocks, IsReadAsItWasWritten) {
   for (const auto& record : certificate.records) {
     const auto known = record.contact | record.separated;
     EXPECT_TRUE(certificate.blocks[record.block].includes(known));
-    if (record.claim == Claim::dead) {
+    if (record.claim == Claim::infeasible) {
       EXPECT_EQ(record.numbers.size(), record.block == 0 ? 3U : 2U);
     }
   }
@@ -196,11 +196,11 @@ TEST(CertificateInBlocks, IsProvedBlockByBlock) {
   EXPECT_TRUE(said.proved()) << said.refusals.front();
   const auto first = verdict(searched(random_problem(2, 3, 5), 4.0).text());
   const auto second = verdict(searched(random_problem(2, 2, 7), 4.0).text());
-  auto expected = first.alive;
-  for (const auto& contact : second.alive) expected.insert(contact.word(0) << 3U);
+  auto expected = first.feasible;
+  for (const auto& contact : second.feasible) expected.insert(contact.word(0) << 3U);
   EXPECT_FALSE(expected.empty());
-  EXPECT_EQ(said.alive, expected);
-  EXPECT_EQ(said.dead, first.dead + second.dead);
+  EXPECT_EQ(said.feasible, expected);
+  EXPECT_EQ(said.infeasible, first.infeasible + second.infeasible);
 }
 
 TEST(CertificateInBlocks, EachBlockMustBeCovered) {
@@ -222,8 +222,8 @@ TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
   const auto end = text.rfind("digest ");
   const auto truth = verdict(text);
   ASSERT_TRUE(truth.proved());
-  ASSERT_FALSE(truth.alive.empty());
-  ASSERT_GT(truth.dead, 0U);
+  ASSERT_FALSE(truth.feasible.empty());
+  ASSERT_GT(truth.infeasible, 0U);
   std::mt19937_64 generator(2);
   const std::string likely = "0123456789abcdef-+xp \n";
   int read = 0;
@@ -238,10 +238,10 @@ TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
       const auto said = verdict(altered);
       ++read;
       if (said.proved()) {
-        auto known = said.alive;
-        EXPECT_TRUE(
-            std::includes(truth.alive.begin(), truth.alive.end(), known.begin(), known.end()));
-        EXPECT_EQ(known.size() + said.marginal >= truth.alive.size(), true);
+        auto known = said.feasible;
+        EXPECT_TRUE(std::includes(truth.feasible.begin(), truth.feasible.end(), known.begin(),
+                                  known.end()));
+        EXPECT_EQ(known.size() + said.marginal >= truth.feasible.size(), true);
       }
     } catch (const CertificateError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);

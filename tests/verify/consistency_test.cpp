@@ -33,8 +33,8 @@ TEST(Consistency, GenuineCertificatesAreProvedOfTheirStructures) {
       const auto own = verdict(text);
       const auto said = verdict(text, &structure);
       EXPECT_THAT(said.refusals, IsEmpty()) << name << ' ' << mu;
-      EXPECT_EQ(said.alive, own.alive) << name << ' ' << mu;
-      EXPECT_EQ(said.dead, own.dead) << name << ' ' << mu;
+      EXPECT_EQ(said.feasible, own.feasible) << name << ' ' << mu;
+      EXPECT_EQ(said.infeasible, own.infeasible) << name << ' ' << mu;
     }
   }
 }
@@ -129,7 +129,7 @@ TEST(Consistency, BlocksMustBeUnconnectedInTheStructure) {
   const auto text = in_blocks(single, single).text();
   const auto said = verdict(text, &structure);
   EXPECT_THAT(said.refusals, IsEmpty());
-  EXPECT_THAT(said.alive, ElementsAre(1U, 2U));
+  EXPECT_THAT(said.feasible, ElementsAre(1U, 2U));
   // A bar between the two, of any stiffness.
   Bar weak;
   weak.first = structure.contact[0].node;
@@ -170,7 +170,7 @@ normal = [0.99, -0.1]
   for (const double mu : {100.0, 107.0, 108.5, 120.0}) {
     const auto said = verdict(searched(problem, mu).text(), &structure);
     EXPECT_THAT(said.refusals, IsEmpty()) << mu;
-    EXPECT_EQ(said.alive.size(), mu > 107.78064 ? 1U : 0U) << mu;
+    EXPECT_EQ(said.feasible.size(), mu > 107.78064 ? 1U : 0U) << mu;
   }
 }
 

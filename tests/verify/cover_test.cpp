@@ -26,7 +26,7 @@ Certificate of(std::size_t candidates) {
 }
 
 void add(Certificate& certificate, std::uint64_t contact, std::uint64_t separated,
-         Claim claim = Claim::dead) {
+         Claim claim = Claim::infeasible) {
   Record record;
   record.line = certificate.records.size() + 1;
   record.claim = claim;
@@ -67,7 +67,7 @@ TEST(Cover, NamesAContradiction) {
   auto certificate = of(1);
   add(certificate, 1, 0);
   add(certificate, 0, 1);
-  add(certificate, 0, 1, Claim::alive);
+  add(certificate, 0, 1, Claim::feasible);
   EXPECT_THAT(flaw(certificate), HasSubstr("one says dead, the other alive"));
 }
 

@@ -58,13 +58,13 @@ TEST(CertificateOfManyCandidates, IsProvedAsItsBlocksAre) {
   const auto said = verdict(seventy().text());
   EXPECT_TRUE(said.proved()) << said.refusals.front();
   std::set<support::IndexSet> expected;
-  for (const auto& contact : verdict(searched(random_problem(2, 10, 5), 4.0).text()).alive) {
+  for (const auto& contact : verdict(searched(random_problem(2, 10, 5), 4.0).text()).feasible) {
     support::IndexSet moved;
     for (const int i : contact) moved.insert(60 + i);
     expected.insert(moved);
   }
   EXPECT_GT(expected.size(), 1U);
-  EXPECT_EQ(said.alive, expected);
+  EXPECT_EQ(said.feasible, expected);
 }
 
 TEST(CertificateOfManyCandidates, SaysWhatIsWrongWithASet) {

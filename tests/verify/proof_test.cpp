@@ -62,7 +62,7 @@ TEST(Proof, HoldsForTheSpaceTruss) {
   for (const auto& [mu, patterns] : {std::pair(0.55, 1U), {0.65, 27U}, {1.0, 251U}}) {
     const auto said = verdict(searched(example("space-truss.toml"), mu).text());
     EXPECT_THAT(said.refusals, IsEmpty());
-    EXPECT_EQ(said.alive.size(), patterns);
+    EXPECT_EQ(said.feasible.size(), patterns);
     EXPECT_EQ(said.marginal, 0U);
   }
 }
@@ -76,7 +76,7 @@ TEST(Proof, HoldsForThePlaneTrussAndTheTwoBars) {
 }
 
 TEST(Proof, HoldsForRandomProblems) {
-  std::size_t alive = 0;
+  std::size_t feasible = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const int dimension = seed % 2 == 0 ? 2 : 3;
     const int candidates = 1 + static_cast<int>(seed % 7);
@@ -84,9 +84,9 @@ TEST(Proof, HoldsForRandomProblems) {
     const auto said = verdict(searched(random_problem(dimension, candidates, seed), mu).text());
     EXPECT_THAT(said.refusals, IsEmpty()) << "seed " << seed;
     EXPECT_EQ(said.marginal, 0U);
-    alive += said.alive.size();
+    feasible += said.feasible.size();
   }
-  EXPECT_GT(alive, 100U);
+  EXPECT_GT(feasible, 100U);
 }
 
 TEST(Proof, DoesNotHangOnTheUnits) {
@@ -101,8 +101,8 @@ TEST(Proof, DoesNotHangOnTheUnits) {
 // Displacements whose stiffness differs by a factor of ten thousand: approximate solutions need
 // more than double precision.
 TEST(Proof, HoldsForBadlyScaledProblems) {
-  std::size_t alive = 0;
-  std::size_t dead = 0;
+  std::size_t feasible = 0;
+  std::size_t infeasible = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     auto problem = random_problem(seed % 2 == 0 ? 2 : 3, 5, seed);
     std::mt19937_64 generator(seed);
@@ -119,11 +119,11 @@ TEST(Proof, HoldsForBadlyScaledProblems) {
     problem.stiffness = lower + diagonal + lower.transpose();
     const auto said = verdict(searched(problem, 2.0).text());
     EXPECT_THAT(said.refusals, IsEmpty()) << "seed " << seed;
-    alive += said.alive.size();
-    dead += said.dead;
+    feasible += said.feasible.size();
+    infeasible += said.infeasible;
   }
-  EXPECT_GT(alive, 20U);
-  EXPECT_GT(dead, 20U);
+  EXPECT_GT(feasible, 20U);
+  EXPECT_GT(infeasible, 20U);
 }
 
 // One candidate, K = [2 1; 1 2]; without friction it cannot wedge.
@@ -147,7 +147,7 @@ Draft frictionless() {
 
 TEST(Proof, FrictionMayBeZero) {
   EXPECT_THAT(verdict(frictionless().text()).refusals, IsEmpty());
-  EXPECT_EQ(verdict(frictionless().text()).dead, 2U);
+  EXPECT_EQ(verdict(frictionless().text()).infeasible, 2U);
   auto turned = frictionless();
   turned.nodes[0] = "dead 1 1 0 0x1p+0\n";
   EXPECT_THAT(verdict(turned.text()).refusals,
@@ -177,17 +177,17 @@ TEST(Proof, HoldsForEveryStiffnessWithinTheRadius) {
     EXPECT_LE(proof.least_eigenvalue()->nearest(), 1 - radius);
     return proof.judgement(certificate.records[0]).refusal.has_value();
   };
-  const std::string alive = "alive 1 1 0 0x1p+1\n";
-  const std::string dead = "dead 1 1 0 -0x1p+0\n";
+  const std::string feasible = "alive 1 1 0 0x1p+1\n";
+  const std::string infeasible = "dead 1 1 0 -0x1p+0\n";
   for (const double near : {1e-3, 1e-9}) {
-    EXPECT_FALSE(refused(2 + near, alive, 0));
-    EXPECT_FALSE(refused(2 + near, alive, near / 100));
-    EXPECT_TRUE(refused(2 + near, alive, near));
-    EXPECT_TRUE(refused(2 - near, alive, 0));
-    EXPECT_FALSE(refused(2 - near, dead, 0));
-    EXPECT_FALSE(refused(2 - near, dead, near / 100));
-    EXPECT_TRUE(refused(2 - near, dead, near));
-    EXPECT_TRUE(refused(2 + near, dead, 0));
+    EXPECT_FALSE(refused(2 + near, feasible, 0));
+    EXPECT_FALSE(refused(2 + near, feasible, near / 100));
+    EXPECT_TRUE(refused(2 + near, feasible, near));
+    EXPECT_TRUE(refused(2 - near, feasible, 0));
+    EXPECT_FALSE(refused(2 - near, infeasible, 0));
+    EXPECT_FALSE(refused(2 - near, infeasible, near / 100));
+    EXPECT_TRUE(refused(2 - near, infeasible, near));
+    EXPECT_TRUE(refused(2 + near, infeasible, 0));
   }
 }
 
@@ -198,7 +198,7 @@ TEST(Proof, CountsARepeatedNodeOnce) {
   draft.nodes.insert(draft.nodes.end(), again.begin(), again.end());
   const auto said = verdict(draft.text());
   EXPECT_TRUE(said.proved());
-  EXPECT_EQ(said.dead, expected.dead);
+  EXPECT_EQ(said.infeasible, expected.infeasible);
   std::reverse(draft.nodes.begin(), draft.nodes.end());
   EXPECT_TRUE(verdict(draft.text()).proved());
 }
@@ -314,7 +314,7 @@ TEST(Proof, RefusesOtherReactions) {
 }
 
 // No tangential reaction makes an infeasible leaf feasible; random ones are tried.
-TEST(Proof, RefusesADeadLeafTurnedAlive) {
+TEST(Proof, RefusesADeadLeafTurnedFeasible) {
   std::mt19937_64 generator(3);
   std::normal_distribution<double> normal;
   auto draft = truss();
@@ -339,7 +339,7 @@ TEST(Proof, RefusesADeadLeafTurnedAlive) {
   EXPECT_GT(leaves, 10);
 }
 
-TEST(Proof, RefusesALivingLeafTurnedDead) {
+TEST(Proof, RefusesALivingLeafTurnedInfeasible) {
   std::mt19937_64 generator(4);
   std::normal_distribution<double> normal;
   auto draft = truss();
@@ -373,7 +373,7 @@ TEST(Proof, TakesAMarginalNodeForWhatItIs) {
   const auto said = verdict(draft.text());
   EXPECT_TRUE(said.proved());
   EXPECT_EQ(said.marginal, 1U);
-  EXPECT_EQ(said.alive.size(), 26U);
+  EXPECT_EQ(said.feasible.size(), 26U);
 }
 
 TEST(Proof, NeverTakesNumbersOutOfRange) {

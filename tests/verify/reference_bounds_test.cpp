@@ -212,7 +212,7 @@ TEST(ReferenceBounds, NodesThatNeedCutsAreRefusedWithoutBounds) {
       auto negative = record;
       for (auto& number : negative.numbers) number = -number;
       EXPECT_TRUE(all.judgement(negative).refusal);
-      record.claim = Claim::dead;
+      record.claim = Claim::infeasible;
       record.numbers.resize(problem.certificate.candidates());
       EXPECT_TRUE(all.judgement(record).refusal);
     }

@@ -112,11 +112,11 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
       const auto problem = problems::wedged_problem(body);
       const auto below = verdict(written(problem, 0.97 * critical), &own);
       EXPECT_THAT(below.refusals, IsEmpty()) << shape.name << ' ' << degrees;
-      EXPECT_THAT(below.alive, IsEmpty());
+      EXPECT_THAT(below.feasible, IsEmpty());
       EXPECT_EQ(below.but_for_far_motion, 0U);  // proved by a rigid-body mode alone
       const auto above = verdict(written(problem, 1.3 * critical), &own);
       EXPECT_THAT(above.refusals, IsEmpty()) << shape.name << ' ' << degrees;
-      EXPECT_FALSE(above.alive.empty());
+      EXPECT_FALSE(above.feasible.empty());
       EXPECT_EQ(above.marginal, 0U);
       far += above.but_for_far_motion;
     }
@@ -135,9 +135,9 @@ TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   std::size_t tried = 0;
   for (const auto& leaf : certificate.records) {
-    if (leaf.claim != Claim::alive) continue;
+    if (leaf.claim != Claim::feasible) continue;
     for (auto record : certificate.records) {
-      if (record.claim != Claim::dead) continue;
+      if (record.claim != Claim::infeasible) continue;
       record.contact = leaf.contact;
       record.separated = leaf.separated;
       for (int candidate = 0; candidate < 10; candidate += 3) {
@@ -159,7 +159,7 @@ TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
   const auto text = written(problems::wedged_problem(plug), 0.03);
   const auto said = verdict(text, &own);
   EXPECT_THAT(said.refusals, IsEmpty());
-  EXPECT_EQ(said.alive.size(), 1U);
+  EXPECT_EQ(said.feasible.size(), 1U);
   EXPECT_EQ(said.marginal, 0U);
   // The leaf with other tangential reactions, or with less friction, is not proved.
   auto certificate = read_certificate(text, "test");
@@ -167,7 +167,7 @@ TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
   const auto refused = [&] {
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& record : certificate.records) {
-      if (record.claim == Claim::alive && !proof.judgement(record).refusal) return false;
+      if (record.claim == Claim::feasible && !proof.judgement(record).refusal) return false;
     }
     return true;
   };

@@ -61,9 +61,9 @@ std::string listed(const Numbers& numbers) {
 
 std::string node_line(const wedged::Evidence& evidence) {
   using Kind = wedged::Evidence::Kind;
-  const auto* const kind = evidence.kind == Kind::dead    ? "dead"
-                           : evidence.kind == Kind::alive ? "alive"
-                                                          : "marginal";
+  const auto* const kind = evidence.kind == Kind::infeasible ? "dead"
+                           : evidence.kind == Kind::feasible ? "alive"
+                                                             : "marginal";
   return fmt::format("{} {} {}{}\n", kind, hexadecimal(evidence.node.contact),
                      hexadecimal(evidence.node.separated), listed(evidence.numbers));
 }
@@ -199,10 +199,10 @@ Verdict verdict(const std::string& text, const Structure* structure) {
     if (judgement.unloaded) ++result.unloaded;
     if (judgement.refusal) {
       result.refusals.push_back(*judgement.refusal);
-    } else if (record.claim == Claim::alive) {
-      result.alive.insert(record.contact);
+    } else if (record.claim == Claim::feasible) {
+      result.feasible.insert(record.contact);
     } else {
-      ++(record.claim == Claim::marginal ? result.marginal : result.dead);
+      ++(record.claim == Claim::marginal ? result.marginal : result.infeasible);
     }
   }
   if (auto flaw = flaw_of_cover(certificate)) result.refusals.push_back(*flaw);

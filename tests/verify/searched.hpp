@@ -49,9 +49,9 @@ Draft in_blocks(const Draft& first, const Draft& second);
 /// Verdict on a certificate: refusals of bounds, of nodes, of the cover, of K.
 struct Verdict {
   std::vector<std::string> refusals;
-  std::set<support::IndexSet> alive;  ///< U of those proved
-  std::size_t bounds = 0;             ///< proved
-  std::size_t dead = 0;               ///< proved, with cuts or without
+  std::set<support::IndexSet> feasible;  ///< U of those proved
+  std::size_t bounds = 0;                ///< proved
+  std::size_t infeasible = 0;            ///< proved, with cuts or without
   std::size_t marginal = 0;
   std::size_t but_for_far_motion = 0;  ///< of the infeasible ones
   std::size_t unloaded = 0;            ///< of the undecided ones

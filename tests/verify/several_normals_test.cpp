@@ -57,7 +57,7 @@ TEST(Corner, HasCertificatesThatAreProved) {
       const auto found = verdict(written(problems::wedged_problem(structure), friction), &own);
       EXPECT_THAT(found.refusals, IsEmpty());
       EXPECT_EQ(found.marginal, 0U);
-      EXPECT_GT(found.dead, 0U);
+      EXPECT_GT(found.infeasible, 0U);
     }
   }
 }
@@ -88,7 +88,7 @@ TEST(Corner, HasPatternsThatAreProved) {
       const auto own = evidence::verified_structure(structure);
       const auto found = verdict(written(problems::wedged_problem(structure), 3), &own);
       EXPECT_THAT(found.refusals, IsEmpty());
-      EXPECT_EQ(found.alive.size(), 2U);
+      EXPECT_EQ(found.feasible.size(), 2U);
       EXPECT_EQ(found.marginal == 0, corner == "1, 4");
     }
   }
@@ -115,7 +115,7 @@ TEST(Corner, IsNotTakenForAnother) {
 // opposite tangential reaction.
 TEST(Corner, HasCertificatesThatAreRefusedWhenTheyAreSpoilt) {
   std::size_t leaves = 0;
-  std::size_t dead_nodes = 0;
+  std::size_t infeasible_nodes = 0;
   for (const std::string wall : {"1, 1", "4, -1"}) {
     const auto structure = hanging(wall, "1, 4");
     const auto own = evidence::verified_structure(structure);
@@ -142,12 +142,12 @@ TEST(Corner, HasCertificatesThatAreRefusedWhenTheyAreSpoilt) {
         ++leaves;
       } else if (line.starts_with("dead") && ++tried < 4) {
         EXPECT_TRUE(refused(i, "alive" + line.substr(4)));
-        ++dead_nodes;
+        ++infeasible_nodes;
       }
     }
   }
   EXPECT_GT(leaves, 2U);
-  EXPECT_GT(dead_nodes, 5U);
+  EXPECT_GT(infeasible_nodes, 5U);
 }
 
 problems::Structure in_groove(const std::string& corners, const std::string& contact) {
@@ -183,7 +183,7 @@ TEST(Corner, OfALooseBodyIsProved) {
     for (const double friction : {0.9, 1.1}) {
       const auto found = verdict(written(problem, friction), &own);
       EXPECT_THAT(found.refusals, IsEmpty()) << structure->name;
-      EXPECT_GT(found.dead, 0U);
+      EXPECT_GT(found.infeasible, 0U);
     }
   }
 }

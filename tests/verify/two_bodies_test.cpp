@@ -45,7 +45,7 @@ TEST(TwoBodies, HaveCertificatesThatAreProved) {
       const auto draft = searched(problems::wedged_problem(structure), friction);
       const auto found = verdict(draft.text(), &own);
       EXPECT_THAT(found.refusals, testing::IsEmpty());
-      EXPECT_GT(found.dead + found.alive.size(), 0U);
+      EXPECT_GT(found.infeasible + found.feasible.size(), 0U);
     }
   }
 }
@@ -78,8 +78,8 @@ TEST(TwoBodies, MayBeLoose) {
     const auto above = verdict(written(problem, 0.5), &own);
     EXPECT_THAT(above.refusals, testing::IsEmpty());
     if (held.find("peg") != std::string::npos) continue;
-    EXPECT_TRUE(below.alive.empty());
-    EXPECT_FALSE(above.alive.empty());
+    EXPECT_TRUE(below.feasible.empty());
+    EXPECT_FALSE(above.feasible.empty());
   }
 }
 

@@ -95,11 +95,11 @@ std::vector<std::string> wedged_nodes() {
           node("dead 1 1 2", {0, 0, -0.6, -0.8, 0})};
 }
 
-void expect_proved(const Draft& draft, const Structure& structure, std::size_t alive) {
+void expect_proved(const Draft& draft, const Structure& structure, std::size_t feasible) {
   for (const auto* given : {static_cast<const Structure*>(nullptr), &structure}) {
     const auto said = verdict(draft.text(), given);
     EXPECT_THAT(said.refusals, IsEmpty());
-    EXPECT_EQ(said.alive.size(), alive);
+    EXPECT_EQ(said.feasible.size(), feasible);
     EXPECT_EQ(said.marginal, 0U);
   }
 }
@@ -160,7 +160,7 @@ TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
 
 // Between walls that are parallel up to 1e-9 the bar is wedged only in configurations that slide a
 // billion times farther than it strains. Up to 1e-5 it need not move that far.
-TEST(LooseBar, BetweenNearlyParallelWallsIsDeadButForFarMotion) {
+TEST(LooseBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
   const auto said = [](double lean, const std::string& first) {
     const auto structure = BarBetweenWalls{1, lean}.structure();
     const std::vector nodes{first, node("dead 1 0 1", {0, 0, 1, 0, 0}),
@@ -239,11 +239,11 @@ TEST(LooseBlock, IsProvedToWedgeFromTheTangentOfTheHalfAngle) {
     for (const bool of_structure : {true, false}) {
       const auto below = proved(block(2, rows), critical * (1 - 1e-6), of_structure);
       EXPECT_THAT(below.refusals, IsEmpty());
-      EXPECT_THAT(below.alive, IsEmpty());
+      EXPECT_THAT(below.feasible, IsEmpty());
       EXPECT_EQ(below.marginal, 0U);
       const auto above = proved(block(2, rows), critical * 1.2, of_structure);
       EXPECT_THAT(above.refusals, IsEmpty());
-      EXPECT_FALSE(above.alive.empty());
+      EXPECT_FALSE(above.feasible.empty());
       EXPECT_EQ(above.marginal, 0U);
     }
   }
@@ -278,8 +278,8 @@ problems::Structure random_truss(int dimension, int nodes, std::mt19937& bits) {
 
 TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
   std::mt19937 bits(7);
-  std::size_t alive = 0;
-  std::size_t dead = 0;
+  std::size_t feasible = 0;
+  std::size_t infeasible = 0;
   std::size_t marginal = 0;
   for (int trial = 0; trial < 40; ++trial) {
     const int dimension = trial % 2 == 0 ? 2 : 3;
@@ -288,8 +288,8 @@ TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
     const auto check = [&](bool of_structure) {
       const auto said = proved(truss, mu, of_structure);
       EXPECT_THAT(said.refusals, IsEmpty()) << trial;
-      alive += said.alive.size();
-      dead += said.dead;
+      feasible += said.feasible.size();
+      infeasible += said.infeasible;
       marginal += said.marginal;
     };
     check(true);
@@ -297,14 +297,14 @@ TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
     // no such line, so that without the structure no reactions are in equilibrium.
     if (dimension == 2) check(false);
   }
-  EXPECT_GT(alive, 20U);
-  EXPECT_GT(dead, 100U);
-  EXPECT_LE(marginal, alive / 10);  // undecided in the search
+  EXPECT_GT(feasible, 20U);
+  EXPECT_GT(infeasible, 100U);
+  EXPECT_LE(marginal, feasible / 10);  // undecided in the search
 }
 
 // No evidence proves a node infeasible that contains a configuration, be it a leaf or an inner
 // node.
-TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
+TEST(LooseTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
   std::mt19937 bits(11);
   std::size_t tried = 0;
   for (int trial = 0; trial < 16; ++trial) {
@@ -315,9 +315,9 @@ TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
         consistency(certificate, evidence::verified_structure(truss)));
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& leaf : certificate.records) {
-      if (leaf.claim != Claim::alive) continue;
+      if (leaf.claim != Claim::feasible) continue;
       for (auto record : certificate.records) {
-        if (record.claim != Claim::dead) continue;
+        if (record.claim != Claim::infeasible) continue;
         record.contact = leaf.contact;
         record.separated = leaf.separated;
         for (const int candidate : certificate.all_candidates()) {
@@ -359,7 +359,7 @@ normal = [0, 0, 1]
 )");
   const auto said = proved(body, 0.5);
   EXPECT_THAT(said.refusals, IsEmpty());
-  EXPECT_EQ(said.alive.size(), 1U);
+  EXPECT_EQ(said.feasible.size(), 1U);
   EXPECT_GT(said.marginal, 0U);
   EXPECT_EQ(said.unloaded, said.marginal);
   // At a feasible node no contact is without reaction.
@@ -368,7 +368,7 @@ normal = [0, 0, 1]
       std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   for (auto& record : certificate.records) {
-    if (record.claim != Claim::alive) continue;
+    if (record.claim != Claim::feasible) continue;
     record.claim = Claim::marginal;
     EXPECT_FALSE(proof.judgement(record).unloaded);
     record.separated = {};  // the third has no reaction, but it is not in U

@@ -1,5 +1,5 @@
-// Functions common to all proofs of a block. Infeasible nodes are in verify/wedged/dead_proof.cpp,
-// feasible leaves in verify/wedged/leaf_proof.cpp.
+// Functions common to all proofs of a block. Infeasible nodes are in
+// verify/wedged/infeasibility_proof.cpp, feasible leaves in verify/wedged/leaf_proof.cpp.
 #include "verify/wedged/block_proof.hpp"
 
 #include <algorithm>

@@ -55,12 +55,12 @@ class BlockProof {
   /// Proves that no configuration is wedged below the node (U, R).
   /// @param numbers m multipliers, and p coefficients of the mean motion of w
   /// @pre least_eigenvalue()
-  [[nodiscard]] Judgement judge_dead(const support::IndexSet& contact,
-                                     const support::IndexSet& separated,
-                                     std::span<const double> numbers) const;
+  [[nodiscard]] Judgement judge_infeasible(const support::IndexSet& contact,
+                                           const support::IndexSet& separated,
+                                           std::span<const double> numbers) const;
 
   /// The same with the cuts of all added bounds.
-  /// @param numbers those of judge_dead(), then m multipliers of cuts
+  /// @param numbers those of judge_infeasible(), then m multipliers of cuts
   /// @pre least_eigenvalue()
   [[nodiscard]] Judgement judge_cut(const support::IndexSet& contact,
                                     const support::IndexSet& separated,
@@ -89,9 +89,9 @@ class BlockProof {
   /// Proves that the leaf (U, R) has a configuration in its interior. @return the reason if not
   /// @param numbers tangential reactions of U, d - 1 each, and p coefficients of the mean motion
   /// @pre least_eigenvalue()
-  [[nodiscard]] std::optional<std::string> refusal_of_alive(const support::IndexSet& contact,
-                                                            const support::IndexSet& separated,
-                                                            std::span<const double> numbers) const;
+  [[nodiscard]] std::optional<std::string> refusal_of_feasible(
+      const support::IndexSet& contact, const support::IndexSet& separated,
+      std::span<const double> numbers) const;
 
  private:
   // Grounding springs for the rigid-body modes, and the modes that leave all normal displacements
@@ -132,10 +132,10 @@ class BlockProof {
   [[nodiscard]] std::optional<Dyadic> error_of_lift(const RegularisedStiffness& held,
                                                     const Leaf& leaf, const NearList& shift,
                                                     const Dyadic& pressures) const;
-  [[nodiscard]] std::optional<std::string> check_alive(const RegularisedStiffness& held,
-                                                       const Leaf& leaf, const DyadicList& u,
-                                                       const DyadicList& r,
-                                                       const Dyadic& unknown) const;
+  [[nodiscard]] std::optional<std::string> check_feasible(const RegularisedStiffness& held,
+                                                          const Leaf& leaf, const DyadicList& u,
+                                                          const DyadicList& r,
+                                                          const Dyadic& unknown) const;
 
   // The opposite of a bound: r_ni, or u_ni, is at least beta sum_k r_nk.
   struct Opposite {

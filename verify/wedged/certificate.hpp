@@ -16,11 +16,11 @@ namespace kusabi::verify {
 
 /// Statement of a certificate on a node.
 enum class Claim {
-  dead,      ///< infeasible: no wedged configuration below it
-  alive,     ///< feasible leaf: a configuration satisfies all inequalities strictly
-  marginal,  ///< undecided: no statement
-  form,      ///< nothing is wedged in the block: a quadratic form is negative definite
-  cut,       ///< infeasible by the cuts that follow from bounds of candidates
+  infeasible,  ///< no wedged configuration below it
+  feasible,    ///< a leaf: a configuration satisfies all inequalities strictly
+  marginal,    ///< undecided: no statement
+  form,        ///< nothing is wedged in the block: a quadratic form is negative definite
+  cut,         ///< infeasible by the cuts that follow from bounds of candidates
 };
 
 /// The keyword in the file: "dead", "alive", "marginal", "form" or "cut".
@@ -58,12 +58,12 @@ struct Record {
   std::size_t block = 0;        ///< block of the node, counted from 0
   support::IndexSet contact;    ///< U: u_n = 0
   support::IndexSet separated;  ///< R: r = 0
-  /// dead: multipliers of the normal displacements, one for each candidate of the block. alive:
-  /// tangential reactions of the candidates in U, in their order, d - 1 each. Both: coefficients of
-  /// the block's rigid-body modes in the mean motion of w (dead) or u (alive). cut: the numbers of
-  /// dead, then multipliers of cuts, one for each candidate, >= 0. form: those of products of
-  /// u_ni and r_nj, by rows; for each pair (j, k) the d - 1 components of that of r_nj and r_tk;
-  /// one for the square of each candidate's friction cone.
+  /// infeasible: multipliers of the normal displacements, one for each candidate of the block.
+  /// feasible: tangential reactions of the candidates in U, in their order, d - 1 each. Both:
+  /// coefficients of the block's rigid-body modes in the mean motion of w (infeasible) or u
+  /// (feasible). cut: the numbers of infeasible, then multipliers of cuts, one for each candidate,
+  /// >= 0. form: those of products of u_ni and r_nj, by rows; for each pair (j, k) the d - 1
+  /// components of that of r_nj and r_tk; one for the square of each candidate's friction cone.
   std::vector<double> numbers;
 };
 

@@ -9,9 +9,9 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-std::optional<std::string> BlockProof::refusal_of_alive(const IndexSet& contact,
-                                                        const IndexSet& /*separated*/,
-                                                        std::span<const double> numbers) const {
+std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& contact,
+                                                           const IndexSet& /*separated*/,
+                                                           std::span<const double> numbers) const {
   if (contact.empty()) return "no candidate is in contact";
   Leaf leaf{contact, {}, {}, {}, {}, {}, {}, {}};
   const auto* stiffness = held_at_normals(contact);
@@ -25,7 +25,7 @@ std::optional<std::string> BlockProof::refusal_of_alive(const IndexSet& contact,
     return "K is not proved to be definite with its contacts fixed";
   return stiffness->solve(leaf.unknowns, leaf.right,
                           [&](const auto& u, const auto& r, const auto& off) {
-                            return check_alive(*stiffness, leaf, u, r, off);
+                            return check_feasible(*stiffness, leaf, u, r, off);
                           });
 }
 
@@ -125,10 +125,10 @@ std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& held
   return gap + change * (pressures + quotient_above(held.size() * gap, s));
 }
 
-std::optional<std::string> BlockProof::check_alive(const RegularisedStiffness& held,
-                                                   const Leaf& leaf, const DyadicList& u,
-                                                   const DyadicList& r,
-                                                   const Dyadic& unknown) const {
+std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness& held,
+                                                      const Leaf& leaf, const DyadicList& u,
+                                                      const DyadicList& r,
+                                                      const Dyadic& unknown) const {
   const auto d = block_.dimension;
   const auto& s = *held.least_eigenvalue();
   Dyadic rest_squared;

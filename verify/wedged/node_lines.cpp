@@ -23,7 +23,7 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   record.separated = lines.set(sets);
   const auto known = record.contact | record.separated;
   if (record.contact.meets(record.separated) || !block.includes(known)) lines.refuse(sets);
-  const bool leaf = claim == Claim::alive || (claim == Claim::marginal && !version.names_blocks);
+  const bool leaf = claim == Claim::feasible || (claim == Claim::marginal && !version.names_blocks);
   if (leaf && known != block) {
     lines.refuse("a leaf: every contact candidate in one of the two sets");
   }
@@ -31,7 +31,7 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   const auto moving = certificate.motions_of(block).size();
   const auto own = static_cast<std::size_t>(block.size());
   switch (claim) {
-    case Claim::dead:
+    case Claim::infeasible:
       lines.numbers(own + moving, record.numbers, multipliers_of(moving));
       break;
     case Claim::cut:
@@ -43,7 +43,7 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
       lines.numbers(certificate.dimension * own * own + own, record.numbers,
                     "multipliers of products, slips and squares");
       break;
-    case Claim::alive:
+    case Claim::feasible:
       lines.numbers(
           (certificate.dimension - 1) * touching + moving, record.numbers,
           moving > 0 ? "tangential reactions and parts of motions" : "tangential reactions");
@@ -61,7 +61,7 @@ void leave_out_repeated(std::vector<Record>& records) {
   const auto key = [](const Record& record) {
     const bool none = record.claim == Claim::cut || record.claim == Claim::form;
     return std::tuple(record.block, record.contact, record.separated,
-                      none ? Claim::dead : record.claim);
+                      none ? Claim::infeasible : record.claim);
   };
   const auto place = [](const Record& record) { return record.line; };
   std::stable_sort(records.begin(), records.end(),
@@ -76,13 +76,13 @@ void leave_out_repeated(std::vector<Record>& records) {
 
 const char* claim_name(Claim claim) {
   switch (claim) {
-    case Claim::dead:
+    case Claim::infeasible:
       return "dead";
     case Claim::cut:
       return "cut";
     case Claim::form:
       return "form";
-    case Claim::alive:
+    case Claim::feasible:
       return "alive";
     default:
       return "marginal";
@@ -116,7 +116,7 @@ void read_records(Lines& lines, Version version, Certificate& certificate) {
       }
       break;
     }
-    std::vector<Claim> claims{Claim::dead, Claim::alive, Claim::marginal};
+    std::vector<Claim> claims{Claim::infeasible, Claim::feasible, Claim::marginal};
     if (version.has_bounds) claims.insert(claims.end(), {Claim::cut, Claim::form});
     const auto claim = std::find_if(claims.begin(), claims.end(),
                                     [&](Claim one) { return keyword == claim_name(one); });

@@ -99,14 +99,14 @@ Judgement Proof::judgement(const Record& record) const {
   const auto separated = within(block, record.separated);
   const auto& proof = blocks_[record.block];
   switch (record.claim) {
-    case Claim::dead:
-      return proof.judge_dead(contact, separated, record.numbers);
+    case Claim::infeasible:
+      return proof.judge_infeasible(contact, separated, record.numbers);
     case Claim::cut:
       return proof.judge_cut(contact, separated, record.numbers);
     case Claim::form:
       return proof.judge_form(record.numbers);
-    case Claim::alive:
-      return {proof.refusal_of_alive(contact, separated, record.numbers)};
+    case Claim::feasible:
+      return {proof.refusal_of_feasible(contact, separated, record.numbers)};
     default:
       return {.unloaded = proof.leaves_a_contact_unloaded(contact, separated)};
   }

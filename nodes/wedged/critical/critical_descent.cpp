@@ -35,23 +35,24 @@ class Descent {
         grid_(grid),
         bracket_(bracket),
         findings_(findings),
-        known_dead_(bracket.lower()),
-        alive_(bracket.upper()) {}
+        known_infeasible_(bracket.lower()),
+        feasible_(bracket.upper()) {}
 
   void run() {
     const double most = grid_.most;
-    for (double start = std::min(alive_.value_or(first_start), most);;
+    for (double start = std::min(feasible_.value_or(first_start), most);;
          start = std::min(most, next_start * start)) {
-      if (start <= known_dead_ && start < most) continue;
+      if (start <= known_infeasible_ && start < most) continue;
       coarse_ = grid_.width;
       while (coarse_ < few_digits * start) coarse_ *= 2;
-      dead_ = std::max(dead_, coarse_ * std::floor(known_dead_ / coarse_));
+      infeasible_ = std::max(infeasible_, coarse_ * std::floor(known_infeasible_ / coarse_));
       // A search does not decide coefficients beyond the last point of its grid.
       const double reach = coarse_ == grid_.width ? start : coarse_ * std::floor(start / coarse_);
       dive(reach);
       if (!narrow()) return;
-      if (alive_ || dead_ < reach) {  // a leaf is feasible, or numerically undecided
-        if (coarse_ != grid_.width) search(CriticalPhase::fine, grid_.width, alive_.value_or(most));
+      if (feasible_ || infeasible_ < reach) {  // a leaf is feasible, or numerically undecided
+        if (coarse_ != grid_.width)
+          search(CriticalPhase::fine, grid_.width, feasible_.value_or(most));
         return;
       }
       if (start >= most) {
@@ -68,7 +69,7 @@ class Descent {
     from_ = reach;
     bounds_ = {};
     double untold = 0;
-    if (alive_ && !goes_on(untold)) return;
+    if (feasible_ && !goes_on(untold)) return;
     for (;;) {
       const CriticalGrid coarse{.width = coarse_, .most = grid_.most, .precision = grid_.precision};
       const auto found =
@@ -76,27 +77,27 @@ class Descent {
       findings_.costs.push_back(
           {CriticalPhase::dive, from_, found.opened, found.opened + bounds_.programs});
       bounds_.programs = 0;  // counted once
-      if (std::isfinite(found.alive)) {
-        alive_ = found.alive;
-        bracket_.sink(found.alive, found.leaf);
+      if (std::isfinite(found.feasible)) {
+        feasible_ = found.feasible;
+        bracket_.sink(found.feasible, found.leaf);
       } else {
-        (found.all_dead ? dead_ : untold) = from_;
-        if (found.all_dead) bracket_.raise(from_);
+        (found.all_infeasible ? infeasible_ : untold) = from_;
+        if (found.all_infeasible) bracket_.raise(from_);
       }
       bracket_.show();
       if (analysis_.ended()) return;
-      if (!alive_ || !goes_on(untold)) return;
+      if (!feasible_ || !goes_on(untold)) return;
     }
   }
 
   // Chooses the next coefficient below the feasible one. @return whether by a dive
   bool goes_on(double untold) {
-    const double last = coarse_ * static_cast<double>(std::llround(*alive_ / coarse_) - 1);
-    if (last <= dead_) return false;
-    const double least = std::max(dead_, untold);
-    const bool near = least > near_enough * *alive_;
-    const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
-    const double below = std::max(coarse_ * std::floor(next / coarse_), dead_ + coarse_);
+    const double last = coarse_ * static_cast<double>(std::llround(*feasible_ / coarse_) - 1);
+    if (last <= infeasible_) return false;
+    const double least = std::max(infeasible_, untold);
+    const bool near = least > near_enough * *feasible_;
+    const double next = least > 0 ? std::sqrt(least * *feasible_) : share_of_last * *feasible_;
+    const double below = std::max(coarse_ * std::floor(next / coarse_), infeasible_ + coarse_);
     from_ = near ? last : std::min(below, last);
     bounds_ = bounds_at(analysis_, problem_, from_, tightening_);
     return !near;
@@ -104,9 +105,9 @@ class Descent {
 
   // Searches the interval that the dives leave. @return false if the search was stopped
   bool narrow() {
-    const double end = alive_ ? *alive_ - 1.5 * coarse_ : from_;  // below its last point
+    const double end = feasible_ ? *feasible_ - 1.5 * coarse_ : from_;  // below its last point
     if (analysis_.ended()) return stopped(CriticalPhase::dive);
-    return !(dead_ < end) || search(CriticalPhase::coarse, coarse_, from_);
+    return !(infeasible_ < end) || search(CriticalPhase::coarse, coarse_, from_);
   }
 
   bool search(CriticalPhase phase, double width, double from) {
@@ -116,11 +117,11 @@ class Descent {
                                      {CriticalDirection::down,
                                       phase,
                                       {.width = width, .most = from, .precision = grid_.precision},
-                                      std::max(dead_, known_dead_),
+                                      std::max(infeasible_, known_infeasible_),
                                       bounds_},
                                      findings_.costs, findings_.global_ranks);
-    dead_ = std::max(dead_, found.lower);
-    if (std::isfinite(found.upper)) alive_ = found.upper;
+    infeasible_ = std::max(infeasible_, found.lower);
+    if (std::isfinite(found.upper)) feasible_ = found.upper;
     found.narrow(bracket_, grid_.width);
     bracket_.show();
     findings_.status = found.status;
@@ -141,12 +142,12 @@ class Descent {
   CriticalGrid grid_;
   CriticalBracket& bracket_;
   CriticalFindings& findings_;
-  double known_dead_;            // as dead_, but on another grid
-  double coarse_ = 0;            // width of the grid of a start
-  double from_ = 0;              // start of the next search
-  double dead_ = 0;              // no leaf is feasible at this coefficient or below
-  std::optional<double> alive_;  // a leaf is feasible at this coefficient
-  BlockBounds bounds_;           // at `from_`
+  double known_infeasible_;         // as infeasible_, but on another grid
+  double coarse_ = 0;               // width of the grid of a start
+  double from_ = 0;                 // start of the next search
+  double infeasible_ = 0;           // no leaf is feasible at this coefficient or below
+  std::optional<double> feasible_;  // a leaf is feasible at this coefficient
+  BlockBounds bounds_;              // at `from_`
 };
 
 }  // namespace

@@ -40,10 +40,10 @@ void locate(const problems::WedgedProblem& problem, const Configuration& found,
   CriticalFriction critical(problems::block_problem(problem, block), grid.width, grid.precision);
   critical.end_when(stop);
   const PatternNode leaf{found.block, own_leaf(found, block)};
-  const auto cell = critical.locate(leaf.pattern, {.dead = 0, .alive = multiple},
+  const auto cell = critical.locate(leaf.pattern, {.infeasible = 0, .feasible = multiple},
                                     CriticalMethod::newton, multiple);
-  if (cell.alive == CriticalCell::nowhere) return;
-  dive.alive = critical.at(cell.alive);
+  if (cell.feasible == CriticalCell::nowhere) return;
+  dive.feasible = critical.at(cell.feasible);
   dive.leaf = leaf;
 }
 
@@ -70,9 +70,9 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
       });
       if (fate.leaf) {
         const bool lives =
-            fate.leaf->state == LeafState::alive || fate.leaf->state == LeafState::flat;
+            fate.leaf->state == LeafState::feasible || fate.leaf->state == LeafState::flat;
         if (lives) locate(problem, *fate.leaf, multiple, grid, stop, result);
-        if (std::isfinite(result.alive)) return;
+        if (std::isfinite(result.feasible)) return;
         doubtful = true;
       }
       open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
@@ -80,7 +80,7 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
   } catch (const support::Stopped&) {
     return;
   }
-  result.all_dead = open.empty() && !doubtful;
+  result.all_infeasible = open.empty() && !doubtful;
 }
 
 }  // namespace

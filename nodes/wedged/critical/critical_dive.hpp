@@ -44,14 +44,14 @@ void inform(Tree& tree, const problems::WedgedProblem& problem, const BlockBound
 /// Result of a dive.
 struct CriticalDive {
   /// Multiple of the width from which on the leaf is feasible; infinity: no leaf was found.
-  double alive = std::numeric_limits<double>::infinity();
-  PatternNode leaf;          ///< the feasible leaf
-  bool all_dead = false;     ///< the whole tree was searched and is infeasible
-  std::uint64_t opened = 0;  ///< nodes, which are also programs
+  double feasible = std::numeric_limits<double>::infinity();
+  PatternNode leaf;             ///< the feasible leaf
+  bool all_infeasible = false;  ///< the whole tree was searched and is infeasible
+  std::uint64_t opened = 0;     ///< nodes, which are also programs
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& alive& leaf& all_dead& opened;
+    archive& feasible& leaf& all_infeasible& opened;
   }
 };
 

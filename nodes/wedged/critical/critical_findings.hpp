@@ -130,8 +130,8 @@ struct CriticalFindings {
   std::vector<engine::RankReport<PatternBisection>> bisection_ranks;
 
   /// Sorts the patterns and derives the bracket from them.
-  /// @param dead bound below which all other patterns are infeasible
-  void conclude(double dead);
+  /// @param infeasible bound below which all other patterns are infeasible
+  void conclude(double infeasible);
 
   [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }
 };

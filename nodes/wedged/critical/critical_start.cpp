@@ -18,24 +18,25 @@ namespace {
 
 // Bounds from the root and single leaves of a block.
 struct BlockStart {
-  double dead = std::numeric_limits<double>::infinity();  // infeasible up to this coefficient
-  double alive =
+  double infeasible = std::numeric_limits<double>::infinity();  // infeasible up to this coefficient
+  double feasible =
       std::numeric_limits<double>::infinity();  // the leaf is feasible at this coefficient
   SignPattern leaf;
   std::uint64_t programs = 0;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& dead& alive& leaf& programs;
+    archive& infeasible& feasible& leaf& programs;
   }
 };
 
 void take_leaf(CriticalFriction& critical, const SignPattern& leaf, std::int64_t most,
                BlockStart& start) {
-  const auto cell = critical.locate(leaf, {.dead = 0, .alive = CriticalCell::nowhere},
+  const auto cell = critical.locate(leaf, {.infeasible = 0, .feasible = CriticalCell::nowhere},
                                     CriticalMethod::newton, most);
-  if (cell.alive == CriticalCell::nowhere || critical.at(cell.alive) >= start.alive) return;
-  start.alive = critical.at(cell.alive);
+  if (cell.feasible == CriticalCell::nowhere || critical.at(cell.feasible) >= start.feasible)
+    return;
+  start.feasible = critical.at(cell.feasible);
   start.leaf = leaf;
 }
 
@@ -44,18 +45,19 @@ void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
                  const support::Stop& stop, BlockStart& start) {
   const int m = static_cast<int>(block.contact_names.size());
   const auto most = static_cast<std::int64_t>(std::llround(grid.most / grid.width));
-  start.dead = 0;
+  start.infeasible = 0;
   CriticalFriction root(block, grid.width, Precision::doubles);
   CriticalFriction leaves(block, grid.width, grid.precision);
   root.end_when(stop);
   leaves.end_when(stop);
   try {
-    const auto cell =
-        root.locate({}, {.dead = 0, .alive = CriticalCell::nowhere}, CriticalMethod::newton, most);
-    start.dead = root.at(cell.dead);
-    if (cell.dead < most) take_leaf(leaves, leaf_with(support::IndexSet::below(m), m), most, start);
+    const auto cell = root.locate({}, {.infeasible = 0, .feasible = CriticalCell::nowhere},
+                                  CriticalMethod::newton, most);
+    start.infeasible = root.at(cell.infeasible);
+    if (cell.infeasible < most)
+      take_leaf(leaves, leaf_with(support::IndexSet::below(m), m), most, start);
     const auto singles = single_contacts(block);
-    if (!singles.empty() && singles.front().factor < start.alive)
+    if (!singles.empty() && singles.front().factor < start.feasible)
       take_leaf(leaves, leaf_with(support::IndexSet::single(singles.front().candidate), m), most,
                 start);
   } catch (const support::Stopped&) {
@@ -101,7 +103,7 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
                             const CriticalGrid& grid, CriticalBracket& bracket) {
   const auto blocks = problems::blocks_of(problem);
   std::uint64_t programs = 0;
-  double dead = grid.most;
+  double infeasible = grid.most;
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const auto start = analysis.by_first_rank([&] {
       BlockStart own;
@@ -109,13 +111,13 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
                   own);
       return own;
     });
-    dead = std::min(dead, start.dead);
+    infeasible = std::min(infeasible, start.infeasible);
     programs += start.programs;
-    if (std::isfinite(start.alive)) bracket.sink(start.alive, {number, start.leaf});
+    if (std::isfinite(start.feasible)) bracket.sink(start.feasible, {number, start.leaf});
     if (analysis.ended()) return programs;  // the other blocks have no bounds
   }
   Smallest found;
-  found.lower = dead;
+  found.lower = infeasible;
   found.narrow(bracket, grid.width);
   return programs;
 }

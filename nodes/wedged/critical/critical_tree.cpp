@@ -56,21 +56,21 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
   Block& block = blocks_[node.place.block];
   const auto& [contact, separated, at_rest] = node.place.pattern;
   if (separated == block.candidates) {  // no reaction at all
-    ++tally_.dead;
+    ++tally_.infeasible;
     return;
   }
   const auto free = block.candidates - (contact | separated);
   const auto& bounds = block.critical.bounds();
   if (!bounds.empty()) {
     if (leaves_nothing(bounds, contact, separated)) {
-      ++tally_.dead;
+      ++tally_.infeasible;
       return;
     }
     if (const auto known = one_sided(free, bounds)) return split(node, *known, out);
   }
   const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(most_)));
   if (!bound) {
-    ++tally_.dead;
+    ++tally_.infeasible;
     return;
   }
   if (free.empty()) return close_leaf({node.place, *bound}, out);
@@ -97,7 +97,7 @@ std::optional<double> CriticalTree::worth(Block& block, const Node& node, double
   if (direction_ == CriticalDirection::up)
     bound = block.critical.bound(node.place.pattern, bound, cutoff);
   else if (is_worth(bound))
-    bound = std::max(bound, block.critical.dead_below(node.place.pattern, lowest));
+    bound = std::max(bound, block.critical.infeasible_below(node.place.pattern, lowest));
   return is_worth(bound) ? std::optional(bound) : std::nullopt;
 }
 
@@ -106,15 +106,15 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
   const auto known = static_cast<std::int64_t>(node.bound / grid_.width());
   const auto cell = critical.locate(node.place.pattern, {known, CriticalCell::nowhere},
                                     CriticalMethod::newton, most_);
-  if (cell.dead >= most_) {
-    ++tally_.dead;
+  if (cell.infeasible >= most_) {
+    ++tally_.infeasible;
     return;
   }
-  if (cell.alive == CriticalCell::nowhere || cell.alive - cell.dead > 1) {
+  if (cell.feasible == CriticalCell::nowhere || cell.feasible - cell.infeasible > 1) {
     ++tally_.doubtful;
-    tally_.doubt += {critical.at(cell.dead)};
+    tally_.doubt += {critical.at(cell.infeasible)};
   }
-  if (cell.alive == CriticalCell::nowhere) return;
+  if (cell.feasible == CriticalCell::nowhere) return;
   ++tally_.leaves;
   out.solution({cell, node.place});
 }

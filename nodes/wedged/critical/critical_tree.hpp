@@ -60,15 +60,15 @@ class CriticalTree {
 
   struct Tally : engine::Counts<Tally> {
     std::uint64_t branched = 0;
-    std::uint64_t dead = 0;      ///< proved infeasible up to the upper limit
-    std::uint64_t leaves = 0;    ///< patterns with a bracketed critical coefficient
+    std::uint64_t infeasible = 0;  ///< proved infeasible up to the upper limit
+    std::uint64_t leaves = 0;      ///< patterns with a bracketed critical coefficient
     std::uint64_t doubtful = 0;  ///< leaves with a cell wider than the width or without upper bound
     /// The least coefficient from which on an undecided leaf is not known to be infeasible.
     engine::Least doubt;
     std::uint64_t programs = 0;  ///< cone programs solved
 
     static constexpr auto fields() {
-      return std::tuple{field("branched", &Tally::branched), field("dead", &Tally::dead),
+      return std::tuple{field("branched", &Tally::branched), field("dead", &Tally::infeasible),
                         field("leaves", &Tally::leaves),     field("doubtful", &Tally::doubtful),
                         field("doubt", &Tally::doubt),       field("programs", &Tally::programs)};
     }
@@ -92,7 +92,7 @@ class CriticalTree {
   [[nodiscard]] Node root() const;
   void expand(Node&& node, engine::Expansion<CriticalTree>& out);
   [[nodiscard]] double objective(const Solution& solution) const {
-    return grid_.at(solution.cell.alive);
+    return grid_.at(solution.cell.feasible);
   }
   [[nodiscard]] double bound(const Node& node) const { return node.bound; }
   [[nodiscard]] Tally tally() const;

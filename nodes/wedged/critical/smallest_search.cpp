@@ -35,8 +35,8 @@ Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const Criti
   const FrictionGrid points(grid.width);
   for (const auto& found : outcome.solutions) {
     const auto& [cell, leaf] = found.solution;
-    smallest.lower = std::min(smallest.lower, points.at(cell.dead));
-    smallest.upper = points.at(cell.alive);
+    smallest.lower = std::min(smallest.lower, points.at(cell.infeasible));
+    smallest.upper = points.at(cell.feasible);
     smallest.leaf = leaf;
   }
   // Every schedule opens a leaf that is undecided from a smaller coefficient on.

@@ -66,14 +66,14 @@ std::optional<PatternBisection::Located> PatternBisection::locate(Node node) {
     // The change is within the cell if the lower bound is infeasible and the upper one is not. A
     // numerically undecided upper bound belongs to this cell, which is then extended to a proved
     // feasible point.
-    if (node.cell.dead > 0 && !critical.dead(pattern, node.cell.dead)) return {};
-    if (node.cell.alive < start_) {
-      if (critical.dead(pattern, node.cell.alive)) return {};
-      node.cell = critical.alive_from(pattern, node.cell, start_);
+    if (node.cell.infeasible > 0 && !critical.infeasible(pattern, node.cell.infeasible)) return {};
+    if (node.cell.feasible < start_) {
+      if (critical.infeasible(pattern, node.cell.feasible)) return {};
+      node.cell = critical.feasible_from(pattern, node.cell, start_);
     }
   }
   const auto half = critical.halve(pattern, node.cell);
-  return Located{half, half == node.cell || half.alive - half.dead == 1};
+  return Located{half, half == node.cell || half.feasible - half.infeasible == 1};
 }
 
 void PatternBisection::begin(const Node& node, engine::Expansion<PatternBisection>& out) {

@@ -15,26 +15,26 @@ constexpr double beside = 1e-4;
 
 }  // namespace
 
-bool CriticalFriction::lives_alone(const support::IndexSet& contact,
-                                   const support::IndexSet& separated) {
+bool CriticalFriction::feasible_alone(const support::IndexSet& contact,
+                                      const support::IndexSet& separated) {
   ++programs_;
   const auto both = contact | separated;
   if (!loose_) {
     const auto others = support::IndexSet::below(static_cast<int>(own_.size())) - both;
-    return solver_.solve(contact, separated, {}, others).sign == conic::Sign::alive;
+    return solver_.solve(contact, separated, {}, others).sign == conic::Sign::feasible;
   }
   std::vector<double> friction;
   for (const int i : both) friction.push_back(friction_[static_cast<std::size_t>(i)]);
   ContactSolver alone(problems::problem_without_others(*loose_, both), friction, tolerances);
   alone.end_when(stop_);
   return alone.solve(problems::in_block(contact, both), problems::in_block(separated, both), {})
-             .sign == conic::Sign::alive;
+             .sign == conic::Sign::feasible;
 }
 
 bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  return inside && lives_at_rest(pattern, *inside) && lasts(pattern, factor, tolerances);
+  return inside && feasible_at_rest(pattern, *inside) && lasts(pattern, factor, tolerances);
 }
 
 // A flat cone that is about to become solid is degenerate below.
@@ -44,11 +44,11 @@ bool CriticalFriction::lasts(const SignPattern& leaf, double factor, const conic
 }
 
 // True if some candidates of the leaf are inactive, and the others are feasible without them.
-bool CriticalFriction::lives_at_rest(const SignPattern& leaf,
-                                     const conic::RelativeInterior& inside) {
+bool CriticalFriction::feasible_at_rest(const SignPattern& leaf,
+                                        const conic::RelativeInterior& inside) {
   const auto& [loaded, moved] = inside;
   if (loaded.empty() || loaded.meets(moved)) return false;
-  return (loaded | moved) != (leaf.contact | leaf.separated) && lives_alone(loaded, moved);
+  return (loaded | moved) != (leaf.contact | leaf.separated) && feasible_alone(loaded, moved);
 }
 
 bool CriticalFriction::is_tie(const SignPattern& leaf, double factor,
@@ -62,18 +62,18 @@ LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
   constexpr conic::Tolerances of_ties;  // the tolerances of the tree of sign patterns
   const double factor = at(point);
-  if (factor < range_.least) return {point == 0 ? Kind::dead : Kind::open, {}, {}};
+  if (factor < range_.least) return {point == 0 ? Kind::infeasible : Kind::open, {}, {}};
   ++programs_;
   set_friction(factor);
   const auto answer = solver_.solve(leaf.contact, leaf.separated, sign_only);
-  if (answer.sign == conic::Sign::dead) return {Kind::dead, {}, {}};
-  if (answer.sign == conic::Sign::alive) return {Kind::solid, {}, {}};
+  if (answer.sign == conic::Sign::infeasible) return {Kind::infeasible, {}, {}};
+  if (answer.sign == conic::Sign::feasible) return {Kind::solid, {}, {}};
   const LeafStage open{Kind::open, {}, {}};
   if (!conic::is_tie(answer, of_ties)) return open;
   const auto inside = solver_.relative_interior(leaf.contact, leaf.separated);
   if (!inside) return open;
-  if (inside->loaded.empty()) return {Kind::dead, {}, {}};  // by less than the tolerance
-  return lives_at_rest(leaf, *inside) && lasts(leaf, factor, of_ties)
+  if (inside->loaded.empty()) return {Kind::infeasible, {}, {}};  // by less than the tolerance
+  return feasible_at_rest(leaf, *inside) && lasts(leaf, factor, of_ties)
              ? LeafStage{Kind::flat, inside->loaded, inside->moved}
              : open;
 }

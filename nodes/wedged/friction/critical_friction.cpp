@@ -90,8 +90,8 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   FrictionProbe probe{
       .sign = answer.sign,
       .tie = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
-      .dead_below = reach_of(pull_, node),
-      .alive_from = 0,
+      .infeasible_below = reach_of(pull_, node),
+      .feasible_from = 0,
       .newton = infinity,
       .level = 0.5 * (answer.lower + answer.upper)};
 
@@ -110,22 +110,25 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
     sigma += 1 / friction_[i];
     weighted -= pull_[at] * normal;
     carries = carries && normal > 0;
-    probe.alive_from = std::max(
-        probe.alive_from, (solver_.reaction().segment(at + 1, tangents).norm() + tolerances.sign) /
-                              (own_[i] * normal));
+    probe.feasible_from =
+        std::max(probe.feasible_from,
+                 (solver_.reaction().segment(at + 1, tangents).norm() + tolerances.sign) /
+                     (own_[i] * normal));
   }
   for (std::size_t i = 0; i < own_.size() && carries; ++i) {
     if (!node.contact.contains(static_cast<int>(i)))
       carries = solver_.normal_displacement(static_cast<int>(i)) > tolerances.sign;
   }
-  if (!carries) probe.alive_from = infinity;
+  if (!carries) probe.feasible_from = infinity;
   if (answer.has_point && std::isfinite(answer.upper)) {
     const double slope = (sigma * probe.level + weighted) / (sigma * factor);
     if (slope > 0) probe.newton = factor - probe.level / slope;
   }
   // The sign itself decides the requested coefficient.
-  if (probe.sign == conic::Sign::dead) probe.dead_below = std::max(probe.dead_below, factor);
-  if (probe.sign == conic::Sign::alive) probe.alive_from = std::min(probe.alive_from, factor);
+  if (probe.sign == conic::Sign::infeasible)
+    probe.infeasible_below = std::max(probe.infeasible_below, factor);
+  if (probe.sign == conic::Sign::feasible)
+    probe.feasible_from = std::min(probe.feasible_from, factor);
   return probe;
 }
 
@@ -133,44 +136,44 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
 // past a grid point that equals it exactly.
 void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
                               std::int64_t most) const {
-  const double below = std::min(probe.dead_below, at(std::min(cell.alive, most)));
-  auto dead = static_cast<std::int64_t>(std::floor(below / width()));
-  if (at(dead + 1) <= below) ++dead;
-  cell.dead = std::max(cell.dead, std::min(dead, most));
-  if (probe.alive_from < at(cell.alive) && probe.alive_from <= at(most)) {
-    cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width()));
-    if (at(cell.alive - 1) >= probe.alive_from) --cell.alive;
+  const double below = std::min(probe.infeasible_below, at(std::min(cell.feasible, most)));
+  auto infeasible = static_cast<std::int64_t>(std::floor(below / width()));
+  if (at(infeasible + 1) <= below) ++infeasible;
+  cell.infeasible = std::max(cell.infeasible, std::min(infeasible, most));
+  if (probe.feasible_from < at(cell.feasible) && probe.feasible_from <= at(most)) {
+    cell.feasible = static_cast<std::int64_t>(std::ceil(probe.feasible_from / width()));
+    if (at(cell.feasible - 1) >= probe.feasible_from) --cell.feasible;
   }
-  cell.alive = std::max(cell.alive, cell.dead + 1);
+  cell.feasible = std::max(cell.feasible, cell.infeasible + 1);
 }
 
 bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point) {
   const auto said = probe(pattern, at(point), sign_only);
   switch (said.sign) {
-    case conic::Sign::dead:
-      cell.dead = point;
+    case conic::Sign::infeasible:
+      cell.infeasible = point;
       return true;
-    case conic::Sign::alive:
-      cell.alive = point;
+    case conic::Sign::feasible:
+      cell.feasible = point;
       return true;
     case conic::Sign::marginal:
       if (!said.tie || !is_flat(pattern, at(point))) return false;
-      cell.alive = point;
+      cell.feasible = point;
       return true;
   }
   return false;
 }
 
-bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
+bool CriticalFriction::infeasible(const SignPattern& pattern, std::int64_t point) {
   if (at(point) < range_.least)
     return point == 0;  // without friction no configuration is wedged, since K is definite
-  return probe(pattern, at(point), {}).sign == conic::Sign::dead;
+  return probe(pattern, at(point), {}).sign == conic::Sign::infeasible;
 }
 
-CriticalCell CriticalFriction::alive_from(const SignPattern& pattern, CriticalCell cell,
-                                          std::int64_t most) {
-  const auto end = cell.alive;
-  cell.alive = most;
+CriticalCell CriticalFriction::feasible_from(const SignPattern& pattern, CriticalCell cell,
+                                             std::int64_t most) {
+  const auto end = cell.feasible;
+  cell.feasible = most;
   for (std::int64_t step = 0; end + step < most; step = std::max<std::int64_t>(1, 2 * step)) {
     if (at(end + step) >= range_.least && decide(pattern, cell, end + step)) break;
   }
@@ -178,8 +181,8 @@ CriticalCell CriticalFriction::alive_from(const SignPattern& pattern, CriticalCe
 }
 
 CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
-  const auto middle = std::midpoint(cell.dead, cell.alive);
-  if (cell.alive - cell.dead < 2 || at(middle) < range_.least) return cell;
+  const auto middle = std::midpoint(cell.infeasible, cell.feasible);
+  if (cell.feasible - cell.infeasible < 2 || at(middle) < range_.least) return cell;
   if (decide(pattern, cell, middle)) return cell;
   surround(pattern, cell, middle);
   return cell;
@@ -188,10 +191,10 @@ CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell ce
 // The nearest decided points on both sides of an undecided one, at increasing distances.
 void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
                                 std::int64_t marginal) {
-  for (std::int64_t step = 1; cell.dead < marginal - step; step *= 2) {
+  for (std::int64_t step = 1; cell.infeasible < marginal - step; step *= 2) {
     if (at(marginal - step) < range_.least || decide(pattern, cell, marginal - step)) break;
   }
-  for (std::int64_t step = 1; marginal + step < cell.alive; step *= 2) {
+  for (std::int64_t step = 1; marginal + step < cell.feasible; step *= 2) {
     if (decide(pattern, cell, marginal + step)) break;
   }
 }
@@ -218,47 +221,48 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
   };
   // True if a grid point within the cell is decided: infeasible, or feasible including flat cones.
   const auto decided = [&](std::int64_t point) {
-    if (point <= cell.dead || point >= cell.alive) return true;
+    if (point <= cell.infeasible || point >= cell.feasible) return true;
     if (at(point) < range_.least) return false;
     const auto said = ask(at(point));
     if (said.sign != conic::Sign::marginal) return true;
     if (!said.tie || !is_flat(pattern, at(point))) return false;
-    cell.alive = point;
+    cell.feasible = point;
     return true;
   };
 
   // Range in which t* may become zero.
-  const auto floor = [&] { return std::max(at(cell.dead), range_.least); };
+  const auto floor = [&] { return std::max(at(cell.infeasible), range_.least); };
   const auto top = [&] {
-    return cell.alive == CriticalCell::nowhere ? curve.least_tie()
-                                               : std::min(curve.least_tie(), at(cell.alive));
+    return cell.feasible == CriticalCell::nowhere ? curve.least_tie()
+                                                  : std::min(curve.least_tie(), at(cell.feasible));
   };
 
-  double factor = cell.alive == CriticalCell::nowhere ? floor() : at(cell.alive);
+  double factor = cell.feasible == CriticalCell::nowhere ? floor() : at(cell.feasible);
   for (int step = 1; step <= most_steps; ++step) {
     const auto said = ask(factor);
-    const bool open = cell.alive == CriticalCell::nowhere;
-    const bool to_the_end = cell.dead >= most || (factor >= at(most) && !said.tie);
-    if (cell.alive - cell.dead <= 1 || (open && to_the_end)) return cell;
+    const bool open = cell.feasible == CriticalCell::nowhere;
+    const bool to_the_end = cell.infeasible >= most || (factor >= at(most) && !said.tie);
+    if (cell.feasible - cell.infeasible <= 1 || (open && to_the_end)) return cell;
 
     // Degenerate points are tested for flat cones only here: if one is a flat cone, so are those
     // above.
     const double end = std::min(top(), at(most));
-    const auto tip = std::min(cell.alive, static_cast<std::int64_t>(std::ceil(end / width())));
-    if (tip - cell.dead <= 2) {
-      if (!decided(tip) || !decided(cell.dead + 1)) break;
-      if (cell.alive - cell.dead <= 1) return cell;
+    const auto tip = std::min(cell.feasible, static_cast<std::int64_t>(std::ceil(end / width())));
+    if (tip - cell.infeasible <= 2) {
+      if (!decided(tip) || !decided(cell.infeasible + 1)) break;
+      if (cell.feasible - cell.infeasible <= 1) return cell;
     }
     auto estimate = curve.next(floor(), top());
     if (estimate.settled) {
       const auto below = static_cast<std::int64_t>(std::floor(estimate.factor / width()));
       const auto before = programs_;
       if (!decided(below + 1) || !decided(below)) {
-        if (cell.alive != CriticalCell::nowhere && below > cell.dead && below < cell.alive)
+        if (cell.feasible != CriticalCell::nowhere && below > cell.infeasible &&
+            below < cell.feasible)
           surround(pattern, cell, below);
         break;
       }
-      if (cell.alive - cell.dead <= 1) return cell;
+      if (cell.feasible - cell.infeasible <= 1) return cell;
       // The estimate was wrong; the additional programs lead to a new one.
       if (programs_ != before) estimate = curve.next(floor(), top());
     }
@@ -272,17 +276,17 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
 CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell cell,
                                       CriticalMethod method, std::int64_t most) {
   if (method == CriticalMethod::newton) return approach(pattern, cell, most);
-  if (cell.alive == CriticalCell::nowhere && !decide(pattern, cell, most)) return cell;
-  return cell.alive == CriticalCell::nowhere ? cell : bisect(pattern, cell);
+  if (cell.feasible == CriticalCell::nowhere && !decide(pattern, cell, most)) return cell;
+  return cell.feasible == CriticalCell::nowhere ? cell : bisect(pattern, cell);
 }
 
 double CriticalFriction::bound(const SignPattern& node, double from, double cutoff) {
   double known = from;
   double factor = std::max({from, range_.least, std::min(first_probe, cutoff)});
   for (int step = 0; step < bound_steps; ++step) {
-    const auto said = probe(node, factor, {.when_dead = false, .when_alive = true});
-    known = std::max(known, said.dead_below);
-    if (said.sign != conic::Sign::dead || known > cutoff) break;
+    const auto said = probe(node, factor, {.when_infeasible = false, .when_feasible = true});
+    known = std::max(known, said.infeasible_below);
+    if (said.sign != conic::Sign::infeasible || known > cutoff) break;
     // Slightly below the zero of the tangent, such that the point remains infeasible.
     const double next = known + (1 - bound_digits) * (said.newton - known);
     if (!(next > known * (1 + bound_digits)) || !(next <= range_.most)) break;
@@ -296,8 +300,8 @@ void CriticalFriction::tighten(std::vector<CandidateBounds> bounds) {
   bounds_ = std::move(bounds);
 }
 
-std::optional<double> CriticalFriction::dead_below_with_cuts(const SignPattern& node,
-                                                             double factor) {
+std::optional<double> CriticalFriction::infeasible_below_with_cuts(const SignPattern& node,
+                                                                   double factor) {
   const auto free =
       support::IndexSet::below(static_cast<int>(own_.size())) - (node.contact | node.separated);
   if (bounds_.empty() || free.empty()) return {};
@@ -307,13 +311,13 @@ std::optional<double> CriticalFriction::dead_below_with_cuts(const SignPattern& 
   const auto sign = solver_.solve_with(cuts, node.contact, node.separated, {}).sign;
   if (sign == conic::Sign::marginal) return {};
   const double reach = reach_of(solver_.pull(), node);
-  return sign == conic::Sign::dead ? std::max(reach, factor) : reach;
+  return sign == conic::Sign::infeasible ? std::max(reach, factor) : reach;
 }
 
-double CriticalFriction::dead_below(const SignPattern& node, double factor) {
+double CriticalFriction::infeasible_below(const SignPattern& node, double factor) {
   const double at = std::max(factor, range_.least);
-  if (const auto known = dead_below_with_cuts(node, at)) return *known;
-  return probe(node, at, {.when_dead = true, .when_alive = true}).dead_below;
+  if (const auto known = infeasible_below_with_cuts(node, at)) return *known;
+  return probe(node, at, {.when_infeasible = true, .when_feasible = true}).infeasible_below;
 }
 
 }  // namespace kusabi::wedged

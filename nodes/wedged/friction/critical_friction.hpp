@@ -24,11 +24,12 @@ namespace kusabi::wedged {
 /// Result of one cone program.
 struct FrictionProbe {
   conic::Sign sign = conic::Sign::marginal;  ///< at the requested coefficient
-  bool tie = false;       ///< if undecided: the bracket of t* is within the tolerance
-  double dead_below = 0;  ///< infeasible for every smaller coefficient, by the multipliers; 0: none
-  double alive_from = 0;  ///< feasible from here on, by the configuration; infinity: nowhere
-  double newton = 0;      ///< zero of the tangent of t*; infinity if there is none
-  double level = 0;       ///< the middle of the bracket of t*
+  bool tie = false;  ///< if undecided: the bracket of t* is within the tolerance
+  double infeasible_below =
+      0;  ///< infeasible for every smaller coefficient, by the multipliers; 0: none
+  double feasible_from = 0;  ///< feasible from here on, by the configuration; infinity: nowhere
+  double newton = 0;         ///< zero of the tangent of t*; infinity if there is none
+  double level = 0;          ///< the middle of the bracket of t*
 };
 
 /// A bracket of a critical coefficient on the grid of multiples of a width: infeasible at the lower
@@ -37,14 +38,14 @@ struct FrictionProbe {
 struct CriticalCell {
   static constexpr std::int64_t nowhere = INT64_MAX;
 
-  std::int64_t dead = 0;         ///< x width
-  std::int64_t alive = nowhere;  ///< x width; `nowhere` if no feasible point is known
+  std::int64_t infeasible = 0;      ///< x width
+  std::int64_t feasible = nowhere;  ///< x width; `nowhere` if no feasible point is known
 
   friend bool operator==(const CriticalCell&, const CriticalCell&) = default;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& dead& alive;
+    archive& infeasible& feasible;
   }
 };
 
@@ -52,12 +53,12 @@ struct CriticalCell {
 /// and flat cones of increasing size.
 struct LeafStage {
   enum class Kind {
-    dead,   ///< no configuration
-    flat,   ///< t* = 0 throughout a range of coefficients
-    solid,  ///< t* > 0
-    open,   ///< numerically undecided
+    infeasible,  ///< no configuration
+    flat,        ///< t* = 0 throughout a range of coefficients
+    solid,       ///< t* > 0
+    open,        ///< numerically undecided
   };
-  Kind kind = Kind::dead;
+  Kind kind = Kind::infeasible;
   support::IndexSet loaded;  ///< of a flat cone S, candidates with a reaction; otherwise empty
   support::IndexSet moved;   ///< of a flat cone G, candidates with a gap
 
@@ -119,7 +120,7 @@ class CriticalFriction {
   CriticalCell halve(const SignPattern& pattern, CriticalCell cell);
 
   /// True if the pattern is proved infeasible at a grid point (x width).
-  bool dead(const SignPattern& pattern, std::int64_t point);
+  bool infeasible(const SignPattern& pattern, std::int64_t point);
 
   /// The state of the leaf at a grid point (x width).
   LeafStage stage(const SignPattern& leaf, std::int64_t point);
@@ -127,7 +128,7 @@ class CriticalFriction {
   /// Moves the cell's upper bound up, by steps that double, to a grid point that is proved
   /// feasible.
   /// @pre `most` is feasible
-  CriticalCell alive_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
+  CriticalCell feasible_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
 
   /// A coefficient below which the node, and so all nodes below it, is proved infeasible; nearly
   /// the largest such. @param from known bound @param cutoff the search for a larger bound ends
@@ -136,9 +137,9 @@ class CriticalFriction {
 
   /// A coefficient below which the node is proved infeasible, by one program: `factor` if it is
   /// infeasible there, otherwise the bound of its multipliers.
-  double dead_below(const SignPattern& node, double factor);
+  double infeasible_below(const SignPattern& node, double factor);
 
-  /// Sets bounds for dead_below(), valid at all coefficients of its calls.
+  /// Sets bounds for infeasible_below(), valid at all coefficients of its calls.
   void tighten(std::vector<CandidateBounds> bounds);
   [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
 
@@ -150,25 +151,25 @@ class CriticalFriction {
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
-  static constexpr conic::StopEarly full{.when_dead = false, .when_alive = false};
-  static constexpr conic::StopEarly sign_only{.when_dead = true, .when_alive = true};
+  static constexpr conic::StopEarly full{.when_infeasible = false, .when_feasible = false};
+  static constexpr conic::StopEarly sign_only{.when_infeasible = true, .when_feasible = true};
 
   CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
   // True if a degenerate leaf is a flat cone at this coefficient.
   bool is_flat(const SignPattern& pattern, double factor);
-  bool lives_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
+  bool feasible_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
   // True if a degenerate leaf is also degenerate at a coefficient beside this one.
   bool lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   bool is_tie(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   // True if these are feasible as the only candidates. Rigid-body modes that do not displace them
   // are left out.
-  bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
+  bool feasible_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);
   // The least coefficient at which w_ni + mu_i |w_ti| is not negative for some i not in R.
   [[nodiscard]] double reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const;
   // The bound of the program with cuts, if it proves one.
-  std::optional<double> dead_below_with_cuts(const SignPattern& node, double factor);
+  std::optional<double> infeasible_below_with_cuts(const SignPattern& node, double factor);
   // Moves a bound of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
   void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);

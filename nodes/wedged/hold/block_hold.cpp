@@ -108,8 +108,8 @@ HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
   nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(pattern);
   if (standard == Standard::proved) return sign;
-  if (sign == HoldSign::limit || sign == HoldSign::face) return HoldSign::alive;
-  return sign == HoldSign::nothing ? HoldSign::dead : sign;
+  if (sign == HoldSign::limit || sign == HoldSign::face) return HoldSign::feasible;
+  return sign == HoldSign::nothing ? HoldSign::infeasible : sign;
 }
 
 std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
@@ -118,7 +118,7 @@ std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pa
   HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, question_.precision);
   nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(*pattern);
-  if (sign != HoldSign::alive && sign != HoldSign::limit) return {};
+  if (sign != HoldSign::feasible && sign != HoldSign::limit) return {};
   auto leaf = nodes.leaf(*pattern);
   const double amount = leaf.amounts.front();
   if (!(amount > 0)) return {};
@@ -154,10 +154,10 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
       continue;
     }
     switch (sign(middle)) {
-      case HoldSign::alive:
+      case HoldSign::feasible:
         alive = middle;
         break;
-      case HoldSign::dead:
+      case HoldSign::infeasible:
         dead = middle;
         break;
       default:
@@ -174,8 +174,8 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
   const double endless = direction * no_end;
   // Any multiple of a state of the reference load alone may be added to a state.
   const LoadShare reference{0, static_cast<double>(direction)};
-  if (at(pattern, reference, mu, Standard::proved) == HoldSign::alive) return {endless, endless};
-  if (at(pattern, reference, mu, Standard::computed) == HoldSign::alive)
+  if (at(pattern, reference, mu, Standard::proved) == HoldSign::feasible) return {endless, endless};
+  if (at(pattern, reference, mu, Standard::computed) == HoldSign::feasible)
     return {endless, endless, true};
   const double scale = factor_scale();
   double alive = from;
@@ -184,8 +184,8 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
   for (int doubling = 0; doubling < most_doublings; ++doubling, step *= 2) {
     const double next = from + direction * step;
     const HoldSign sign = at(pattern, {1, next}, mu, standard);
-    if (sign == HoldSign::alive) alive = next;
-    if (sign != HoldSign::dead) continue;
+    if (sign == HoldSign::feasible) alive = next;
+    if (sign != HoldSign::infeasible) continue;
     dead = next;
     break;
   }
@@ -231,8 +231,8 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   const double from = factor_in(leaf, shares);
   HeldInterval held{from, from, from, from};
   held.pattern = leaf.pattern;
-  held.proved =
-      standard == Standard::proved && at(leaf.pattern, {1, from}, mu, standard) == HoldSign::alive;
+  held.proved = standard == Standard::proved &&
+                at(leaf.pattern, {1, from}, mu, standard) == HoldSign::feasible;
   const Ends up = extend(leaf.pattern, from, 1, mu, standard);
   const Ends down = extend(leaf.pattern, from, -1, mu, standard);
   held.high = up.alive;
@@ -442,7 +442,7 @@ HoldingFriction BlockHold::friction() {
       nodes.set_friction(mu);
       return nodes.sign(*found.pattern);
     };
-    if (start == least && sign(least) == HoldSign::alive) {
+    if (start == least && sign(least) == HoldSign::feasible) {
       found.upper = least;
       break;
     }

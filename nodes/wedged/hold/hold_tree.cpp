@@ -41,11 +41,11 @@ void HoldNodes::set_friction(double mu) {
 HoldSign HoldNodes::sign(const LoadedPattern& node) {
   ++programs_;
   const bool leaf = (node.contact | node.separated) == all_;
-  if (scales_.empty() && node.separated == all_) return HoldSign::dead;
+  if (scales_.empty() && node.separated == all_) return HoldSign::infeasible;
   const auto answer = solver_.solve(node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
-  if (answer.sign == conic::Sign::dead) return HoldSign::dead;
-  if (answer.sign == conic::Sign::alive) return leaf ? HoldSign::alive : HoldSign::open;
+  if (answer.sign == conic::Sign::infeasible) return HoldSign::infeasible;
+  if (answer.sign == conic::Sign::feasible) return leaf ? HoldSign::feasible : HoldSign::open;
   return conic::is_resolved_tie(answer, hold_tolerances) ? tie(node, answer.upper) : HoldSign::open;
 }
 
@@ -53,7 +53,7 @@ HoldSign HoldNodes::sign(const LoadedPattern& node) {
 HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
   const auto inside = solver_.relative_interior(node.contact, node.separated);
   if (!inside) return HoldSign::open;
-  if (inside->loaded.empty() && upper < 0) return HoldSign::dead;
+  if (inside->loaded.empty() && upper < 0) return HoldSign::infeasible;
   const bool acts = scales_.empty() ? !inside->loaded.empty() : inside->loaded.meets(acting_);
   if (!acts) return HoldSign::nothing;
   const IndexSet loaded = inside->loaded & all_;
@@ -84,10 +84,10 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
   const HoldSign sign = nodes_.sign(node);
   const IndexSet free = nodes_.all() - (node.contact | node.separated);
   switch (sign) {
-    case HoldSign::dead:
-      ++tally_.dead;
+    case HoldSign::infeasible:
+      ++tally_.infeasible;
       return;
-    case HoldSign::alive:
+    case HoldSign::feasible:
       out.solution(nodes_.leaf(node));
       return;
     case HoldSign::limit:

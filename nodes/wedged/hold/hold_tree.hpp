@@ -56,9 +56,9 @@ struct LoadedLeaf {
 /// Counts of opened nodes by their result.
 struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t branched = 0;
-  std::uint64_t dead = 0;       ///< no state, proved
-  std::uint64_t computed = 0;   ///< no state by the relative interior, not proved
-  std::uint64_t undecided = 0;  ///< leaves of unknown sign
+  std::uint64_t infeasible = 0;  ///< no state, proved
+  std::uint64_t computed = 0;    ///< no state by the relative interior, not proved
+  std::uint64_t undecided = 0;   ///< leaves of unknown sign
   std::uint64_t iterations = 0;
   std::vector<LoadedLeaf> limits{};  ///< leaves with states at a limit, computed; not a count
 
@@ -75,15 +75,15 @@ struct HoldTally : engine::Counts<HoldTally> {
   }
 
   static constexpr auto fields() {
-    return std::tuple{field("branched", &HoldTally::branched), field("dead", &HoldTally::dead),
-                      field("computed", &HoldTally::computed),
-                      field("undecided", &HoldTally::undecided),
-                      field("iterations", &HoldTally::iterations)};
+    return std::tuple{
+        field("branched", &HoldTally::branched), field("dead", &HoldTally::infeasible),
+        field("computed", &HoldTally::computed), field("undecided", &HoldTally::undecided),
+        field("iterations", &HoldTally::iterations)};
   }
 };
 
 /// Answer for one node.
-enum class HoldSign { dead, alive, limit, face, nothing, open };
+enum class HoldSign { infeasible, feasible, limit, face, nothing, open };
 
 /// The node programs of one block under given loads.
 class HoldNodes {

@@ -29,11 +29,11 @@ std::optional<double> pattern_coefficient(CriticalFriction& critical,
   double factor = std::isfinite(range.limit) ? range.limit : range.first;
   for (int program = 0; program < most_probes; ++program) {
     const auto said = critical.probe(pattern, factor);
-    if (said.sign == conic::Sign::alive)
-      feasible = std::min({feasible, factor, said.alive_from});
+    if (said.sign == conic::Sign::feasible)
+      feasible = std::min({feasible, factor, said.feasible_from});
     else
       infeasible = std::max(infeasible, factor);
-    infeasible = std::min(std::max(infeasible, said.dead_below), feasible);
+    infeasible = std::min(std::max(infeasible, said.infeasible_below), feasible);
     if (std::isfinite(feasible)) {
       if (feasible - infeasible <= digits * feasible) break;
       const double middle = infeasible > 0 ? std::sqrt(infeasible * feasible) : 0.6 * feasible;

@@ -33,9 +33,9 @@ LeafPoint begin_of(engine::Analysis& analysis, const problems::WedgedProblem& bl
     CriticalFriction critical(block, grid.width, grid.precision);
     critical.end_when(analysis.budget().stop());
     try {
-      const auto cell =
-          critical.locate(leaf, {.dead = 0, .alive = feasible}, CriticalMethod::newton, feasible);
-      if (cell.alive != CriticalCell::nowhere) point.factor = critical.at(cell.alive);
+      const auto cell = critical.locate(leaf, {.infeasible = 0, .feasible = feasible},
+                                        CriticalMethod::newton, feasible);
+      if (cell.feasible != CriticalCell::nowhere) point.factor = critical.at(cell.feasible);
     } catch (const support::Stopped&) {
     }
     point.programs = critical.programs();

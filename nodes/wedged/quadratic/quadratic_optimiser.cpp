@@ -224,7 +224,7 @@ QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
     const auto multipliers = form.multipliers(optimiser.point(), factor);
     auto friction = candidate_friction(block, factor);
     if (friction.empty()) friction.assign(block.contact_names.size(), factor);
-    if (!quadratic_is_dead(block, friction, multipliers)) continue;
+    if (!quadratic_is_infeasible(block, friction, multipliers)) continue;
     bound.factor = factor;
     bound.numbers = multipliers.numbers();
     break;

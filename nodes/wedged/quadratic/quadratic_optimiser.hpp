@@ -27,7 +27,7 @@ struct QuadraticQuestion {
   support::Stop stop{};
 };
 
-/// The bound, found in doubles and held by quadratic_is_dead(); 0: none.
+/// The bound, found in doubles and held by quadratic_is_infeasible(); 0: none.
 /// @param block a problem of one block
 QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
                                const QuadraticQuestion& question);

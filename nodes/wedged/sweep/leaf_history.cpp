@@ -65,8 +65,8 @@ class Bisection {
 /// A leaf that is feasible remains so as friction grows: from a change to infeasible on its state
 /// is numerically undecided.
 LeafHistory closed(std::vector<LeafChange> changes) {
-  const auto back =
-      std::ranges::find(changes, Kind::dead, [](const auto& change) { return change.to.kind; });
+  const auto back = std::ranges::find(changes, Kind::infeasible,
+                                      [](const auto& change) { return change.to.kind; });
   if (back == changes.end()) return {.changes = std::move(changes)};
   const auto open_above = back->before;
   changes.erase(back, changes.end());
@@ -85,28 +85,28 @@ LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, co
   const Station at_most{most, last};
   const CriticalCell known{0, at_most.open() ? CriticalCell::nowhere : most};
   const auto cell = critical.locate(leaf, known, CriticalMethod::newton, most);
-  if (cell.alive == CriticalCell::nowhere) return {.changes = {}, .open_above = cell.dead};
+  if (cell.feasible == CriticalCell::nowhere) return {.changes = {}, .open_above = cell.infeasible};
   Bisection bisection(critical, leaf);
-  const Station dead{cell.dead, {}};
-  const auto first = cell.alive == most ? at_most : bisection.at(cell.alive);
-  if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.dead};
+  const Station infeasible{cell.infeasible, {}};
+  const auto first = cell.feasible == most ? at_most : bisection.at(cell.feasible);
+  if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.infeasible};
   // A wide cell contains degenerate points, which may be flat cones that Newton's method does not
   // detect.
   // Near its own coefficient a degenerate leaf may be feasible to Newton's method and infeasible by
   // its relative interior, which decides the state.
-  if (first.stage.kind == Kind::dead) {
-    if (at_most.open()) return {.changes = {}, .open_above = cell.dead};
+  if (first.stage.kind == Kind::infeasible) {
+    if (at_most.open()) return {.changes = {}, .open_above = cell.infeasible};
     bisection.between(first, at_most);
     return closed(std::move(bisection.changes()));
   }
   if (first.open())
-    bisection.between(dead, at_most);
-  else if (cell.alive - cell.dead > narrow)
-    bisection.between(dead, first);
+    bisection.between(infeasible, at_most);
+  else if (cell.feasible - cell.infeasible > narrow)
+    bisection.between(infeasible, first);
   else
-    bisection.changes().push_back({cell.dead, cell.alive, first.stage});
+    bisection.changes().push_back({cell.infeasible, cell.feasible, first.stage});
   const bool grows = first.stage.kind == Kind::flat;
-  if (grows && at_most.open()) return {std::move(bisection.changes()), cell.alive};
+  if (grows && at_most.open()) return {std::move(bisection.changes()), cell.feasible};
   if (grows) bisection.between(first, at_most);
   return closed(std::move(bisection.changes()));
 }

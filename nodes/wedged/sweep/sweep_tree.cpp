@@ -10,7 +10,7 @@ namespace kusabi::wedged {
 SweepTree::Leaf SweepTree::leaf_of(const Configuration& found, const support::IndexSet& block) {
   Leaf leaf{.place = {.block = found.block, .pattern = own_leaf(found, block)},
             .stage = {LeafStage::Kind::open, {}, {}}};
-  if (found.state == LeafState::alive) leaf.stage.kind = LeafStage::Kind::solid;
+  if (found.state == LeafState::feasible) leaf.stage.kind = LeafStage::Kind::solid;
   if (found.state == LeafState::flat)
     leaf.stage = {LeafStage::Kind::flat, leaf.place.pattern.contact,
                   problems::in_block(found.pattern.separated, block)};

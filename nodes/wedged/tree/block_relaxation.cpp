@@ -39,8 +39,8 @@ Configuration BlockRelaxation::configuration(const PatternNode& node, LeafState 
           .displacement = {u.begin(), u.end()}};
 }
 
-std::vector<double> BlockRelaxation::alive_numbers(const PatternNode& node,
-                                                   const Configuration& leaf) const {
+std::vector<double> BlockRelaxation::feasible_numbers(const PatternNode& node,
+                                                      const Configuration& leaf) const {
   std::vector<double> numbers;  // tangential reactions first
   for (const int touching : node.pattern.contact) {
     const auto* const normal = leaf.reaction.data() + solver.normal(touching);

@@ -33,13 +33,13 @@ struct BlockRelaxation {
   [[nodiscard]] Configuration configuration(const PatternNode& node, LeafState state,
                                             const conic::ConicResult& answer) const;
 
-  /// Numbers of Evidence::Kind::dead. @param multipliers of a solution
-  [[nodiscard]] std::vector<double> dead_numbers(const Eigen::VectorXd& multipliers) const {
+  /// Numbers of Evidence::Kind::infeasible. @param multipliers of a solution
+  [[nodiscard]] std::vector<double> infeasible_numbers(const Eigen::VectorXd& multipliers) const {
     return mean_motion.with_multipliers(multipliers, solver.unit());
   }
-  /// Numbers of Evidence::Kind::alive.
-  [[nodiscard]] std::vector<double> alive_numbers(const PatternNode& node,
-                                                  const Configuration& leaf) const;
+  /// Numbers of Evidence::Kind::feasible.
+  [[nodiscard]] std::vector<double> feasible_numbers(const PatternNode& node,
+                                                     const Configuration& leaf) const;
 
   support::IndexSet candidates;  ///< as the whole problem numbers them
   support::IndexSet all;         ///< the same as the block does

@@ -51,8 +51,8 @@ constexpr int most_sweeps = 10;
 // The value of the program is the possible decrease of the bound divided by the weight.
 conic::StopEarly once_known(double bound) {
   const double worth = bound / level_of_bound;
-  return {.when_dead = false,
-          .when_alive = false,
+  return {.when_infeasible = false,
+          .when_feasible = false,
           .above = -hardly_better * worth,
           .below = -(1 + hardly_better) * worth,
           .width = close_enough * worth};

@@ -163,13 +163,13 @@ void ContactSolver::escalate(Level<Real>& level, int number, const IndexSet& con
 }
 
 bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarly stop) const {
-  return answer.sign == conic::Sign::alive && stop.when_alive && motions_.count() == 0;
+  return answer.sign == conic::Sign::feasible && stop.when_feasible && motions_.count() == 0;
 }
 
 bool ContactSolver::is_open(const conic::ConicResult& answer, conic::StopEarly stop) const {
   if (precision_ == Precision::doubles) return false;
   if (answer.sign == conic::Sign::marginal) return !conic::is_resolved_tie(answer, tolerances_);
-  return answer.sign == conic::Sign::alive && !stop.when_alive &&
+  return answer.sign == conic::Sign::feasible && !stop.when_feasible &&
          answer.upper - answer.lower > three_digits * answer.lower;
 }
 

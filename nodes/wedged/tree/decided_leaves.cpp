@@ -20,7 +20,8 @@ std::vector<Configuration> feasible_leaves(std::span<const PatternNode> leaves,
   try {
     for (const auto& leaf : leaves) {
       auto fate = tree.decide(leaf);
-      if (fate.leaf && fate.leaf->state == LeafState::alive) found.push_back(std::move(*fate.leaf));
+      if (fate.leaf && fate.leaf->state == LeafState::feasible)
+        found.push_back(std::move(*fate.leaf));
     }
   } catch (const support::Stopped&) {
     return found;

@@ -38,15 +38,15 @@ DegenerateNode DegenerateClassifier::classify(BlockRelaxation& block, const Patt
   // single leaf below it with configurations may be solid.
   if (inactive.empty() && !free.empty()) {
     if (thorough_ || recorded_) return {.kind = Kind::split, .open = free};
-    const auto own = solved(cone.pattern, {.when_dead = true, .when_alive = false});
-    if (own.sign == conic::Sign::alive)
-      return {.kind = Kind::leaf, .leaf = block.configuration(cone, LeafState::alive, own)};
+    const auto own = solved(cone.pattern, {.when_infeasible = true, .when_feasible = false});
+    if (own.sign == conic::Sign::feasible)
+      return {.kind = Kind::leaf, .leaf = block.configuration(cone, LeafState::feasible, own)};
     if (!is_degenerate(own)) return {.kind = Kind::split, .open = free};
   }
   DegenerateNode flat{.kind = Kind::leaf,
                       .leaf = block.configuration(cone, LeafState::flat, answer)};
   // Inactive candidates have negligible reactions and gaps. The gaps may be positive nevertheless.
-  if (inactive.meets(free) && solved(cone.pattern, {}).sign == conic::Sign::alive)
+  if (inactive.meets(free) && solved(cone.pattern, {}).sign == conic::Sign::feasible)
     return {.kind = Kind::split, .open = inactive & free};
   return flat;
 }

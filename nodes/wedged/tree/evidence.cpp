@@ -8,8 +8,8 @@ bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const 
   if (!accepted) {
     ++tally.refused;
     if (binding_) return false;
-    if (claim.kind != Evidence::Kind::alive) ++tally.doubted;
-  } else if (claim.kind == Evidence::Kind::alive) {
+    if (claim.kind != Evidence::Kind::feasible) ++tally.doubted;
+  } else if (claim.kind == Evidence::Kind::feasible) {
     ++tally.proved;
   }
   if (recorder_) recorder_(claim);

@@ -50,14 +50,14 @@ namespace {
 
 verify::Claim claim_of(Evidence::Kind kind) {
   switch (kind) {
-    case Evidence::Kind::dead:
-      return verify::Claim::dead;
+    case Evidence::Kind::infeasible:
+      return verify::Claim::infeasible;
     case Evidence::Kind::cut:
       return verify::Claim::cut;
     case Evidence::Kind::form:
       return verify::Claim::form;
-    case Evidence::Kind::alive:
-      return verify::Claim::alive;
+    case Evidence::Kind::feasible:
+      return verify::Claim::feasible;
     case Evidence::Kind::marginal:
       break;
   }

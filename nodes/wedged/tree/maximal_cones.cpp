@@ -17,7 +17,7 @@ bool precedes(const support::IndexSet& a, const support::IndexSet& b) {
 }
 
 bool is_cone(const Configuration& leaf) {
-  return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
+  return leaf.state == LeafState::feasible || leaf.state == LeafState::flat;
 }
 
 /// Feasible and flat cones are one kind.

@@ -14,10 +14,10 @@ namespace kusabi::wedged {
 
 /// Counts of opened nodes by their result, and costs.
 struct SignPatternTally : engine::Counts<SignPatternTally> {
-  std::uint64_t branched = 0;  ///< both children added to the tree
-  std::uint64_t dead = 0;      ///< pruned: no wedged configuration below
-  std::uint64_t found = 0;     ///< feasible leaves
-  std::uint64_t flat = 0;      ///< nodes closed as flat cones, maximal or not
+  std::uint64_t branched = 0;    ///< both children added to the tree
+  std::uint64_t infeasible = 0;  ///< pruned: no wedged configuration below
+  std::uint64_t found = 0;       ///< feasible leaves
+  std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
   std::uint64_t faces = 0;     ///< degenerate nodes closed: another node has all of their solutions
   std::uint64_t marginal = 0;  ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
@@ -51,7 +51,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
 
   static constexpr auto fields() {
     return std::tuple{field("branched", &SignPatternTally::branched),
-                      field("dead", &SignPatternTally::dead),
+                      field("dead", &SignPatternTally::infeasible),
                       field("found", &SignPatternTally::found),
                       field("flat_nodes", &SignPatternTally::flat),
                       field("faces", &SignPatternTally::faces),

@@ -42,7 +42,7 @@ struct PatternNode {
 
 /// State of a leaf that is not infeasible.
 enum class LeafState {
-  alive,      ///< t* is above the tolerance: a solid cone
+  feasible,   ///< t* is above the tolerance: a solid cone
   flat,       ///< t* = 0 with known zeros: a flat cone
   marginal,   ///< |t*| is within the tolerance, and the zeros are numerically undecided
   undecided,  ///< neither feasibility nor infeasibility is proved
@@ -52,7 +52,7 @@ enum class LeafState {
 struct Configuration {
   std::uint32_t block = 0;
   SignPattern pattern;  ///< of the whole problem's candidates
-  LeafState state = LeafState::alive;
+  LeafState state = LeafState::feasible;
   double lower = 0;                  ///< lower <= t* <= upper, in scaled units (see ContactSolver);
   double upper = 0;                  ///< `lower` is the value of the configuration below
   std::vector<double> reaction;      ///< r of the block, force; sum of its normal parts 1

@@ -80,14 +80,14 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   const auto& [contact, separated, at_rest] = node.pattern;
   const bool leaf = block.free(node.pattern).empty();
   // A feasible leaf is solved to full accuracy, since its margin is part of the answer.
-  const conic::StopEarly stop{.when_dead = true, .when_alive = !leaf};
+  const conic::StopEarly stop{.when_infeasible = true, .when_feasible = !leaf};
   double polyhedral = 0;
   if (block.outer) {
     const auto answer = block.outer->solve(contact, separated, stop);
     tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-    if (answer.sign == conic::Sign::dead) return prune(node, block.outer->multipliers());
+    if (answer.sign == conic::Sign::infeasible) return prune(node, block.outer->multipliers());
     polyhedral = answer.lower;
-    if (!leaf && answer.sign == conic::Sign::alive)
+    if (!leaf && answer.sign == conic::Sign::feasible)
       return split(node, block.rule.most_violated(block.free(node.pattern), [&block](int i) {
         return block.outer->normal_displacement(i) * block.outer->normal_reaction(i);
       }));
@@ -97,15 +97,15 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   if (answer.precision_level > 0) ++tally_.escalated;
   if (block.outer && leaf) note_tested(node, polyhedral, answer);
   switch (answer.sign) {
-    case conic::Sign::dead:
+    case conic::Sign::infeasible:
       return prune(node, block.solver.multipliers());
-    case conic::Sign::alive:
-      if (leaf) return close(node, block.configuration(node, LeafState::alive, answer));
+    case conic::Sign::feasible:
+      if (leaf) return close(node, block.configuration(node, LeafState::feasible, answer));
       break;
     case conic::Sign::marginal:
       return decide_doubt(node, answer);
   }
-  return branch_living(node);
+  return branch_feasible(node);
 }
 
 // A candidate without configurations on one side is branched on before any program is solved, and
@@ -125,10 +125,10 @@ std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Nod
   const auto answer = block.solver.solve_with(cuts, contact, separated, {});
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   switch (answer.sign) {
-    case conic::Sign::dead:
+    case conic::Sign::infeasible:
       return prune_with(cuts, node);
-    case conic::Sign::alive:
-      return branch_living(node);
+    case conic::Sign::feasible:
+      return branch_feasible(node);
     case conic::Sign::marginal:
       break;
   }
@@ -157,7 +157,7 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
     switch (found.kind) {
       case Kind::infeasible:
         if (answer.upper < 0) return prune(node, found.multipliers);
-        ++tally_.dead;
+        ++tally_.infeasible;
         report_open(node);
         return {};
       case Kind::redundant:
@@ -185,7 +185,7 @@ SignPatternTree::Fate SignPatternTree::branch(const Node& node, const IndexSet& 
 }
 
 // Branches a feasible node by the last solution.
-SignPatternTree::Fate SignPatternTree::branch_living(const Node& node) {
+SignPatternTree::Fate SignPatternTree::branch_feasible(const Node& node) {
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
   if (probes_ == 0 || block.outer) return branch(node, free);
@@ -201,7 +201,7 @@ int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
     double left = 1;
     for (const Node& child : children(node, candidate)) {
       const auto answer = probe(child);
-      if (answer.sign == conic::Sign::dead) return candidate;
+      if (answer.sign == conic::Sign::infeasible) return candidate;
       left *= std::max(answer.lower, tolerances_.sign);
     }
     if (left < least) {
@@ -217,7 +217,7 @@ conic::ConicResult SignPatternTree::probe(const Node& child) {
   BlockRelaxation& block = blocks_[child.block];
   const auto& [contact, separated, at_rest] = child.pattern;
   const auto free = block.free(child.pattern);
-  const conic::StopEarly stop{.when_dead = true, .when_alive = false};
+  const conic::StopEarly stop{.when_infeasible = true, .when_feasible = false};
   const bool has_cuts = !block.bounds.empty() && !free.empty();
   const auto answer =
       has_cuts ? block.solver.solve_with(cuts_of(free, block.bounds), contact, separated, stop)
@@ -250,7 +250,7 @@ SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
   if (free.size() > most_free) {
-    ++tally_.dead;
+    ++tally_.infeasible;
     ++tally_.doubted;
     report_open(node);
     return {};
@@ -265,9 +265,10 @@ SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
 SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
   if (evidence_.wants_evidence()) {
     const BlockRelaxation& block = blocks_[node.block];
-    if (!closes(node, Evidence::Kind::dead, block.dead_numbers(multipliers))) return doubt(node);
+    if (!closes(node, Evidence::Kind::infeasible, block.infeasible_numbers(multipliers)))
+      return doubt(node);
   }
-  ++tally_.dead;
+  ++tally_.infeasible;
   return {};
 }
 
@@ -278,7 +279,7 @@ std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const
     const auto numbers = cut_evidence(block.solver, block.mean_motion, cuts);
     if (!closes(node, Evidence::Kind::cut, numbers)) return {};
   }
-  ++tally_.dead;
+  ++tally_.infeasible;
   return Fate{};
 }
 
@@ -290,16 +291,17 @@ std::optional<SignPatternTree::Fate> SignPatternTree::prune_by_bounds(const Node
                                       static_cast<std::size_t>(block.mean_motion.count()));
     if (!closes(node, Evidence::Kind::cut, nothing)) return {};
   }
-  ++tally_.dead;
+  ++tally_.infeasible;
   return Fate{};
 }
 
 SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration leaf) {
-  const bool alive = leaf.state == LeafState::alive;
-  if (alive && !closes(node, Evidence::Kind::alive, blocks_[node.block].alive_numbers(node, leaf)))
+  const bool feasible = leaf.state == LeafState::feasible;
+  if (feasible &&
+      !closes(node, Evidence::Kind::feasible, blocks_[node.block].feasible_numbers(node, leaf)))
     leaf.state = LeafState::undecided;
   switch (leaf.state) {
-    case LeafState::alive:
+    case LeafState::feasible:
       ++tally_.found;
       break;
     case LeafState::flat:
@@ -312,7 +314,7 @@ SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration lea
       ++tally_.undecided;
       break;
   }
-  if (leaf.state != LeafState::alive) report_open(node);
+  if (leaf.state != LeafState::feasible) report_open(node);
   return {.children = {}, .leaf = std::move(leaf)};
 }
 

@@ -104,7 +104,7 @@ class SignPatternTree {
   Fate decide_doubt(const Node& node, const conic::ConicResult& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::ConicResult& answer);
   Fate branch(const Node& node, const support::IndexSet& open);
-  Fate branch_living(const Node& node);
+  Fate branch_feasible(const Node& node);
   int probed(const Node& node, std::span<const int> tried);
   conic::ConicResult probe(const Node& child);
   Fate split(const Node& node, int candidate);

@@ -135,7 +135,7 @@ void compare_by_walks(const WedgedProblem& problem, const std::vector<double>& f
     expect_within(bounds, leaf.pattern, r, problem.compliance * r / unit, d, compared);
   };
   expect(start);
-  if (leaf.state != LeafState::alive) return;
+  if (leaf.state != LeafState::feasible) return;
   const Cone cone(problem, friction, leaf.pattern);
   for (std::size_t i = 0; i < friction.size(); ++i) {
     const auto at = d * static_cast<Eigen::Index>(i);

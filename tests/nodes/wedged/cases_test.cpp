@@ -25,7 +25,7 @@ problems::WedgedProblem problem_of(const std::string& name) {
 }
 
 struct Leaves {
-  int alive = 0, undecided = 0;
+  int feasible = 0, undecided = 0;
   double nearest = std::numeric_limits<double>::infinity();  // distance of the true value from the
                                                              // nearest feasible margin
 };
@@ -41,11 +41,11 @@ Leaves leaves(const problems::WedgedProblem& problem, double mu, double truth,
   Leaves result;
   for (std::uint64_t contact = 0; contact <= all; ++contact) {
     const auto answer =
-        solver.solve(contact, all & ~contact, {.when_dead = true, .when_alive = false});
+        solver.solve(contact, all & ~contact, {.when_infeasible = true, .when_feasible = false});
     if (answer.sign == conic::Sign::marginal && !conic::is_tie(answer, tolerances))
       ++result.undecided;
-    if (answer.sign != conic::Sign::alive) continue;
-    ++result.alive;
+    if (answer.sign != conic::Sign::feasible) continue;
+    ++result.feasible;
     EXPECT_LE(answer.upper - answer.lower, 1e-3 * answer.upper);
     if (std::abs(answer.lower - truth) < std::abs(result.nearest - truth))
       result.nearest = answer.lower;
@@ -73,15 +73,15 @@ TEST(Stalled, MarginsAreRightToThreeDigits) {
 TEST(Stalled, ACriticalCoefficientIsHeldFromBothSides) {
   const struct {
     const char* name;
-    double dead, alive;
+    double infeasible, feasible;
   } cases[] = {{"critical_wrong_1e6", 560.546040215, 560.546040225},
                {"critical_wrong_low", 107.780635, 107.780645}};
   for (const auto& test : cases) {
     SCOPED_TRACE(test.name);
     const auto problem = problem_of(test.name);
-    EXPECT_EQ(leaves(problem, test.dead, 0).alive, 0);
-    EXPECT_EQ(leaves(problem, test.dead, 0).undecided, 0);
-    EXPECT_EQ(leaves(problem, test.alive, 0).alive, 1);
+    EXPECT_EQ(leaves(problem, test.infeasible, 0).feasible, 0);
+    EXPECT_EQ(leaves(problem, test.infeasible, 0).undecided, 0);
+    EXPECT_EQ(leaves(problem, test.feasible, 0).feasible, 1);
   }
 }
 
@@ -96,14 +96,14 @@ TEST(Stalled, NothingIsUndecidedNearACriticalCoefficient) {
   for (const char* name : {"undecided_lowcond_88", "false_lower_62"}) {
     SCOPED_TRACE(name);
     const auto problem = problem_of(name);
-    double dead = 1e-3, alive = 1e3;
+    double infeasible = 1e-3, feasible = 1e3;
     for (int step = 0; step < 45; ++step) {
-      const double mu = std::sqrt(dead * alive);
+      const double mu = std::sqrt(infeasible * feasible);
       const Leaves found = leaves(problem, mu, 0);
       EXPECT_EQ(found.undecided, 0) << "mu = " << mu;
-      (found.alive > 0 ? alive : dead) = mu;
+      (found.feasible > 0 ? feasible : infeasible) = mu;
     }
-    EXPECT_LT(alive, 1e3);
+    EXPECT_LT(feasible, 1e3);
   }
 }
 

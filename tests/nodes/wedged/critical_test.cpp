@@ -52,12 +52,12 @@ std::int64_t multiple(double factor) {
   return std::llround(factor / width);
 }
 
-std::vector<PatternBisection::Pattern> living(const problems::WedgedProblem& problem,
-                                              double factor) {
+std::vector<PatternBisection::Pattern> feasible(const problems::WedgedProblem& problem,
+                                                double factor) {
   SignPatternTree tree(problem, std::vector<double>(problem.contact_names.size(), factor));
   std::vector<PatternBisection::Pattern> patterns;
   for (const auto& found : engine::search(tree).solutions) {
-    if (found.solution.state == LeafState::alive)
+    if (found.solution.state == LeafState::feasible)
       patterns.push_back({.leaf = {.block = 0, .pattern = found.solution.pattern}});
   }
   return patterns;
@@ -73,7 +73,7 @@ struct Found {
 
 Found all_cells(const problems::WedgedProblem& problem, double most, CriticalMethod method,
                 std::int64_t sections = 1) {
-  const auto patterns = living(problem, most);
+  const auto patterns = feasible(problem, most);
   PatternBisection tree(problem, width, patterns, multiple(most), method, sections);
   Found found;
   for (const auto& solution : engine::search(tree).solutions) {
@@ -86,7 +86,7 @@ Found all_cells(const problems::WedgedProblem& problem, double most, CriticalMet
 }
 
 bool narrow(const CriticalCell& cell) {
-  return cell.alive - cell.dead == 1;
+  return cell.feasible - cell.infeasible == 1;
 }
 
 // Where a bracket is wider than the grid, the sign in between is undecided, and two methods may
@@ -96,10 +96,10 @@ void expect_same(const Found& a, const Found& b) {
   for (const auto& [contact, cell] : a.cells) {
     const auto& other = b.cells.at(contact);
     if (narrow(cell) && narrow(other)) {
-      EXPECT_EQ(cell.dead, other.dead) << hexadecimal(contact);
+      EXPECT_EQ(cell.infeasible, other.infeasible) << hexadecimal(contact);
     } else {
-      EXPECT_LT(cell.dead, other.alive) << hexadecimal(contact);
-      EXPECT_LT(other.dead, cell.alive) << hexadecimal(contact);
+      EXPECT_LT(cell.infeasible, other.feasible) << hexadecimal(contact);
+      EXPECT_LT(other.infeasible, cell.feasible) << hexadecimal(contact);
     }
   }
 }
@@ -121,9 +121,9 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   options.order = engine::Order::depth_first;
   const auto again = engine::search(down, options);
   const auto other = again.solutions.empty() ? CriticalCell{} : again.solutions[0].solution.cell;
-  EXPECT_EQ(other.dead, cell.dead);
+  EXPECT_EQ(other.infeasible, cell.infeasible);
   if (doubt == none) {
-    EXPECT_EQ(other.alive, cell.alive);
+    EXPECT_EQ(other.feasible, cell.feasible);
   }
   return cell;
 }
@@ -141,8 +141,10 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
     const auto contact = set_of(entry[1].get<std::vector<int>>());
     ASSERT_TRUE(found.cells.contains(contact)) << entry;
     const auto& cell = found.cells.at(contact);
-    EXPECT_GT(entry[0].get<double>(), width * static_cast<double>(cell.dead) - rounding) << entry;
-    EXPECT_LT(entry[0].get<double>(), width * static_cast<double>(cell.alive) + rounding) << entry;
+    EXPECT_GT(entry[0].get<double>(), width * static_cast<double>(cell.infeasible) - rounding)
+        << entry;
+    EXPECT_LT(entry[0].get<double>(), width * static_cast<double>(cell.feasible) + rounding)
+        << entry;
   }
 }
 
@@ -367,9 +369,9 @@ TEST(CriticalFriction, OfTheTwoBarsIsTwo) {
   // r_t = 2 r_n, see docs/problem-files.md. The grid has a point there, which is undecided.
   const auto cell =
       least(example("two-bars.toml"), 10, width * static_cast<double>(multiple(2) - 1));
-  EXPECT_LT(cell.dead, multiple(2));
-  EXPECT_GT(cell.alive, multiple(2));
-  EXPECT_LE(cell.alive - cell.dead, 2);
+  EXPECT_LT(cell.infeasible, multiple(2));
+  EXPECT_GT(cell.feasible, multiple(2));
+  EXPECT_LE(cell.feasible - cell.infeasible, 2);
 }
 
 TEST(CriticalFriction, OfTheSpaceTrussIsThatOfTheReferenceByBothMethods) {
@@ -395,7 +397,7 @@ TEST(CriticalFriction, OfThePlaneTrussIsThatOfTheReference) {
 TEST(CriticalFriction, OfThePapersElasticBodyIsAsPrinted) {
   const auto cell = least(example("paper/elastic-body.toml"), 10);
   const double printed = reference("paper-elastic-body.json")["critical"];
-  EXPECT_NEAR(width * static_cast<double>(cell.alive), printed, 0.5e-4);
+  EXPECT_NEAR(width * static_cast<double>(cell.feasible), printed, 0.5e-4);
 }
 
 // From an independent program.
@@ -411,9 +413,9 @@ TEST(CriticalFriction, TheGlobalSearchFindsTheLeastOfAllPatterns) {
     const auto problem = example(name);
     const auto all = all_cells(problem, 1.0, CriticalMethod::bisection);
     std::int64_t smallest = CriticalCell::nowhere;
-    for (const auto& [contact, cell] : all.cells) smallest = std::min(smallest, cell.alive);
+    for (const auto& [contact, cell] : all.cells) smallest = std::min(smallest, cell.feasible);
     const auto cell = least(problem, 1000);
-    EXPECT_EQ(cell.alive, smallest) << name;
+    EXPECT_EQ(cell.feasible, smallest) << name;
     EXPECT_TRUE(narrow(cell));
   }
 }
@@ -428,8 +430,9 @@ TEST(CriticalFriction, AllMethodsAgreeOnRandomProblems) {
     expect_same(newton, bisection);
     patterns += newton.cells.size();
     std::int64_t smallest = CriticalCell::nowhere;
-    for (const auto& [contact, cell] : bisection.cells) smallest = std::min(smallest, cell.alive);
-    EXPECT_EQ(least(problem, 4.0).alive, smallest) << seed;
+    for (const auto& [contact, cell] : bisection.cells)
+      smallest = std::min(smallest, cell.feasible);
+    EXPECT_EQ(least(problem, 4.0).feasible, smallest) << seed;
   }
   EXPECT_GT(patterns, 40U);
 }
@@ -444,10 +447,12 @@ TEST(CriticalFriction, LifeIsMonotoneInFriction) {
   for (const auto& [contact, cell] : found.cells) {
     const SignPattern pattern{contact, 1023 - contact, {}};
     for (const double factor : {0.5, 0.9, 1.0}) {
-      EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.dead)).sign, conic::Sign::dead);
+      EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.infeasible)).sign,
+                conic::Sign::infeasible);
     }
     for (const double factor : {1.0, 1.1, 2.0, 10.0}) {
-      EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.alive)).sign, conic::Sign::alive);
+      EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.feasible)).sign,
+                conic::Sign::feasible);
     }
   }
 }
@@ -457,7 +462,7 @@ TEST(CriticalFriction, IsTheFactorOfTheCandidatesOwn) {
   const auto cell = least(problem, 1);
   for (double& own : problem.friction) own = 2;
   const auto half = least(problem, 1);
-  EXPECT_NEAR(static_cast<double>(half.alive), 0.5 * static_cast<double>(cell.alive), 1);
+  EXPECT_NEAR(static_cast<double>(half.feasible), 0.5 * static_cast<double>(cell.feasible), 1);
 }
 
 // When ranks outnumber patterns, cells are divided into several at once.
@@ -487,7 +492,7 @@ TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
 // A flat cone above its critical coefficient: the displacements of the multipliers at its loaded
 // candidates are zero, so quotients of their rounding errors are arbitrary. These flat cones were
 // feasible below coefficients that such quotients claimed to be infeasible.
-TEST(CriticalFriction, RoundingProvesNoFlatConeDead) {
+TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
   const auto problem = problems::wedged_problem(problems::paper_plane_truss(19));
   const SignPattern leaf{.contact = set_of({4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 17, 18}),
                          .separated = set_of({0, 1, 2, 3, 13}),
@@ -496,13 +501,13 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeDead) {
   const double most = 0.65;
   const auto cell =
       critical.locate(leaf, {0, multiple(most)}, CriticalMethod::newton, multiple(most));
-  EXPECT_EQ(cell.alive - cell.dead, 1);
-  const double lives = critical.at(cell.alive);
+  EXPECT_EQ(cell.feasible - cell.infeasible, 1);
+  const double lives = critical.at(cell.feasible);
   EXPECT_NEAR(lives, 0.62661802, 1e-7);
   int ties = 0;
   for (int k = 0; k < 1000; ++k) {
     const auto said = critical.probe(leaf, lives + (most - lives) * k / 1000);
-    EXPECT_LE(said.dead_below, lives) << k;
+    EXPECT_LE(said.infeasible_below, lives) << k;
     if (said.tie) ++ties;
   }
   EXPECT_GT(ties, 100);
@@ -513,7 +518,7 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeDead) {
 TEST(CriticalFriction, TakesFewProgramsAPattern) {
   for (const auto& [rows, most] : {std::pair{13, 6.5}, {15, 7.7}}) {
     const auto problem = problems::wedged_problem(problems::paper_plane_truss(rows));
-    const auto patterns = living(problem, 0.65);
+    const auto patterns = feasible(problem, 0.65);
     for (const auto start : {multiple(0.65), CriticalCell::nowhere}) {
       CriticalFriction critical(problem, width);
       for (const auto& pattern : patterns) {
@@ -538,9 +543,9 @@ TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
     for (const auto start : {multiple(1.5 / own), CriticalCell::nowhere}) {
       CriticalFriction critical(problem, width);
       const auto cell = critical.locate(leaf, {0, start}, CriticalMethod::newton, multiple(1.5));
-      EXPECT_LE(critical.at(cell.dead), 1 / own) << own;
-      EXPECT_GE(critical.at(cell.alive), 1 / own) << own;
-      EXPECT_LE(cell.alive - cell.dead, 200) << own;
+      EXPECT_LE(critical.at(cell.infeasible), 1 / own) << own;
+      EXPECT_GE(critical.at(cell.feasible), 1 / own) << own;
+      EXPECT_LE(cell.feasible - cell.infeasible, 200) << own;
     }
   }
 }

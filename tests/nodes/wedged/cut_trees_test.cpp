@@ -55,7 +55,7 @@ void expect_same(const PatternFindings& with, const PatternFindings& without,
     EXPECT_EQ(one.block, other.block) << where;
     EXPECT_EQ(one.pattern, other.pattern) << where;
     EXPECT_EQ(one.state, other.state) << where;
-    if (one.state != LeafState::alive || other.state != LeafState::alive) continue;
+    if (one.state != LeafState::feasible || other.state != LeafState::feasible) continue;
     EXPECT_EQ(one.lower, other.lower) << where;
     EXPECT_EQ(one.upper, other.upper) << where;
     EXPECT_EQ(one.reaction, other.reaction) << where;
@@ -306,7 +306,7 @@ TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
         EXPECT_TRUE(one.holds(check));
       }
       EXPECT_GT(own.of_kind(Evidence::Kind::cut), 10U);
-      EXPECT_GT(own.of_kind(Evidence::Kind::alive), 5U) << structure.name;
+      EXPECT_GT(own.of_kind(Evidence::Kind::feasible), 5U) << structure.name;
       EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
     }
 }
@@ -388,7 +388,7 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
 
 // Unconstrained bodies with many degenerate nodes; undecided leaves have no claim.
 TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
-  std::size_t cut = 0, alive = 0, bounds = 0, refused = 0;
+  std::size_t cut = 0, feasible = 0, bounds = 0, refused = 0;
   for (const auto& body : unconstrained_bodies(GetParam(), 25)) {
     for (const double mu : {0.4, 1.0}) {
       const Searched own(body, mu);
@@ -396,7 +396,7 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
       for (const auto& one : own.evidence)
         EXPECT_TRUE(one.evidence.kind == Evidence::Kind::marginal || one.holds(check));
       cut += own.of_kind(Evidence::Kind::cut);
-      alive += own.of_kind(Evidence::Kind::alive);
+      feasible += own.of_kind(Evidence::Kind::feasible);
       if (own.findings.blocks.size() > 1) continue;
       verify::Proof proof = own.proof();
       for (const auto& bound : own.findings.bounds) {
@@ -417,7 +417,7 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
     }
   }
   EXPECT_GT(cut, 50U);
-  EXPECT_GT(alive, 10U);
+  EXPECT_GT(feasible, 10U);
   EXPECT_GT(bounds, 50U);
   EXPECT_GT(refused, 5U);  // in space few reactions are in equilibrium, and few are bounded
 }
@@ -438,7 +438,7 @@ TEST(CutTrees, HaveEvidenceThatFallsWithItsBounds) {
     std::size_t refused = 0;
     for (const auto& one : own.evidence) {
       const bool stands = one.holds(check);
-      EXPECT_TRUE(stands || one.evidence.kind != Evidence::Kind::alive);
+      EXPECT_TRUE(stands || one.evidence.kind != Evidence::Kind::feasible);
       refused += stands ? 0 : 1;
     }
     EXPECT_GT(refused, 5U);

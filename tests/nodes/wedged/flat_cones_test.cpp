@@ -41,7 +41,7 @@ std::vector<Configuration> leaves_of(const problems::WedgedProblem& problem, dou
 std::optional<Cones> whole_cones(const problems::WedgedProblem& problem, double mu) {
   std::vector<Cones> of_blocks(problems::blocks_of(problem).size());
   for (const auto& leaf : leaves_of(problem, mu)) {
-    if (leaf.state != LeafState::alive && leaf.state != LeafState::flat) return std::nullopt;
+    if (leaf.state != LeafState::feasible && leaf.state != LeafState::flat) return std::nullopt;
     of_blocks[leaf.block].emplace(leaf.pattern.contact, leaf.pattern.separated);
   }
   Cones product{{0, 0}};
@@ -78,7 +78,7 @@ TEST(FlatCones, AreNotThoseOfAMarginBelowTheTolerance) {
   engine::Analysis analysis(alone);
   const auto findings = find_patterns(analysis, problem, friction);
   ASSERT_EQ(findings.leaves.size(), 1U);
-  EXPECT_EQ(findings.leaves.front().state, LeafState::alive);
+  EXPECT_EQ(findings.leaves.front().state, LeafState::feasible);
   EXPECT_NEAR(findings.leaves.front().lower, 1.24e-13, 0.01e-13);
 }
 
@@ -176,8 +176,8 @@ TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
     for (std::uint64_t ones = 1; ones < leaves; ++ones) {
       const support::IndexSet contact = ones;
       const auto separated = all - contact;
-      const auto answer = solver.solve(contact, separated, {.when_alive = false});
-      if (answer.sign == conic::Sign::dead) continue;
+      const auto answer = solver.solve(contact, separated, {.when_feasible = false});
+      if (answer.sign == conic::Sign::infeasible) continue;
       SignPattern pattern{.contact = contact, .separated = separated, .at_rest = {}};
       if (answer.sign == conic::Sign::marginal) {
         const auto inside = solver.relative_interior(contact, separated);

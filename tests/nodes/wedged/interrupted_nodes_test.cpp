@@ -98,8 +98,8 @@ struct Given {
 };
 
 std::uint64_t ends(const SignPatternTally& nodes) {
-  return nodes.branched + nodes.dead + nodes.found + nodes.flat + nodes.faces + nodes.marginal +
-         nodes.undecided;
+  return nodes.branched + nodes.infeasible + nodes.found + nodes.flat + nodes.faces +
+         nodes.marginal + nodes.undecided;
 }
 
 TEST(InterruptedNodes, OfTheTreeOfRaysAreNotCounted) {

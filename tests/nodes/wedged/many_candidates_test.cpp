@@ -67,7 +67,7 @@ std::vector<double> frictions() {
 std::set<IndexSet> contact_sets(const engine::Outcome<SignPatternTree>& outcome) {
   std::set<IndexSet> sets;
   for (const auto& found : outcome.solutions) {
-    if (found.solution.state == LeafState::alive) sets.insert(found.solution.pattern.contact);
+    if (found.solution.state == LeafState::feasible) sets.insert(found.solution.pattern.contact);
   }
   return sets;
 }
@@ -80,7 +80,7 @@ std::set<IndexSet> expected(const problems::WedgedProblem& six) {
   for (unsigned contact = 1; contact < 64; ++contact) {
     const auto sign = solver.solve(contact, 63U & ~contact).sign;
     EXPECT_NE(sign, conic::Sign::marginal);
-    if (sign != conic::Sign::alive) continue;
+    if (sign != conic::Sign::feasible) continue;
     IndexSet set;
     for (const int k : IndexSet(contact)) set.insert(places[static_cast<std::size_t>(k)]);
     sets.insert(set);

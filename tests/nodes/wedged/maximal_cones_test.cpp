@@ -28,7 +28,7 @@ std::vector<Configuration> random_leaves(std::size_t count, std::mt19937& bits) 
   for (std::size_t i = 0; i < count; ++i) {
     const auto contact = bits() & bits() & few;
     const auto separated = bits() & few & ~contact;
-    const auto state = bits() % 3 == 0   ? LeafState::alive
+    const auto state = bits() % 3 == 0   ? LeafState::feasible
                        : bits() % 7 == 0 ? LeafState::marginal
                                          : LeafState::flat;
     leaves.push_back(leaf(bits() % 2, state, contact, separated));
@@ -39,7 +39,7 @@ std::vector<Configuration> random_leaves(std::size_t count, std::mt19937& bits) 
 }
 
 bool is_cone(const Configuration& each) {
-  return each.state == LeafState::alive || each.state == LeafState::flat;
+  return each.state == LeafState::feasible || each.state == LeafState::flat;
 }
 
 bool is_maximal(const Configuration& flat, const std::vector<Configuration>& leaves) {

@@ -35,7 +35,7 @@ problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dim
 }
 
 struct Count {
-  int nodes = 0, alive = 0, dead = 0, escalated = 0;
+  int nodes = 0, feasible = 0, infeasible = 0, escalated = 0;
 };
 
 // All leaves and, as inner nodes, those with the last candidate undecided, compared with 104 bits
@@ -60,24 +60,24 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
     for (const std::uint64_t open : {std::uint64_t{0}, last}) {
       if ((contact & open) != 0 || (contact == 0 && open == 0)) continue;
       const std::uint64_t separated = all & ~contact & ~open;
-      const conic::StopEarly stop{.when_dead = true, .when_alive = open != 0};
+      const conic::StopEarly stop{.when_infeasible = true, .when_feasible = open != 0};
       const ConicResult answer = solver.solve(contact, separated, stop);
       SCOPED_TRACE(::testing::Message()
                    << "U = " << contact << ", R = " << separated << ", mu = " << mu << ": ["
                    << answer.lower << ", " << answer.upper << "]");
       ++count.nodes;
-      count.alive += answer.sign == Sign::alive;
-      count.dead += answer.sign == Sign::dead;
+      count.feasible += answer.sign == Sign::feasible;
+      count.infeasible += answer.sign == Sign::infeasible;
       count.escalated += answer.precision_level > 0;
       EXPECT_LE(answer.lower, answer.upper);
       EXPECT_TRUE(answer.sign != Sign::marginal || conic::is_tie(answer, tolerances));
-      if (answer.sign == Sign::alive && open == 0) {
+      if (answer.sign == Sign::feasible && open == 0) {
         EXPECT_LE(answer.upper - answer.lower, 1e-3 * answer.lower);
       }
       const ConicResult truth = precise.solve(contact, separated, {true, true});
       EXPECT_LE(truth.lower, answer.upper);
       EXPECT_LE(answer.lower, truth.upper);
-      if (answer.sign == Sign::dead) {
+      if (answer.sign == Sign::infeasible) {
         const PreciseVector y = solver.multipliers().cast<Precise>();
         PreciseVector pull = PreciseVector::Zero(scaled.rows());
         for (const int i : each) pull += y[i] * scaled.row(D * i).transpose();
@@ -115,8 +115,8 @@ TEST(Ladder, DecidesEveryNodeInThePlaneWhateverTheContrast) {
   unsigned seed = 1;
   for (const double contrast : {1.0, 1e2, 1e4, 1e6, 1e9}) {
     const Count count = expect_all_decided<2>(contrast, 0.1, 10, 1e-12, 20, seed++);
-    EXPECT_GT(count.alive, 20);
-    EXPECT_GT(count.dead, 100);
+    EXPECT_GT(count.feasible, 20);
+    EXPECT_GT(count.infeasible, 100);
   }
 }
 
@@ -124,8 +124,8 @@ TEST(Ladder, DecidesEveryNodeInSpaceWhateverTheContrast) {
   unsigned seed = 11;
   for (const double contrast : {1.0, 1e3, 1e6, 1e9}) {
     const Count count = expect_all_decided<3>(contrast, 0.1, 10, 1e-12, 12, seed++);
-    EXPECT_GT(count.alive, 20);
-    EXPECT_GT(count.dead, 20);
+    EXPECT_GT(count.feasible, 20);
+    EXPECT_GT(count.infeasible, 20);
   }
 }
 
@@ -135,16 +135,16 @@ TEST(Ladder, DoublesDoForNearlyAllNodes) {
 }
 
 TEST(Ladder, NeedlesAndHalfSpacesAreRight) {
-  EXPECT_GT(expect_all_decided<2>(1e2, 1e-6, 1e-3, 1e-12, 10, 31).dead, 50);
-  EXPECT_GT(expect_all_decided<2>(1e2, 1e3, 1e6, 1e-12, 10, 32).alive, 50);
-  EXPECT_GT(expect_all_decided<3>(1e2, 1e-6, 1e-3, 1e-12, 8, 33).dead, 50);
-  EXPECT_GT(expect_all_decided<3>(1e2, 1e3, 1e6, 1e-12, 8, 34).alive, 50);
+  EXPECT_GT(expect_all_decided<2>(1e2, 1e-6, 1e-3, 1e-12, 10, 31).infeasible, 50);
+  EXPECT_GT(expect_all_decided<2>(1e2, 1e3, 1e6, 1e-12, 10, 32).feasible, 50);
+  EXPECT_GT(expect_all_decided<3>(1e2, 1e-6, 1e-3, 1e-12, 8, 33).infeasible, 50);
+  EXPECT_GT(expect_all_decided<3>(1e2, 1e3, 1e6, 1e-12, 8, 34).feasible, 50);
 }
 
 TEST(Ladder, EveryToleranceIsHonoured) {
   for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
     const Count count = expect_all_decided<2>(1e3, 0.1, 10, tolerance, 8, 41);
-    EXPECT_GT(count.dead, 20);
+    EXPECT_GT(count.infeasible, 20);
   }
 }
 
@@ -157,7 +157,7 @@ TEST(Ladder, FrictionOutOfRangeIsRefused) {
 }
 
 // One candidate of F = [a b; b c]: u_n = 0 gives r_t = -a / b for r_n = 1, so t* = mu - a / |b|.
-TEST(ClosedForm, OneCandidateIsAliveFromItsOwnCoefficientOn) {
+TEST(ClosedForm, OneCandidateIsFeasibleFromItsOwnCoefficientOn) {
   for (const double contrast : {1.0, 1e3, 1e6}) {
     // Dyadic: the quotient is exact.
     Eigen::Matrix2d compliance;
@@ -167,10 +167,11 @@ TEST(ClosedForm, OneCandidateIsAliveFromItsOwnCoefficientOn) {
     for (const double off : {1e-3, 1e-6, 1e-9, 1e-11}) {
       ContactSolver above(problem, std::vector<double>{8.5 + off}, tight);
       ContactSolver below(problem, std::vector<double>{8.5 - off}, tight);
-      const ConicResult alive = above.solve(1, 0, {.when_dead = true, .when_alive = false});
-      EXPECT_EQ(alive.sign, Sign::alive);
-      EXPECT_NEAR(alive.lower, off, 1e-3 * off);
-      EXPECT_EQ(below.solve(1, 0, {}).sign, Sign::dead);
+      const ConicResult feasible =
+          above.solve(1, 0, {.when_infeasible = true, .when_feasible = false});
+      EXPECT_EQ(feasible.sign, Sign::feasible);
+      EXPECT_NEAR(feasible.lower, off, 1e-3 * off);
+      EXPECT_EQ(below.solve(1, 0, {}).sign, Sign::infeasible);
     }
     ContactSolver at(problem, std::vector<double>{8.5}, tight);
     EXPECT_TRUE(conic::is_tie(at.solve(1, 0, {}), tight));
@@ -184,7 +185,7 @@ TEST(Frictionless, NothingWedgesWithoutFriction) {
         testing::random_problem({.dimension = dimension, .contrast = 1e3}, generator).second;
     ContactSolver solver(problem, std::vector<double>(3, 0), tight);
     for (std::uint64_t contact = 0; contact < 8; ++contact)
-      EXPECT_EQ(solver.solve(contact, 7 & ~contact, {}).sign, Sign::dead) << contact;
+      EXPECT_EQ(solver.solve(contact, 7 & ~contact, {}).sign, Sign::infeasible) << contact;
   }
 }
 
@@ -196,12 +197,12 @@ TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
   compliance(0, 1) = compliance(1, 0) = compliance(2, 3) = compliance(3, 2) = 0.5;
   const auto problem = exact_problem(compliance, 2);
   ContactSolver solver(problem, std::vector<double>{3, 0}, tight);
-  const conic::StopEarly never{.when_dead = false, .when_alive = false};
+  const conic::StopEarly never{.when_infeasible = false, .when_feasible = false};
   const ConicResult root = solver.solve(0, 0, never);
   EXPECT_NEAR(root.lower, 0.625, 1e-7);
   EXPECT_NEAR(root.upper, 0.625, 1e-7);
   EXPECT_EQ(solver.reaction()[3], 0);
-  EXPECT_EQ(solver.solve(0b10, 0b01, {}).sign, Sign::dead);
+  EXPECT_EQ(solver.solve(0b10, 0b01, {}).sign, Sign::infeasible);
   const auto tie = solver.relative_interior(0b01, 0b10);
   ASSERT_TRUE(tie);
   EXPECT_EQ(tie->loaded, 0b01U);
@@ -220,7 +221,7 @@ TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
     ContactSolver whole(problem, std::vector<double>(4, 2.0), tight);
     ContactSolver part(less, std::vector<double>(2, 2.0), tight);
     const double scale = part.unit() / whole.unit();
-    const conic::StopEarly never{.when_dead = false, .when_alive = false};
+    const conic::StopEarly never{.when_infeasible = false, .when_feasible = false};
     for (const auto& [contact, separated] : {std::pair{1, 2}, {2, 1}, {3, 0}, {1, 0}, {0, 0}}) {
       const auto spread = [](int set) {
         return static_cast<std::uint64_t>((set & 1) | (set & 2) << 1);
@@ -231,7 +232,7 @@ TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
       EXPECT_EQ(one.sign, other.sign);
       for (const Eigen::Index row : {2, 3, 6, 7}) EXPECT_EQ(whole.reaction()[row], 0);
       // Gaps have other units, so the values agree where no gap limits t.
-      if (separated == 0 && contact == 3 && one.sign == Sign::alive) {
+      if (separated == 0 && contact == 3 && one.sign == Sign::feasible) {
         EXPECT_NEAR(one.lower, other.lower, 1e-6);
       }
       EXPECT_GT(scale, 0);

@@ -112,7 +112,7 @@ PrimalPattern found_in(const problems::WedgedProblem& problem, double infeasible
 // True if any leaf is feasible at a coefficient, by enumeration.
 bool any_sticks(CriticalFriction& critical, int m, double factor) {
   for (unsigned contact = 1; contact < 1U << static_cast<unsigned>(m); ++contact)
-    if (critical.probe(leaf_with(IndexSet(contact), m), factor).sign == conic::Sign::alive)
+    if (critical.probe(leaf_with(IndexSet(contact), m), factor).sign == conic::Sign::feasible)
       return true;
   return false;
 }
@@ -127,7 +127,7 @@ TEST(PrimalSearch, FindsThePatternThatBeginsFirstInMostSmallProblems) {
       CriticalFriction critical(problem, 1e-8);
       ASSERT_TRUE(best.is_known()) << dimension << ' ' << seed;
       EXPECT_EQ(critical.probe(leaf_with(best.contact, m), best.factor * (1 + 1e-9)).sign,
-                conic::Sign::alive)
+                conic::Sign::feasible)
           << dimension << ' ' << seed;
       ++tried;
       met += any_sticks(critical, m, best.factor * (1 - 3e-3)) ? 0 : 1;

@@ -36,7 +36,7 @@ bool sticks(const problems::WedgedProblem& problem, double factor) {
   const auto m = static_cast<int>(problem.contact_names.size());
   CriticalFriction critical(problem, 1e-8);
   for (unsigned contact = 1; contact < 1U << static_cast<unsigned>(m); ++contact)
-    if (critical.probe(leaf_with(IndexSet(contact), m), factor).sign != conic::Sign::dead)
+    if (critical.probe(leaf_with(IndexSet(contact), m), factor).sign != conic::Sign::infeasible)
       return true;
   return false;
 }
@@ -142,11 +142,11 @@ TEST(QuadraticProof, HoldsUpToTheSpectralCoefficient) {
   sizes = (sizes + sizes.transpose()).eval() / 2;
   const Eigen::MatrixXd normal = normal_rows(problem).leftCols(m);
   const double exact = 1 / (normal.inverse() * sizes).eigenvalues().real().maxCoeff();
-  const auto dead = [&](double factor) {
-    return quadratic_is_dead(problem, std::vector<double>(9, factor), multipliers);
+  const auto infeasible = [&](double factor) {
+    return quadratic_is_infeasible(problem, std::vector<double>(9, factor), multipliers);
   };
-  EXPECT_TRUE(dead(exact * (1 - 1e-5)));
-  EXPECT_FALSE(dead(exact * (1 + 1e-5)));
+  EXPECT_TRUE(infeasible(exact * (1 - 1e-5)));
+  EXPECT_FALSE(infeasible(exact * (1 + 1e-5)));
   EXPECT_GT(bound_of(problem).factor, exact);
 }
 
@@ -154,9 +154,9 @@ TEST(QuadraticProof, CountsTheErrorOfTheCompliance) {
   auto problem = random_problem(2, 9, 5);
   const auto multipliers = spectral(problem);
   const std::vector<double> friction(9, 0.1);
-  EXPECT_TRUE(quadratic_is_dead(problem, friction, multipliers));
+  EXPECT_TRUE(quadratic_is_infeasible(problem, friction, multipliers));
   problem.compliance_error = 1;
-  EXPECT_FALSE(quadratic_is_dead(problem, friction, multipliers));
+  EXPECT_FALSE(quadratic_is_infeasible(problem, friction, multipliers));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void expect_rest(double angle, unsigned seed) {
     for (std::uint64_t contact = 1; contact < 8; ++contact) {
       const std::uint64_t separated = 7 & ~contact;
       const auto truth = alone.solve(contact, separated, {});
-      if (truth.sign != conic::Sign::alive || truth.lower < 1e-5) continue;
+      if (truth.sign != conic::Sign::feasible || truth.lower < 1e-5) continue;
       for (const bool touches : {true, false}) {
         ++ties;
         SCOPED_TRACE(::testing::Message() << "repetition " << repetition << ", U = " << contact
@@ -108,10 +108,10 @@ TEST(RelativeInterior, OfNodesThatAreNoTiesIsNothing) {
   problem.dimension = 2;
   problem.compliance = problem.stiffness = compliance;
   problem.contact_names.assign(1, "c");
-  ContactSolver alive(problem, std::vector<double>{3.0}, tight);
-  EXPECT_FALSE(alive.relative_interior(1, 0));
-  ContactSolver dead(problem, std::vector<double>{1.0}, tight);
-  EXPECT_FALSE(dead.relative_interior(1, 0));
+  ContactSolver feasible(problem, std::vector<double>{3.0}, tight);
+  EXPECT_FALSE(feasible.relative_interior(1, 0));
+  ContactSolver infeasible(problem, std::vector<double>{1.0}, tight);
+  EXPECT_FALSE(infeasible.relative_interior(1, 0));
 }
 
 // At its own coefficient, t* = mu - F_nn / |F_nt| = 0, a candidate slides with a reaction.

@@ -47,11 +47,12 @@ std::vector<Configuration> leaves_of(problems::WedgedProblem problem, double mu)
 }
 
 /// @param least of t*  @param open counts undecided leaves
-Contacts alive(const problems::WedgedProblem& problem, double mu, double least, int& open) {
+Contacts feasible(const problems::WedgedProblem& problem, double mu, double least, int& open) {
   Contacts result;
   for (const auto& leaf : leaves_of(problem, mu)) {
-    open += leaf.state != LeafState::alive && leaf.state != LeafState::flat;
-    if (leaf.state == LeafState::alive && leaf.lower > least) result.insert(leaf.pattern.contact);
+    open += leaf.state != LeafState::feasible && leaf.state != LeafState::flat;
+    if (leaf.state == LeafState::feasible && leaf.lower > least)
+      result.insert(leaf.pattern.contact);
   }
   return result;
 }
@@ -126,7 +127,7 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
     f = (f.array().abs() < 1e-13).select(Eigen::MatrixXd::Zero(f.rows(), f.cols()), f).eval();
     const int m = static_cast<int>(structure.contact.size());
     for (const double mu : {0.4, 1.2}) {
-      const auto found = alive(problems::wedged_problem(structure), mu, 0, open);
+      const auto found = feasible(problems::wedged_problem(structure), mu, 0, open);
       for (std::uint64_t ones = 1; ones < std::uint64_t{1} << static_cast<unsigned>(m); ++ones) {
         const support::IndexSet contact = ones;
         const double most = margin(f, contact, mu).value_or(-1);
@@ -180,8 +181,8 @@ TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
     const auto structure = truss_in_corners(3, 2, bits);
     const auto tied = tied_apart(structure, 1e8);
     for (const double mu : {0.5, 1.5}) {
-      const auto own = alive(problems::wedged_problem(structure), mu, 0, open);
-      EXPECT_EQ(own, alive(problems::wedged_problem(tied), mu, of_the_tie, open_of_the_tie));
+      const auto own = feasible(problems::wedged_problem(structure), mu, 0, open);
+      EXPECT_EQ(own, feasible(problems::wedged_problem(tied), mu, of_the_tie, open_of_the_tie));
       patterns += own.size();
     }
   }

@@ -1,7 +1,5 @@
 // Tree of sign patterns compared with published counts, with all leaves one by one, and with the
 // definition of a wedged configuration.
-#include "nodes/wedged/tree/sign_pattern_tree.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -22,6 +20,7 @@
 
 #include "engine/simulation.hpp"
 #include "faces.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 
@@ -52,10 +51,10 @@ ContactSet positions(const support::IndexSet& set) {
   return {set.begin(), set.end()};
 }
 
-std::set<ContactSet> alive_sets(const engine::Outcome<SignPatternTree>& outcome) {
+std::set<ContactSet> feasible_sets(const engine::Outcome<SignPatternTree>& outcome) {
   std::set<ContactSet> sets;
   for (const auto& found : outcome.solutions) {
-    if (found.solution.state == LeafState::alive)
+    if (found.solution.state == LeafState::feasible)
       sets.insert(positions(found.solution.pattern.contact));
   }
   return sets;
@@ -67,7 +66,7 @@ TEST_P(SpaceTruss, HasThePatternsOfTheReference) {
   const auto known = named_reference("space-truss.json");
   auto tree = tree_of(named_example("space-truss.toml"), std::stod(GetParam()));
   const auto outcome = engine::search(tree);
-  EXPECT_EQ(alive_sets(outcome), known["patterns"][GetParam()].get<std::set<ContactSet>>());
+  EXPECT_EQ(feasible_sets(outcome), known["patterns"][GetParam()].get<std::set<ContactSet>>());
   EXPECT_EQ(tree.tally().found, known["counts"][GetParam()].get<std::uint64_t>());
   EXPECT_EQ(tree.tally().marginal, 0U);
   EXPECT_EQ(tree.tally().undecided, 0U);
@@ -82,13 +81,13 @@ TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
   for (int i = 0; i < 10; ++i) unit += problem.compliance(3 * i, 3 * i) / 10;
   const std::vector<double> friction(10, mu);
   conic::NodeSolver<3> solver(problem.compliance / unit, friction);
-  std::set<ContactSet> alive;
+  std::set<ContactSet> feasible;
   for (std::uint64_t contact = 0; contact < 1024; ++contact) {
     const auto answer = solver.solve(contact, 1023 & ~contact);
     EXPECT_NE(answer.sign, conic::Sign::marginal);
-    if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
+    if (answer.sign == conic::Sign::feasible) feasible.insert(positions(contact));
   }
-  EXPECT_EQ(alive_sets(engine::search(tree)), alive);
+  EXPECT_EQ(feasible_sets(engine::search(tree)), feasible);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllFrictions, SpaceTruss,
@@ -100,7 +99,7 @@ TEST(SignPatternTree, KeepsItsPatternsWhenFrictionGrows) {
   std::set<ContactSet> smaller;
   for (const double mu : {0.5, 0.63, 0.66, 0.8, 0.95, 1.5, 3.0}) {
     auto tree = tree_of(problem, mu);
-    const auto larger = alive_sets(engine::search(tree));
+    const auto larger = feasible_sets(engine::search(tree));
     EXPECT_TRUE(std::includes(larger.begin(), larger.end(), smaller.begin(), smaller.end())) << mu;
     smaller = larger;
   }
@@ -148,7 +147,7 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
     SignPatternTree product(problem, friction, {.tolerances = {}, .branching = Branching::product});
     const auto few = engine::search(relative);
     const auto many = engine::search(product);
-    EXPECT_EQ(alive_sets(few), alive_sets(many));
+    EXPECT_EQ(feasible_sets(few), feasible_sets(many));
     EXPECT_LT(3 * few.opened(), 2 * many.opened() + 100) << mu;
   }
 }
@@ -163,7 +162,7 @@ TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
                              {.tolerances = {}, .branching = Branching::relative});
     const auto few = engine::search(deepest);
     const auto many = engine::search(relative);
-    EXPECT_EQ(alive_sets(few), alive_sets(many));
+    EXPECT_EQ(feasible_sets(few), feasible_sets(many));
     EXPECT_LT(few.opened(), many.opened() / (mu == 5.0 ? 3 : 1)) << mu;
   }
 }
@@ -175,10 +174,10 @@ TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
     const std::vector<double> friction(10, mu);
     SignPatternTree relative(problem, friction,
                              {.tolerances = {}, .branching = Branching::relative});
-    const auto expected = alive_sets(engine::search(relative));
+    const auto expected = feasible_sets(engine::search(relative));
     for (const Branching rule : {Branching::deepest, Branching::weighed}) {
       SignPatternTree tree(problem, friction, {.tolerances = {}, .branching = rule});
-      EXPECT_EQ(alive_sets(engine::search(tree)), expected);
+      EXPECT_EQ(feasible_sets(engine::search(tree)), expected);
     }
   }
 }
@@ -193,15 +192,15 @@ TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
     std::vector<double> friction(10);
     for (double& mu : friction) mu = std::uniform_real_distribution(0.4, 1.1)(random);
     SignPatternTree tree(problem, friction);
-    const auto found = alive_sets(engine::search(tree));
+    const auto found = feasible_sets(engine::search(tree));
     EXPECT_GT(found.size(), 0U);
     conic::NodeSolver<3> solver(problem.compliance / unit, friction);
-    std::set<ContactSet> alive;
+    std::set<ContactSet> feasible;
     for (std::uint64_t contact = 0; contact < 1024; ++contact) {
       const auto answer = solver.solve(contact, 1023 & ~contact);
-      if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
+      if (answer.sign == conic::Sign::feasible) feasible.insert(positions(contact));
     }
-    EXPECT_EQ(found, alive) << "seed " << seed;
+    EXPECT_EQ(found, feasible) << "seed " << seed;
   }
 }
 
@@ -209,13 +208,13 @@ TEST(SignPatternTree, DoesNotDependOnTheUnits) {
   // Scaling the stiffness by a hundred thousand does not change the patterns.
   const auto problem = named_example("space-truss.toml");
   auto tree = tree_of(problem, 0.65);
-  const auto expected = alive_sets(engine::search(tree));
+  const auto expected = feasible_sets(engine::search(tree));
   for (const double factor : {1e-5, 1e5}) {
     auto scaled = problem;
     scaled.stiffness *= factor;
     scaled.compliance /= factor;
     auto other = tree_of(scaled, 0.65);
-    EXPECT_EQ(alive_sets(engine::search(other)), expected);
+    EXPECT_EQ(feasible_sets(engine::search(other)), expected);
   }
 }
 
@@ -235,7 +234,7 @@ TEST_P(PlaneTruss, HasAsManyPatternsAsTheReference) {
   const auto known = named_reference("plane-truss.json")["table"]["5"][GetParam()];
   auto tree = tree_of(named_example("plane-truss.toml"), std::stod(GetParam()));
   const auto outcome = engine::search(tree);
-  EXPECT_EQ(alive_sets(outcome).size(), known["patterns"].get<std::size_t>());
+  EXPECT_EQ(feasible_sets(outcome).size(), known["patterns"].get<std::size_t>());
 }
 
 INSTANTIATE_TEST_SUITE_P(AllFrictions, PlaneTruss,
@@ -247,12 +246,12 @@ TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
   const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.6, 0.65, 1.0}) {
     auto cones = tree_of(problem, mu);
-    const auto patterns = alive_sets(engine::search(cones));
+    const auto patterns = feasible_sets(engine::search(cones));
     std::uint64_t fewer = std::uint64_t{1} << 10U;
     for (const int facets : {4, 8, 16, 32}) {
       SignPatternTree tree(problem, std::vector<double>(10, mu),
                            {.tolerances = {}, .facets = facets});
-      EXPECT_EQ(alive_sets(engine::search(tree)), patterns) << facets;
+      EXPECT_EQ(feasible_sets(engine::search(tree)), patterns) << facets;
       const auto tally = tree.tally();
       EXPECT_GE(tally.candidates, patterns.size());
       EXPECT_LE(tally.candidates, fewer);
@@ -268,7 +267,7 @@ TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
   const std::vector<double> friction(10, 0.65);
   const int facets = 4;
   SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
-  const auto alive = alive_sets(engine::search(tree));
+  const auto feasible = feasible_sets(engine::search(tree));
   std::map<support::IndexSet, bool> discarded;
   for (const auto& candidate : tree.tally().tested) {
     EXPECT_FALSE(candidate.pattern.contact.meets(candidate.pattern.separated));
@@ -281,11 +280,11 @@ TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
   conic::NodeSolver<3> cones(scaled, friction);
   std::map<support::IndexSet, bool> expected;
   for (std::uint64_t contact = 1; contact < 1024; ++contact) {
-    if (polyhedral.solve(contact, 1023 & ~contact, {}).sign == conic::Sign::dead) continue;
-    expected[contact] = cones.solve(contact, 1023 & ~contact).sign == conic::Sign::dead;
+    if (polyhedral.solve(contact, 1023 & ~contact, {}).sign == conic::Sign::infeasible) continue;
+    expected[contact] = cones.solve(contact, 1023 & ~contact).sign == conic::Sign::infeasible;
   }
   EXPECT_EQ(discarded, expected);
-  EXPECT_GT(discarded.size(), alive.size()) << "some are discarded";
+  EXPECT_GT(discarded.size(), feasible.size()) << "some are discarded";
 }
 
 // The tree, and the depth of each opened node.
@@ -336,25 +335,25 @@ TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
     const auto problem = random_problem(plane ? 2 : 3, m, seed);
     const std::vector<double> friction(static_cast<std::size_t>(m),
                                        0.8 + static_cast<double>(seed % 4));
-    std::set<ContactSet> alive;
+    std::set<ContactSet> feasible;
     const auto decide_all = [&](auto solver) {
       const std::uint64_t all = (std::uint64_t{1} << static_cast<unsigned>(m)) - 1;
       for (std::uint64_t contact = 0; contact <= all; ++contact) {
         const auto answer = solver.solve(contact, all & ~contact);
         ASSERT_NE(answer.sign, conic::Sign::marginal);
-        if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
+        if (answer.sign == conic::Sign::feasible) feasible.insert(positions(contact));
       }
     };
     if (plane)
       decide_all(conic::NodeSolver<2>(problem.compliance, friction));
     else
       decide_all(conic::NodeSolver<3>(problem.compliance, friction));
-    patterns += alive.size();
+    patterns += feasible.size();
     SignPatternTree cones(problem, friction);
-    EXPECT_EQ(alive_sets(engine::search(cones)), alive) << seed;
+    EXPECT_EQ(feasible_sets(engine::search(cones)), feasible) << seed;
     if (plane) continue;
     SignPatternTree polyhedral(problem, friction, {.tolerances = {}, .facets = 8});
-    EXPECT_EQ(alive_sets(engine::search(polyhedral)), alive) << seed;
+    EXPECT_EQ(feasible_sets(engine::search(polyhedral)), feasible) << seed;
   }
   EXPECT_GT(patterns, 100U);
 }
@@ -376,7 +375,7 @@ TEST(Polyhedral, ConeTouchesTheFrictionConeInTheMiddleOfAFacet) {
       compliance(0, 2) = compliance(2, 0) = -c * std::sin(angle);
       FacetBound bound(compliance, std::vector<double>{mu}, facets, {});
       const auto answer = bound.solve(1, 0, {});
-      EXPECT_EQ(answer.sign, factor < 1 ? conic::Sign::dead : conic::Sign::alive)
+      EXPECT_EQ(answer.sign, factor < 1 ? conic::Sign::infeasible : conic::Sign::feasible)
           << along_an_edge << ' ' << factor;
       EXPECT_NEAR(bound.normal_reaction(0), 1, 1e-9);
     }

@@ -69,7 +69,7 @@ TEST(UnconstrainedRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
     for (auto& leaf : engine::search(tree).solutions) leaves.push_back(std::move(leaf.solution));
     Cones patterns;
     for (const auto& leaf : maximal_cones(std::move(leaves))) {
-      ASSERT_TRUE(leaf.state == LeafState::alive || leaf.state == LeafState::flat) << trial;
+      ASSERT_TRUE(leaf.state == LeafState::feasible || leaf.state == LeafState::flat) << trial;
       patterns.emplace(leaf.pattern.contact, leaf.pattern.separated);
     }
     Cones cliques;

@@ -72,7 +72,8 @@ void expect_solution_within(std::mt19937_64& generator) {
   const auto problem = testing::random_problem(D, 5, 0.1, 2, generator);
   const auto [contact, separated] = testing::random_masks(5, generator);
   NodeSolver<D> solver(problem.compliance, problem.friction);
-  const auto answer = solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
+  const auto answer =
+      solver.solve(contact, separated, {.when_infeasible = false, .when_feasible = false});
   Eigen::VectorXd point(5 * D + 1);
   point << solver.reaction(), answer.lower;
   const auto program = node_cone_program(problem.compliance, problem.friction, contact, separated);

@@ -15,7 +15,7 @@ using testing::ContactProblem;
 using testing::contains;
 using testing::Masks;
 
-constexpr StopEarly never{.when_dead = false, .when_alive = false};
+constexpr StopEarly never{.when_infeasible = false, .when_feasible = false};
 
 // Equations of a reaction: rounding of F r for data of order one, with a margin.
 constexpr double feasibility = 1e-11;
@@ -92,9 +92,9 @@ ConicResult proved(const ContactProblem& problem, NodeSolver<D>& solver, const M
   expect_proved_from_above(problem, masks, solver.multipliers(), answer.upper);
   EXPECT_LE(answer.lower, answer.upper + rounding);
   EXPECT_LE((solver.displacement() - problem.compliance * solver.reaction()).norm(), rounding * m);
-  EXPECT_EQ(answer.sign == Sign::alive, answer.has_point && answer.lower > 1e-12);
-  EXPECT_EQ(answer.sign == Sign::dead, answer.upper < -1e-12);
-  if (!stop.when_dead) {
+  EXPECT_EQ(answer.sign == Sign::feasible, answer.has_point && answer.lower > 1e-12);
+  EXPECT_EQ(answer.sign == Sign::infeasible, answer.upper < -1e-12);
+  if (!stop.when_infeasible) {
     EXPECT_TRUE(answer.has_point);
     EXPECT_LE(answer.gap, bracket_width * std::max(1.0, std::abs(answer.upper)));
   }
@@ -104,7 +104,7 @@ ConicResult proved(const ContactProblem& problem, NodeSolver<D>& solver, const M
 template <int D>
 void expect_certificates(double least, double most, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
-  int alive = 0, dead = 0;
+  int feasible = 0, infeasible = 0;
   for (int repetition = 0; repetition < 25; ++repetition)
     for (int m = 1; m <= 8; ++m) {
       const ContactProblem problem = testing::random_problem(D, m, least, most, generator);
@@ -112,15 +112,15 @@ void expect_certificates(double least, double most, std::uint64_t seed) {
       const Masks masks = testing::random_masks(m, generator);
       for (const StopEarly stop : {StopEarly{}, never}) {
         const ConicResult answer = proved(problem, solver, masks, stop);
-        if (!stop.when_dead) {
-          alive += answer.sign == Sign::alive;
-          dead += answer.sign == Sign::dead;
+        if (!stop.when_infeasible) {
+          feasible += answer.sign == Sign::feasible;
+          infeasible += answer.sign == Sign::infeasible;
         }
       }
     }
   // Both signs must occur, so that the test covers both.
-  EXPECT_GT(alive, 20);
-  EXPECT_GT(dead, 20);
+  EXPECT_GT(feasible, 20);
+  EXPECT_GT(infeasible, 20);
 }
 
 TEST(Certificates, HoldInThePlane) {
@@ -135,7 +135,7 @@ TEST(Certificates, HoldForAHundredCandidates) {
   std::mt19937_64 generator(15);
   const ContactProblem problem = testing::random_problem(2, m, 5, 10, generator);
   NodeSolver<2> solver(problem.compliance, problem.friction);
-  EXPECT_EQ(proved(problem, solver, {}, never).sign, Sign::alive);
+  EXPECT_EQ(proved(problem, solver, {}, never).sign, Sign::feasible);
   for (int repetition = 0; repetition < 6; ++repetition) {
     const Masks masks = testing::random_masks(m, generator);
     for (const StopEarly stop : {StopEarly{}, never}) proved(problem, solver, masks, stop);
@@ -143,7 +143,8 @@ TEST(Certificates, HoldForAHundredCandidates) {
   // Without friction nothing wedges.
   NodeSolver<2> slippery(problem.compliance, std::vector<double>(m, 1e-3));
   const ContactProblem same{2, problem.compliance, std::vector<double>(m, 1e-3)};
-  EXPECT_EQ(proved(same, slippery, {support::IndexSet::below(70), {}}, never).sign, Sign::dead);
+  EXPECT_EQ(proved(same, slippery, {support::IndexSet::below(70), {}}, never).sign,
+            Sign::infeasible);
 }
 TEST(Certificates, HoldForBadlyScaledFrictionInThePlane) {
   expect_certificates<2>(0.01, 10, 13);

@@ -20,7 +20,7 @@ namespace {
 using testing::ContactProblem;
 using testing::Masks;
 
-constexpr StopEarly to_the_end{.when_dead = false, .when_alive = false};
+constexpr StopEarly to_the_end{.when_infeasible = false, .when_feasible = false};
 
 // Accuracy goal of the solver, with a margin for the rounding of the two bounds.
 constexpr double accuracy_of_cuts = 2e-8;
@@ -48,9 +48,9 @@ void expect_the_cut_of_one_candidate(const Eigen::MatrixXd& compliance) {
       EXPECT_NEAR(answer.upper, mu / (1 + 2 * level), accuracy_of_cuts);
       EXPECT_GT(solver.cut_multiplier(0), 0);
       // s/2 - u_n >= t requires rho >= 1 + 2 t of mu - t: no configuration is left.
-      const auto dead = solve_with(
+      const auto infeasible = solve_with(
           solver, {0, 0}, {{.candidate = 0, .share = 0.5, .displacement = 1, .level = 1}}, {});
-      EXPECT_EQ(dead.sign, Sign::dead) << mu;
+      EXPECT_EQ(infeasible.sign, Sign::infeasible) << mu;
       const auto value = solve_with(
           solver, {0, 0}, {{.candidate = 0, .share = 0.5, .displacement = 1, .level = 1}});
       EXPECT_NEAR(value.upper, (mu - 1) / 3, accuracy_of_cuts);
@@ -138,7 +138,7 @@ void expect_idle_cuts_to_change_nothing() {
   std::mt19937_64 generator(29 + D);
   constexpr Tolerances sharp{.value = 1e-10};
   constexpr double nothing = 1e-9;
-  int alive = 0;
+  int feasible = 0;
   for (int repetition = 0; repetition < 40; ++repetition) {
     const int m = 2 + repetition % 6;
     const auto problem = testing::random_problem(D, m, 0.3, 3, generator);
@@ -150,12 +150,12 @@ void expect_idle_cuts_to_change_nothing() {
     NodeSolver<D> solver(problem.compliance, problem.friction, sharp);
     const auto answer = solve_with(solver, node, cuts);
     EXPECT_EQ(answer.sign, expected.sign);
-    if (expected.sign != Sign::alive) continue;
-    ++alive;
+    if (expected.sign != Sign::feasible) continue;
+    ++feasible;
     EXPECT_NEAR(answer.lower, expected.lower, nothing);
     EXPECT_NEAR(answer.upper, expected.upper, nothing);
   }
-  EXPECT_GT(alive, 8);
+  EXPECT_GT(feasible, 8);
 }
 
 TEST(Cuts, ThatNeverBindLeaveTheValueAsItIs) {

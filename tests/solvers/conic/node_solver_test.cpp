@@ -15,7 +15,7 @@ namespace {
 using testing::ContactProblem;
 using testing::Masks;
 
-constexpr StopEarly never{.when_dead = false, .when_alive = false};
+constexpr StopEarly never{.when_infeasible = false, .when_feasible = false};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Accuracy goal of the solver, with a margin for the rounding of the two bounds.
@@ -29,7 +29,9 @@ void expect_optimum(NodeSolver<D>& solver, std::uint64_t contact, std::uint64_t 
   EXPECT_NEAR(full.lower, optimum, accuracy);
   EXPECT_NEAR(full.upper, optimum, accuracy);
   const ConicResult early = solver.solve(contact, separated);
-  const Sign sign = optimum > 1e-6 ? Sign::alive : optimum < -1e-6 ? Sign::dead : Sign::marginal;
+  const Sign sign = optimum > 1e-6    ? Sign::feasible
+                    : optimum < -1e-6 ? Sign::infeasible
+                                      : Sign::marginal;
   EXPECT_EQ(full.sign, sign);
   EXPECT_EQ(early.sign, sign);
 }
@@ -85,14 +87,14 @@ TEST(Tie, AtTheCriticalFrictionIsMarginal) {
   expect_optimum(solver, 1, 0, 0);
   // Just outside of the tolerance the sign is proved.
   NodeSolver<2> above(compliance, std::array{2 + 2e-6}), below(compliance, std::array{2 - 2e-6});
-  EXPECT_EQ(above.solve(1, 0).sign, Sign::alive);
-  EXPECT_EQ(below.solve(1, 0).sign, Sign::dead);
+  EXPECT_EQ(above.solve(1, 0).sign, Sign::feasible);
+  EXPECT_EQ(below.solve(1, 0).sign, Sign::infeasible);
 }
 
-TEST(Everything, SeparatedIsDeadAtOnce) {
+TEST(Everything, SeparatedIsInfeasibleAtOnce) {
   NodeSolver<3> solver(Eigen::MatrixXd::Identity(6, 6), std::array{1.0, 1.0});
   const ConicResult answer = solver.solve(0, 0b11);
-  EXPECT_EQ(answer.sign, Sign::dead);
+  EXPECT_EQ(answer.sign, Sign::infeasible);
   EXPECT_EQ(answer.upper, -infinity);
   EXPECT_EQ(answer.iterations, 0);
   EXPECT_FALSE(answer.has_point);
@@ -110,15 +112,15 @@ TEST(Everything, InContactHasNoGapRow) {
 }
 
 // No reaction has u_n = F_nn r_n = 0 and sum 1: t* is minus infinity, and y proves it.
-TEST(Infeasible, ContactWithoutCouplingIsDead) {
+TEST(Infeasible, ContactWithoutCouplingIsInfeasible) {
   const std::vector<double> friction(5, 0.7);
   Eigen::VectorXd diagonal = Eigen::VectorXd::LinSpaced(15, 0.4, 1.7);
   NodeSolver<3> solver(diagonal.asDiagonal(), friction);
   for (const Masks& masks : {Masks{0b11111, 0}, Masks{0b00100, 0b11011}, Masks{0b10001, 0b01110}})
     for (const StopEarly stop : {StopEarly{}, never}) {
       const ConicResult answer = solver.solve(masks.first, masks.second, stop);
-      EXPECT_EQ(answer.sign, Sign::dead);
-      EXPECT_LT(answer.upper, stop.when_dead ? 0 : -1e9);
+      EXPECT_EQ(answer.sign, Sign::infeasible);
+      EXPECT_LT(answer.upper, stop.when_infeasible ? 0 : -1e9);
       EXPECT_FALSE(answer.has_point);
       EXPECT_LT(answer.iterations, 20);
     }
@@ -147,11 +149,11 @@ TEST(StopEarly, AgreesOnTheSignAndNeverTakesLonger) {
   EXPECT_GT(fewer, 60);
 }
 
-TEST(StopEarly, OnDeadOnlyStillGivesTheFullValueOfTheLiving) {
+TEST(StopEarly, OnInfeasibleOnlyStillGivesTheFullValueOfTheLiving) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;
   NodeSolver<2> solver(compliance, std::array{3.0});
-  const ConicResult answer = solver.solve(1, 0, {.when_dead = true, .when_alive = false});
+  const ConicResult answer = solver.solve(1, 0, {.when_infeasible = true, .when_feasible = false});
   EXPECT_NEAR(answer.lower, 1, accuracy);
   EXPECT_NEAR(answer.upper, 1, accuracy);
 }

@@ -35,11 +35,11 @@ void expect_agreement(const nlohmann::json& program) {
   const std::uint64_t separated = mask(program.at("separated"));
 
   const ConicResult full =
-      solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
+      solver.solve(contact, separated, {.when_infeasible = false, .when_feasible = false});
   EXPECT_NEAR(full.lower, optimum, agreement);
   EXPECT_NEAR(full.upper, optimum, agreement);
   if (std::abs(optimum) > agreement) {
-    const Sign sign = optimum > 0 ? Sign::alive : Sign::dead;
+    const Sign sign = optimum > 0 ? Sign::feasible : Sign::infeasible;
     EXPECT_EQ(full.sign, sign);
     EXPECT_EQ(solver.solve(contact, separated).sign, sign);
   }

@@ -122,15 +122,16 @@ Sides<D> both_sides(const UnconstrainedProblem& problem, const NodeSolver<D>& so
 template <int D>
 void expect_both_sides_to_meet(int m, int nodes) {
   std::mt19937_64 generator(static_cast<unsigned>(100 * D + m));
-  int alive = 0, dead = 0, met = 0;
+  int feasible = 0, infeasible = 0, met = 0;
   for (int trial = 0; trial < nodes; ++trial) {
     const auto problem = random_unconstrained<D>(m, generator);
     const auto [contact, separated] = random_masks(m, generator);
     auto solver = solver_of<D>(problem);
-    const auto answer = solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
+    const auto answer =
+        solver.solve(contact, separated, {.when_infeasible = false, .when_feasible = false});
     ASSERT_LE(answer.lower, answer.upper);
-    alive += answer.sign == Sign::alive ? 1 : 0;
-    dead += answer.sign == Sign::dead ? 1 : 0;
+    feasible += answer.sign == Sign::feasible ? 1 : 0;
+    infeasible += answer.sign == Sign::infeasible ? 1 : 0;
     // Equilibrium can leave a candidate of U without a reaction: the node is then degenerate.
     if (answer.sign == Sign::marginal) {
       EXPECT_NEAR(answer.lower, 0, 1e-9) << trial;
@@ -145,9 +146,9 @@ void expect_both_sides_to_meet(int m, int nodes) {
     EXPECT_NEAR(sides.above, answer.upper, 1e-5 * std::max(1.0, std::abs(answer.upper)));
     met += answer.upper - answer.lower < 1e-4 * std::abs(answer.upper) ? 1 : 0;
   }
-  EXPECT_GT(alive, nodes / 20);
-  EXPECT_GT(dead, 0);
-  EXPECT_GT(met, nodes / 5) << alive << " alive, " << dead << " dead";
+  EXPECT_GT(feasible, nodes / 20);
+  EXPECT_GT(infeasible, 0);
+  EXPECT_GT(met, nodes / 5) << feasible << " alive, " << infeasible << " dead";
 }
 
 TEST(UnconstrainedBody, HasAPointAndMultipliersWhoseValuesMeetInThePlane) {
@@ -198,7 +199,7 @@ void expect_cuts_to_be_rows_of_further_candidates(int m, int nodes) {
                       .level = number(generator)});
     }
     if (cuts.empty()) continue;
-    constexpr StopEarly to_the_end{.when_dead = false, .when_alive = false};
+    constexpr StopEarly to_the_end{.when_infeasible = false, .when_feasible = false};
     auto solver = solver_of<D>(problem);
     const auto without = solver.solve(contact, separated, to_the_end);
     solver.make_room(static_cast<int>(cuts.size()));
@@ -255,8 +256,9 @@ TEST(UnconstrainedBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {
       auto solver = solver_of<2>(problem);
       const auto root = solver.solve({}, {});
       const auto leaf = solver.solve(IndexSet::below(2), {});
-      EXPECT_EQ(root.sign, share < 1 ? Sign::dead : Sign::alive) << degrees << " " << share;
-      EXPECT_EQ(leaf.sign, share < 1 ? Sign::dead : Sign::alive)
+      EXPECT_EQ(root.sign, share < 1 ? Sign::infeasible : Sign::feasible)
+          << degrees << " " << share;
+      EXPECT_EQ(leaf.sign, share < 1 ? Sign::infeasible : Sign::feasible)
           << degrees << " " << share << " " << leaf.lower << " " << leaf.upper;
     }
   }

@@ -32,8 +32,8 @@ double not_below(const Dyadic& number) {
 
 }  // namespace
 
-Judgement BlockProof::judge_dead(const IndexSet& contact, const IndexSet& separated,
-                                 std::span<const double> numbers) const {
+Judgement BlockProof::judge_infeasible(const IndexSet& contact, const IndexSet& separated,
+                                       std::span<const double> numbers) const {
   return judge({.contact = contact,
                 .separated = separated,
                 .multipliers = numbers.first(candidates()),
