@@ -39,7 +39,7 @@ class Import final : public Subcommand {
            "that is not understood is left out with a warning.";
   }
   [[nodiscard]] std::string_view example() const override {
-    return "wedge.inp --output wedge.toml";
+    return "examples/wedge.inp --output wedge.toml";
   }
   void describe(OptionTable& table) override {
     table_ = &table;

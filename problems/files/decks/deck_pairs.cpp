@@ -31,7 +31,11 @@ class PairWriter {
  public:
   PairWriter(DeckDraft& draft, std::optional<double> gap)
       : draft_(draft), gap_(gap), largest_friction_(largest_friction(draft.mesh())) {
-    for (const MeshSupport& support : draft.mesh().supports) fixed_[support.node] = support.fixed;
+    for (const MeshSupport& support : draft.mesh().supports) {
+      const auto last = support.fixed.begin() + draft.dimension();
+      if (std::find(support.fixed.begin(), last, true) != last)
+        fixed_[support.node] = support.fixed;
+    }
   }
 
   void write(const MeshPair& pair);

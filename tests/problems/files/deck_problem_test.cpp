@@ -129,6 +129,9 @@ TEST(DeckProblem, TiesSurfaces) {
   const auto text = imported(blocks + "*TIE, NAME=T\nFOOT, TABLE\n");
   EXPECT_THAT(text.text, HasSubstr("nodes = [\"d.FOOT\"]\nto = \"d.TABLE\"\n"));
   EXPECT_EQ(structure_of(text, blocks).ties.size(), 3U);
+  // Rotations and displacements out of the plane are no supports.
+  const auto turned = imported(blocks + "*TIE, NAME=T\nFOOT, TABLE\n*BOUNDARY\n1, 3, 6\n");
+  EXPECT_EQ(structure_of(turned, blocks).ties.size(), 3U);
   // CalculiX: contact that is tied.
   const auto behaviour = imported(
       blocks +
