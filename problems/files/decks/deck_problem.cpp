@@ -5,7 +5,11 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
+#include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -106,7 +110,9 @@ void write_supports(DeckDraft& draft) {
   for (const MeshGroup& group : draft.mesh().groups)
     if (!group.nodes.empty()) sets.push_back(draft.nodes_of(group));
   std::ranges::stable_sort(sets, std::greater(), [](const auto& set) { return set.all.size(); });
-  for (auto& [fixed, nodes] : left) {
+  for (auto& entry : left) {
+    const auto& fixed = entry.first;
+    std::set<int>& nodes = entry.second;
     for (const ChosenNodes& set : sets) {
       const bool within =
           std::ranges::all_of(set.all, [&](int node) { return nodes.contains(node); });
