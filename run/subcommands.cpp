@@ -9,6 +9,7 @@
 #include "run/example/example.hpp"
 #include "run/export/export.hpp"
 #include "run/hold/hold.hpp"
+#include "run/import/import.hpp"
 #include "run/limit/limit.hpp"
 #include "run/mip/mip.hpp"
 #include "run/patterns/patterns.hpp"
@@ -36,6 +37,7 @@ CommandList command_list() {
   all.push_back(example_space_truss_subcommand());
   all.push_back(example_plane_truss_subcommand());
   all.push_back(example_grid_subcommand());
+  all.push_back(import_subcommand());
   all.push_back(export_mps_subcommand());
   all.push_back(export_cbf_subcommand());
   all.push_back(export_matrix_subcommand());
@@ -54,6 +56,7 @@ CommandList command_list() {
        {"Verification", {"verify"}},
        {"Summaries, pictures and reports", {"show", "draw", "report"}},
        {"Generated problem files", {"example space-truss", "example plane-truss", "example grid"}},
+       {"Files of other programs", {"import"}},
        {"Files for other solvers", {"export mps", "export cbf", "export matrix"}},
        {"Measurements of the search engine", {"bench scaling", "bench schedules", "bench uts"}}}};
 }

@@ -1,6 +1,6 @@
 // Conversion of a structure to a VTK grid. VTK, Abaqus and Kusabi order the nodes of all these
-// shapes alike: corners, then mid-edge nodes; for hexahedra those of the lower face, of the upper
-// face, and those between.
+// shapes alike: corners, then mid-edge nodes; for hexahedra and prisms those of the lower face, of
+// the upper face, and those between.
 #include "pictures/vtu/structure_grid.hpp"
 
 #include <algorithm>
@@ -33,6 +33,10 @@ CellType cell_type(ElementShape shape) {
       return CellType::quadratic_tetrahedron;
     case ElementShape::hexahedron8:
       return CellType::hexahedron;
+    case ElementShape::prism6:
+      return CellType::wedge;
+    case ElementShape::prism15:
+      return CellType::quadratic_wedge;
     case ElementShape::hexahedron20:
       break;
   }

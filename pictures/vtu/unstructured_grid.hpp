@@ -20,10 +20,12 @@ enum class CellType : std::uint8_t {
   quadrilateral = 9,
   tetrahedron = 10,
   hexahedron = 12,
+  wedge = 13,
   quadratic_triangle = 22,
   quadratic_quadrilateral = 23,
   quadratic_tetrahedron = 24,
   quadratic_hexahedron = 25,
+  quadratic_wedge = 26,
 };
 
 struct Cell {

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/abaqus/abaqus_text.hpp"
 #include "problems/files/matrices/matrix_file.hpp"
-#include "problems/files/meshes/abaqus_text.hpp"
-#include "problems/files/meshes/mesh_file.hpp"
 #include "problems/files/meshes/mesh_texts.hpp"
+#include "problems/files/sections/mesh_file.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "support/input_error.hpp"
@@ -96,6 +96,12 @@ std::vector<TomlText> file_names(const ProblemText& problem, const std::string& 
 }
 
 }  // namespace
+
+ProblemText deck_text(const std::filesystem::path& file) {
+  ProblemText problem;
+  Collection(problem, file).add(file.filename().string(), file.string(), {}, true);
+  return problem;
+}
 
 ProblemText problem_text(const std::filesystem::path& file) {
   ProblemText problem{file_text(file), {}};

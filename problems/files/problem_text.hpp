@@ -31,4 +31,9 @@ struct ProblemText {
 /// @throws InputError if one cannot be read or is too large
 ProblemText problem_text(const std::filesystem::path& file);
 
+/// Reads a deck of Abaqus or CalculiX, without a problem file, and the files that it includes;
+/// their paths are relative to its folder.
+/// @throws InputError as above
+ProblemText deck_text(const std::filesystem::path& file);
+
 }  // namespace kusabi::problems

@@ -119,11 +119,12 @@ class Messages(Problems):
         self.assertNotIn("axial", message)
 
     def test_abaqus_files_in_parts_and_with_contact(self):
-        for mesh, keyword, remedy in (("parts.inp", "*PART", "Do not use parts and assemblies"),
-                                      ("contact.inp", "*SURFACE INTERACTION", "leave this keyword and its data out")):
-            message = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + WALLS, mesh))
-            for word in (f'keyword "{keyword}" is not understood: flat decks', remedy):
-                self.assertIn(word, message)
+        for mesh, walls, warning in (("parts.inp", '"w.left", "w.right"', "*PREPRINT is left out"),
+                                     ("contact.inp", '"w.SL", "w.SR"', "kusabi import writes a problem file")):
+            contact = f'\n[[contact]]\nnodes = [{walls}]\nnormal = "surface"\n'
+            run = self.said("critical", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + contact, mesh))
+            self.assertIn("0.2679491", run.stdout)  # tan(15 degrees)
+            self.assertIn(warning, run.stderr)
 
     def test_no_help_ends_with_two_stops(self):
         for command in ("patterns", "rays", "critical", "limit", "sweep", "mip", "verify", "show", "draw", "report"):

@@ -17,6 +17,7 @@ struct Shape {
   std::size_t dimension;
   bool simplex;
   bool quadratic;
+  bool prism;
   std::vector<Place> nodes;
 };
 
@@ -32,20 +33,26 @@ Shape shape_of(std::size_t dimension, std::size_t count) {
                                 {2, -2, 2},   {2, 2, 2},   {-2, 2, 2}, {0, -2, -2}, {2, 0, -2},
                                 {0, 2, -2},   {-2, 0, -2}, {0, -2, 2}, {2, 0, 2},   {0, 2, 2},
                                 {-2, 0, 2},   {-2, -2, 0}, {2, -2, 0}, {2, 2, 0},   {-2, 2, 0}};
+  const std::vector<Place> wedge{{0, 0, -2}, {2, 0, -2}, {0, 2, -2}, {0, 0, 2},  {2, 0, 2},
+                                 {0, 2, 2},  {1, 0, -2}, {1, 1, -2}, {0, 1, -2}, {1, 0, 2},
+                                 {1, 1, 2},  {0, 1, 2},  {0, 0, 0},  {2, 0, 0},  {0, 2, 0}};
   const auto cut = [&](const std::vector<Place>& all, bool simplex, bool quadratic) -> Shape {
     return {dimension,
             simplex,
             quadratic,
+            count == 15 || (dimension == 3 && count == 6),
             {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)}};
   };
   if (dimension == 2 && (count == 3 || count == 6)) return cut(triangle, true, count == 6);
   if (dimension == 2 && (count == 4 || count == 8)) return cut(square, false, count == 8);
   if (dimension == 3 && (count == 4 || count == 10)) return cut(tetrahedron, true, count == 10);
   if (dimension == 3 && (count == 8 || count == 20)) return cut(cube, false, count == 20);
+  if (dimension == 3 && (count == 6 || count == 15)) return cut(wedge, false, count == 15);
   throw std::invalid_argument("no element has so many nodes");
 }
 
-// Monomials of degree at most 1 or 2 on simplices; otherwise those of superlinear degree at most 1
+// Monomials of degree at most 1 or 2 on simplices; on prisms products of those in xi and eta with
+// those in zeta, without those of degree 2 in both; otherwise those of superlinear degree at most 1
 // or 2 (serendipity space of Arnold and Awanou).
 std::vector<Exponents> monomials(const Shape& shape) {
   const int last = shape.dimension == 3 ? 2 : 0;
@@ -56,7 +63,9 @@ std::vector<Exponents> monomials(const Shape& shape) {
         int degree = i + j + k;
         int superlinear = 0;
         for (const int exponent : {i, j, k}) superlinear += exponent > 1 ? exponent : 0;
-        const bool has = shape.simplex ? degree <= (shape.quadratic ? 2 : 1)
+        const int most = shape.quadratic ? 2 : 1;
+        const bool has = shape.simplex ? degree <= most
+                         : shape.prism ? i + j <= most && k <= most && i + j + k < 4
                                        : superlinear <= (shape.quadratic ? 2 : 0);
         if (has) all.push_back({i, j, k});
       }
@@ -146,16 +155,33 @@ std::vector<std::pair<Point, Enclosure>> simplex_rule(const Shape& shape) {
   return rule;
 }
 
-std::vector<std::pair<Point, Enclosure>> product_rule(const Shape& shape) {
-  std::vector<std::pair<Enclosure, Enclosure>> line;
-  if (shape.quadratic) {
-    const auto place = sqrt(Enclosure(15)) / Enclosure(5);
-    const auto weight = Enclosure(5) / Enclosure(9);
-    line = {{-place, weight}, {Enclosure(0), Enclosure(8) / Enclosure(9)}, {place, weight}};
-  } else {
+// Places and weights from -1 to 1.
+std::vector<std::pair<Enclosure, Enclosure>> line_rule(bool quadratic) {
+  if (!quadratic) {
     const auto place = sqrt(Enclosure(3)) / Enclosure(3);
-    line = {{-place, Enclosure(1)}, {place, Enclosure(1)}};
+    return {{-place, Enclosure(1)}, {place, Enclosure(1)}};
   }
+  const auto place = sqrt(Enclosure(15)) / Enclosure(5);
+  const auto weight = Enclosure(5) / Enclosure(9);
+  return {{-place, weight}, {Enclosure(0), Enclosure(8) / Enclosure(9)}, {place, weight}};
+}
+
+// 1/6 and 2/3 in the triangle.
+std::vector<std::pair<Point, Enclosure>> prism_rule(const Shape& shape) {
+  std::vector<std::pair<Point, Enclosure>> rule;
+  const auto sixth = Enclosure(1) / Enclosure(6);
+  for (const auto& [z, weight] : line_rule(shape.quadratic)) {
+    for (std::size_t at = 0; at < 3; ++at) {
+      Point point{sixth, sixth, z};
+      if (at < 2) point[at] = Enclosure(2) / Enclosure(3);
+      rule.emplace_back(point, sixth * weight);
+    }
+  }
+  return rule;
+}
+
+std::vector<std::pair<Point, Enclosure>> product_rule(const Shape& shape) {
+  const auto line = line_rule(shape.quadratic);
   const std::vector<std::pair<Enclosure, Enclosure>> none{{Enclosure(0), Enclosure(1)}};
   std::vector<std::pair<Point, Enclosure>> rule;
   for (const auto& [x, along_x] : line) {
@@ -171,7 +197,10 @@ std::vector<ReferencePoint> points_of(const Shape& shape) {
   const auto powers = monomials(shape);
   const auto factors = coefficients(shape, powers);
   std::vector<ReferencePoint> points;
-  for (const auto& [place, weight] : shape.simplex ? simplex_rule(shape) : product_rule(shape)) {
+  const auto rule = shape.simplex ? simplex_rule(shape)
+                    : shape.prism ? prism_rule(shape)
+                                  : product_rule(shape);
+  for (const auto& [place, weight] : rule) {
     auto& point = points.emplace_back();
     point.weight = weight;
     point.slopes.resize(shape.nodes.size());

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/meshes/abaqus_text.hpp"
+#include "problems/files/abaqus/abaqus_text.hpp"
 #include "problems/files/meshes/mesh_text.hpp"
 #include "support/input_error.hpp"
 

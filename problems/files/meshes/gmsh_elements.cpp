@@ -11,7 +11,7 @@
 namespace kusabi::problems {
 namespace {
 
-constexpr std::array<std::pair<int, MeshShape>, 11> known{{{15, MeshShape::point},
+constexpr std::array<std::pair<int, MeshShape>, 13> known{{{15, MeshShape::point},
                                                            {1, MeshShape::line2},
                                                            {8, MeshShape::line3},
                                                            {2, MeshShape::triangle3},
@@ -21,23 +21,26 @@ constexpr std::array<std::pair<int, MeshShape>, 11> known{{{15, MeshShape::point
                                                            {4, MeshShape::tetrahedron4},
                                                            {11, MeshShape::tetrahedron10},
                                                            {5, MeshShape::hexahedron8},
-                                                           {17, MeshShape::hexahedron20}}};
+                                                           {17, MeshShape::hexahedron20},
+                                                           {6, MeshShape::prism6},
+                                                           {18, MeshShape::prism15}}};
 
-constexpr std::array<std::pair<int, const char*>, 9> unknown{{{6, "a prism of 6 nodes"},
-                                                              {7, "a pyramid of 5 nodes"},
+constexpr std::array<std::pair<int, const char*>, 7> unknown{{{7, "a pyramid of 5 nodes"},
                                                               {10, "a quadrilateral of 9 nodes"},
                                                               {12, "a hexahedron of 27 nodes"},
                                                               {13, "a prism of 18 nodes"},
                                                               {14, "a pyramid of 14 nodes"},
-                                                              {18, "a prism of 15 nodes"},
                                                               {19, "a pyramid of 13 nodes"},
                                                               {21, "a triangle of 10 nodes"}}};
 
 /// Gmsh's index of the node at each place. Gmsh orders the edges of a tetrahedron as 01 12 20 30 23
-/// 13, those of a hexahedron as 01 03 04 12 15 23 26 37 45 47 56 67.
+/// 13, those of a hexahedron as 01 03 04 12 15 23 26 37 45 47 56 67, those of a prism as 01 02 03
+/// 12 14 25 34 35 45.
 constexpr std::array<int, 10> tetrahedron_order{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 constexpr std::array<int, 20> hexahedron_order{0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
                                                13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
+
+constexpr std::array<int, 15> prism_order{0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11};
 
 }  // namespace
 
@@ -58,7 +61,8 @@ std::string gmsh_called(int type) {
 std::string gmsh_remedy(int type) {
   constexpr int quadrilateral9 = 10;
   constexpr int hexahedron27 = 12;
-  if (type != quadrilateral9 && type != hexahedron27) return "";
+  constexpr int prism18 = 13;
+  if (type != quadrilateral9 && type != hexahedron27 && type != prism18) return "";
   return ", which Gmsh makes of second order with Mesh.SecondOrderIncomplete = 1";
 }
 
@@ -66,6 +70,7 @@ std::vector<int> from_gmsh_order(MeshShape shape, const std::vector<int>& nodes)
   std::span<const int> order;
   if (shape == MeshShape::tetrahedron10) order = tetrahedron_order;
   if (shape == MeshShape::hexahedron20) order = hexahedron_order;
+  if (shape == MeshShape::prism15) order = prism_order;
   if (order.empty()) return nodes;
   std::vector<int> result;
   for (const int place : order) result.push_back(nodes[static_cast<std::size_t>(place)]);

@@ -19,7 +19,7 @@ std::string gmsh_called(int type);
 std::string gmsh_remedy(int type);
 
 /// Converts the nodes of an element from Gmsh's order to that of `MeshShape`: midpoints of edges
-/// differ in tetrahedra with 10 and hexahedra with 20 nodes.
+/// differ in tetrahedra with 10, hexahedra with 20 and prisms with 15 nodes.
 std::vector<int> from_gmsh_order(MeshShape shape, const std::vector<int>& nodes);
 
 }  // namespace kusabi::problems

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/meshes/gmsh_binary.hpp"
 #include "problems/files/meshes/gmsh_elements.hpp"
 #include "problems/files/meshes/gmsh_sections.hpp"
 #include "problems/files/meshes/mesh_index.hpp"
@@ -29,6 +30,8 @@ class GmshFile {
   }
 
   MeshData read() &&;
+  /// Of a binary file.
+  void leave_out_lines() { text_.leave_out_lines(); }
 
  private:
   void section(const std::string& name);
@@ -193,7 +196,7 @@ MeshShape GmshFile::shape(int type, std::size_t field) const {
   if (!shape) {
     text_.fail(field, fmt::format("an element that is {}; expected points, lines, triangles of 3 "
                                   "or 6, quadrilaterals of 4 or 8, tetrahedra of 4 or 10, "
-                                  "hexahedra of 8 or 20 nodes{}",
+                                  "hexahedra of 8 or 20, prisms of 6 or 15 nodes{}",
                                   gmsh_called(type), gmsh_remedy(type)));
   }
   return *shape;
@@ -291,7 +294,11 @@ void GmshFile::make_groups() {
 }  // namespace
 
 MeshData read_gmsh(std::string_view text, const std::string& file) {
-  return GmshFile(text, file).read();
+  if (!is_binary_gmsh(text)) return GmshFile(text, file).read();
+  const std::string ascii = gmsh_as_text(text, file);
+  GmshFile binary(ascii, file);
+  binary.leave_out_lines();
+  return std::move(binary).read();
 }
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Reader of Gmsh's mesh files: MSH 2.2 and 4.1, ASCII.
+// Reader of Gmsh's mesh files: MSH 2.2 and 4.1, ASCII and binary.
 #pragma once
 
 #include <string>

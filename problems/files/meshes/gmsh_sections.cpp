@@ -12,7 +12,7 @@ int read_gmsh_version(MeshText& text) {
   next_data(text, "the version");
   const double version = text.real(0, "the version");
   if (text.whole(1, "the kind of file", 0) != 0) {
-    text.fail(1, "a binary mesh; expected ASCII, as Gmsh writes it with Mesh.Binary = 0");
+    text.fail(1, "a file of another kind; expected 0 (ASCII) or 1 (binary)");
   }
   if (version != 2.2 && version != 4.1) {
     text.fail(0, fmt::format("version {:g} of the MSH format; expected 2.2 or 4.1, as Gmsh writes "

@@ -11,7 +11,7 @@ namespace kusabi::problems {
 
 /// Reads $MeshFormat, at the beginning of the file.
 /// @return 2 (MSH 2.2) or 4 (MSH 4.1)
-/// @throws InputError if it is another version, or binary
+/// @throws InputError if it is another version
 int read_gmsh_version(MeshText& text);
 
 /// Goes to the next line. @throws InputError at the end of the file or of the section

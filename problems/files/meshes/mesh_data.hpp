@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ enum class MeshShape {
   tetrahedron10,
   hexahedron8,
   hexahedron20,
+  prism6,
+  prism15,
 };
 
 /// Dimension of a shape, 0 to 3.
@@ -43,13 +46,15 @@ int mesh_nodes(MeshShape shape);
 int mesh_corners(MeshShape shape);
 /// Name of a shape in messages: "a triangle of 6 nodes".
 std::string_view mesh_called(MeshShape shape);
-/// The element shape of triangles, quadrilaterals, tetrahedra and hexahedra.
+/// The element shape of triangles, quadrilaterals, tetrahedra, hexahedra and prisms.
 ElementShape element_shape(MeshShape shape);
 
 struct MeshNode {
   int tag;
   Eigen::Vector3d place;  ///< length, in the unit of the mesh
   MeshPlace at;
+  int instance = 0;     ///< index in `MeshData::instances`
+  bool turned = false;  ///< supports of single axes are along axes of its own (*TRANSFORM)
 };
 
 struct MeshElement {
@@ -58,6 +63,7 @@ struct MeshElement {
   std::vector<int> nodes;           ///< indices in `MeshData::nodes`
   std::optional<PlaneState> state;  ///< specified by some types (CPS4, CPE4)
   MeshPlace at;
+  int instance = 0;
 };
 
 /// A face of an element, as an index of `element_faces`.
@@ -81,6 +87,9 @@ struct MeshSection {
   double ratio;
   double measure;  ///< thickness of plane elements, area of bars, in the unit of the mesh
   MeshPlace at;
+  std::string set;       ///< name of the group of these elements
+  std::string material;  ///< its name
+  std::string fault;  ///< empty, or why the modulus is not known: "material \"A\" is not elastic"
 };
 
 struct MeshSupport {
@@ -89,14 +98,37 @@ struct MeshSupport {
   MeshPlace at;
 };
 
+/// Two surfaces of a file that touch, or are tied.
+struct MeshPair {
+  std::string nodes;               ///< group of the nodes that touch the other surface
+  std::string against;             ///< group; empty: an analytical rigid surface
+  std::optional<double> friction;  ///< coefficient
+  bool tied = false;
+  std::optional<double>
+      tolerance;  ///< distance of nodes that count as touching, in the unit of the mesh
+  MeshPlace at;
+};
+
 struct MeshData {
-  std::vector<std::string> files;     ///< names: the requested file, then included ones
-  std::vector<MeshNode> nodes;        ///< by tag
-  std::vector<MeshElement> elements;  ///< by tag
+  std::string heading;
+  std::vector<std::string> files;  ///< names: the requested file, then included ones
+  /// Names of the instances of an assembly, whose tags are independent. The first has no name: it
+  /// is the assembly, or the whole of a file without instances.
+  std::vector<std::string> instances{""};
+  std::vector<MeshNode> nodes;        ///< by instance and tag
+  std::vector<MeshElement> elements;  ///< by instance and tag
   std::vector<MeshGroup> groups;
   std::vector<MeshSection> sections;
   std::vector<MeshSupport> supports;
+  std::vector<MeshPair> pairs;
   std::vector<std::string> warnings;  ///< ignored entries, a line each
 };
+
+/// Name of a node or an element within the mesh: "17", or "peg-1.17" of an instance.
+template <class Entry>
+std::string mesh_name(const MeshData& mesh, const Entry& entry) {
+  const std::string& instance = mesh.instances[static_cast<std::size_t>(entry.instance)];
+  return (instance.empty() ? "" : instance + ".") + std::to_string(entry.tag);
+}
 
 }  // namespace kusabi::problems

@@ -75,6 +75,30 @@ std::vector<int> face_nodes(const MeshData& mesh, const MeshFace& face) {
   return nodes;
 }
 
+std::vector<MeshFace> free_faces(const MeshData& mesh, const std::vector<int>& elements) {
+  const auto for_faces = [&](int number, const auto& use) {
+    const MeshElement& element = element_of(mesh, number);
+    if (mesh_dimension(element.shape) < 2) return;
+    const auto count = static_cast<int>(element_faces(element_shape(element.shape)).size());
+    for (int face = 0; face < count; ++face) {
+      auto nodes = face_nodes(mesh, {number, face});
+      std::ranges::sort(nodes);
+      use(MeshFace{number, face}, nodes);
+    }
+  };
+  std::map<std::vector<int>, int> uses;
+  for (int number = 0; number < static_cast<int>(mesh.elements.size()); ++number) {
+    for_faces(number, [&](MeshFace, const std::vector<int>& nodes) { ++uses[nodes]; });
+  }
+  std::vector<MeshFace> result;
+  for (const int number : elements) {
+    for_faces(number, [&](MeshFace face, const std::vector<int>& nodes) {
+      if (uses[nodes] == 1) result.push_back(face);
+    });
+  }
+  return result;
+}
+
 std::vector<int> group_nodes(const MeshData& mesh, const MeshGroup& group) {
   if (!group.nodes.empty()) return group.nodes;
   std::set<int> nodes;

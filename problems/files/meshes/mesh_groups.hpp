@@ -21,4 +21,7 @@ std::set<std::vector<int>> group_faces(const MeshData& mesh, const MeshGroup& gr
 /// The nodes of a face of an element, in the order of `element_faces`.
 std::vector<int> face_nodes(const MeshData& mesh, const MeshFace& face);
 
+/// The faces of some elements that no other element of the mesh has.
+std::vector<MeshFace> free_faces(const MeshData& mesh, const std::vector<int>& elements);
+
 }  // namespace kusabi::problems

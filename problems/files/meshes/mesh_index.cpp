@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <ranges>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,18 +13,15 @@
 namespace kusabi::problems {
 namespace {
 
-int found(const std::unordered_map<int, int>& numbers, int tag) {
-  const auto entry = numbers.find(tag);
-  return entry == numbers.end() ? -1 : entry->second;
-}
-
-/// Sorts `all` by tag. @return the new index of each
+/// Sorts `all` by instance and tag. @return the new index of each
 template <class Entry>
 std::vector<int> sort_entries(std::vector<Entry>& all) {
   std::vector<int> order(all.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {},
-                           [&](int entry) { return all[static_cast<std::size_t>(entry)].tag; });
+  std::ranges::stable_sort(order, {}, [&](int number) {
+    const Entry& entry = all[static_cast<std::size_t>(number)];
+    return std::pair(entry.instance, entry.tag);
+  });
   std::vector<int> place(all.size());
   std::vector<Entry> sorted;
   sorted.reserve(all.size());
@@ -41,8 +39,25 @@ void renumber(std::vector<int>& numbers, const std::vector<int>& place) {
 
 }  // namespace
 
+std::uint64_t MeshIndex::key(int tag, int instance) {
+  constexpr unsigned bits = 32;
+  return (static_cast<std::uint64_t>(instance) << bits) | static_cast<std::uint64_t>(tag);
+}
+
+int MeshIndex::found(const Numbers& numbers, int tag, int instance) {
+  const auto entry = numbers.find(key(tag, instance));
+  return entry == numbers.end() ? unknown : entry->second;
+}
+
+void MeshIndex::leave_out_element(int tag) {
+  elements_.emplace(key(tag, instance_), left_out);
+  elements_left_out_.push_back(tag);
+}
+
 void MeshIndex::add_node(const MeshText& text, MeshNode node) {
-  const auto [entry, is_new] = nodes_.emplace(node.tag, static_cast<int>(mesh_.nodes.size()));
+  node.instance = instance_;
+  const auto [entry, is_new] =
+      nodes_.emplace(key(node.tag, instance_), static_cast<int>(mesh_.nodes.size()));
   if (!is_new) {
     const MeshPlace& first = mesh_.nodes[static_cast<std::size_t>(entry->second)].at;
     text.fail(0, fmt::format("node {} is given twice, first on line {}; expected once", node.tag,
@@ -53,7 +68,11 @@ void MeshIndex::add_node(const MeshText& text, MeshNode node) {
 
 int MeshIndex::add_element(const MeshText& text, MeshElement element) {
   const auto number = static_cast<int>(mesh_.elements.size());
-  const auto [entry, is_new] = elements_.emplace(element.tag, number);
+  element.instance = instance_;
+  const auto [entry, is_new] = elements_.emplace(key(element.tag, instance_), number);
+  if (!is_new && entry->second == left_out) {
+    text.fail(0, fmt::format("element {} is given twice; expected once", element.tag));
+  }
   if (!is_new) {
     const MeshPlace& first = mesh_.elements[static_cast<std::size_t>(entry->second)].at;
     text.fail(0, fmt::format("element {} is given twice, first on line {}; expected once",
@@ -73,7 +92,7 @@ int MeshIndex::add_element(const MeshText& text, MeshElement element) {
 
 int MeshIndex::node(const MeshText& text, std::size_t field) const {
   const int tag = text.whole(field, "the number of a node", 1);
-  const int number = found(nodes_, tag);
+  const int number = find_node(tag);
   if (number < 0) {
     text.fail(field, fmt::format("node {} does not exist; expected one that is given above", tag));
   }
@@ -82,20 +101,12 @@ int MeshIndex::node(const MeshText& text, std::size_t field) const {
 
 int MeshIndex::element(const MeshText& text, std::size_t field) const {
   const int tag = text.whole(field, "the number of an element", 1);
-  const int number = found(elements_, tag);
-  if (number < 0) {
+  const int number = find_element(tag);
+  if (number == unknown) {
     text.fail(field,
               fmt::format("element {} does not exist; expected one that is given above", tag));
   }
   return number;
-}
-
-int MeshIndex::find_node(int tag) const {
-  return found(nodes_, tag);
-}
-
-int MeshIndex::find_element(int tag) const {
-  return found(elements_, tag);
 }
 
 void sort_by_tag(MeshData& mesh) {

@@ -38,6 +38,11 @@ std::optional<double> parsed_real(std::string_view text) {
 
 }  // namespace
 
+std::optional<double> number_in(std::string_view text) {
+  const auto value = parsed_real(trimmed(text));
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
@@ -95,12 +100,17 @@ double MeshText::real(std::size_t index, std::string_view called) const {
   if (index >= fields_.size()) {
     fail(index, fmt::format("the line ends; expected {}", called));
   }
-  const auto value = parsed_real(fields_[index]);
-  if (!value || !std::isfinite(*value)) {
+  const auto value = number_in(fields_[index]);
+  if (!value) {
     fail(index, fmt::format("{} is {}; expected a finite number", called,
                             support::in_quotes(fields_[index])));
   }
   return *value;
+}
+
+support::SourcePosition MeshText::position(int column) const {
+  return has_lines_ ? support::SourcePosition{std::max(number_, 1), column}
+                    : support::SourcePosition{};
 }
 
 void MeshText::fail(std::size_t index, std::string_view message) const {
@@ -108,11 +118,11 @@ void MeshText::fail(std::size_t index, std::string_view message) const {
                           ? fields_[index].data()
                           : line_.data() + trimmed(line_).size();
   const int column = line_.empty() ? 1 : static_cast<int>(place - line_.data()) + 1;
-  throw support::InputError(file_, {std::max(number_, 1), column}, message);
+  throw support::InputError(file_, position(column), message);
 }
 
 void MeshText::fail(std::string_view message) const {
-  throw support::InputError(file_, {std::max(number_, 1), 1}, message);
+  throw support::InputError(file_, position(1), message);
 }
 
 }  // namespace kusabi::problems

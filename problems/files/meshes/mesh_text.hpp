@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "support/input_error.hpp"
 
 namespace kusabi::problems {
 
@@ -23,7 +26,9 @@ class MeshText {
   void put_back() { put_back_ = true; }
 
   std::string_view line() const { return line_; }
-  int number() const { return number_; }
+  int number() const { return has_lines_ ? number_ : 0; }
+  /// Errors are without lines from now on, since those of the text are not those of a file.
+  void leave_out_lines() { has_lines_ = false; }
   const std::string& file() const { return file_; }
   std::size_t bytes_left() const { return text_.size() - at_; }
 
@@ -42,6 +47,7 @@ class MeshText {
 
  private:
   void split();
+  support::SourcePosition position(int column) const;
 
   std::string_view text_;
   std::string file_;
@@ -50,8 +56,12 @@ class MeshText {
   std::string_view line_;
   int number_ = 0;
   bool put_back_ = false;
+  bool has_lines_ = true;
   std::vector<std::string_view> fields_;
 };
+
+/// The whole of a text as a finite number; nothing if it is none.
+std::optional<double> number_in(std::string_view text);
 
 /// The text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);

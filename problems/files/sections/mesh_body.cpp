@@ -23,7 +23,7 @@ void give(const ProblemDraft& draft, const MeshData& mesh, const MeshGroup& grou
     if (place != nullptr) {
       draft.reader().fail(name.position,
                           fmt::format("element {} of group {} has a material already; expected one",
-                                      element.tag, support::in_quotes(name.text)));
+                                      mesh_name(mesh, element), support::in_quotes(name.text)));
     }
     place = &material;
   }
@@ -44,16 +44,17 @@ bool give_roles(const MeshData& mesh, int dimension, std::vector<MeshUse>& uses)
     if (own > dimension) {
       fail_in_mesh(mesh, element.at,
                    fmt::format("element {} is {}; expected elements in the plane, or dimension = 3",
-                               element.tag, mesh_called(element.shape)));
+                               mesh_name(mesh, element), mesh_called(element.shape)));
     }
     if (own == dimension) uses[i].role = MeshUse::Role::body;
-    const bool is_made = uses[i].material != nullptr || uses[i].section != nullptr;
+    const bool is_made = uses[i].material != nullptr ||
+                         (uses[i].section != nullptr && uses[i].section->fault.empty());
     if (own == 1 && is_made) {
       uses[i].role = MeshUse::Role::bar;
       if (element.shape != MeshShape::line2) {
         fail_in_mesh(mesh, element.at,
-                     fmt::format("element {} is {}; expected bars of two nodes", element.tag,
-                                 mesh_called(element.shape)));
+                     fmt::format("element {} is {}; expected bars of two nodes",
+                                 mesh_name(mesh, element), mesh_called(element.shape)));
       }
     }
     any = any || uses[i].role != MeshUse::Role::name;

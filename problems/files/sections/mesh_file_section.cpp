@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 
 #include "problems/files/meshes/mesh_data.hpp"
-#include "problems/files/meshes/mesh_file.hpp"
 #include "problems/files/meshes/mesh_groups.hpp"
 #include "problems/files/sections/mesh_body.hpp"
+#include "problems/files/sections/mesh_file.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 #include "problems/structure/geometry/mesh_joints.hpp"
 #include "problems/structure/geometry/structured_mesh.hpp"
@@ -51,6 +51,9 @@ class MeshFileSection {
   [[noreturn]] void fail(MeshPlace at, const std::string& message) const {
     fail_in_mesh(mesh_, at, message);
   }
+  void warn(MeshPlace at, const std::string& message) {
+    structure().warnings.emplace_back(structure_error(structure(), position(at), message).what());
+  }
   /// Number in the structure; -1 for ignored nodes.
   int number(int node) const { return numbers_[static_cast<std::size_t>(node)]; }
   std::vector<int> numbers(const std::vector<int>& nodes) const;
@@ -62,6 +65,7 @@ class MeshFileSection {
   TomlText name_;
   double scale_ = 1;
   bool join_ = true;
+  bool supports_ = true;              // those of the file are used
   std::optional<GroupMaterial> own_;  // of the elements without any other material
   std::vector<int> files_;            // indices of `mesh_.files` in the sources
   std::vector<MeshUse> uses_;         // by element
@@ -82,7 +86,8 @@ MeshFileSection::MeshFileSection(ProblemDraft& draft, const TomlTable& group, Me
 
 void MeshFileSection::head(const TomlTable& group) {
   const TomlReader& reader = draft_.reader();
-  reader.allow_only(group, {"name", "file", "scale", "join", "E", "nu", "thickness", "plane"});
+  reader.allow_only(group,
+                    {"name", "file", "scale", "join", "supports", "E", "nu", "thickness", "plane"});
   name_ = reader.text(reader.require(group, "name", "name = \"...\", for its nodes"),
                       "the name of a mesh");
   if (const auto* entry = group.table->get("scale"); entry != nullptr) {
@@ -91,7 +96,8 @@ void MeshFileSection::head(const TomlTable& group) {
       reader.fail(*entry, "scale is not positive; expected the length of 1 in the mesh");
     }
   }
-  join_ = joins(reader, group);
+  join_ = truth_of(reader, group, "join");
+  supports_ = truth_of(reader, group, "supports");
   for (const char* key : {"E", "nu", "thickness", "plane"}) {
     if (!own_ && group.table->contains(key)) own_ = body_material(draft_, group);
   }
@@ -105,7 +111,13 @@ void MeshFileSection::read() {
   add_nodes();
   add_elements();
   for (const MeshGroup& group : mesh_.groups) add_group(group);
-  add_supports();
+  if (supports_) {
+    add_supports();
+    if (!mesh_.pairs.empty()) {
+      warn(mesh_.pairs.front().at,
+           "contact pairs and ties are left out: kusabi import writes a problem file with them");
+    }
+  }
   const auto first = static_cast<std::size_t>(first_element_);
   NamedMesh made{{}, first, structure().elements.size() - first};
   std::ranges::copy_if(numbers_, std::back_inserter(made.nodes),
@@ -132,8 +144,8 @@ void MeshFileSection::check_plane() const {
   for (std::size_t i = 0; i < used_.size(); ++i) {
     const MeshNode& node = mesh_.nodes[i];
     if (!used_[i] || std::abs(node.place.z()) <= tolerance) continue;
-    fail(node.at, fmt::format("node {} has z = {:g}; expected 0 in a mesh in the plane", node.tag,
-                              node.place.z()));
+    fail(node.at, fmt::format("node {} has z = {:g}; expected 0 in a mesh in the plane",
+                              mesh_name(mesh_, node), node.place.z()));
   }
 }
 
@@ -156,7 +168,7 @@ void MeshFileSection::add_nodes() {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     if (!used_[i]) continue;
     const MeshNode& node = mesh_.nodes[i];
-    const std::string name = fmt::format("{}.{}", name_.text, node.tag);
+    const std::string name = fmt::format("{}.{}", name_.text, mesh_name(mesh_, node));
     if (name.size() > longest_name || draft_.names_node(name) || draft_.names_group(name)) {
       draft_.reader().fail(name_.position,
                            fmt::format("the mesh makes a node {}, which exists already or is too "
@@ -168,7 +180,7 @@ void MeshFileSection::add_nodes() {
     if (same >= 0 && !taken.insert(same).second) {
       fail(node.at, fmt::format("node {} is a second one at the place of {}, to which it would be "
                                 "joined; expected join = false, or one node there",
-                                node.tag, draft_.node_name(same)));
+                                mesh_name(mesh_, node), draft_.node_name(same)));
     }
     if (same >= 0) draft_.add_name(name, same);
     numbers_[i] = same >= 0 ? same : draft_.add_node(name, place, position(node.at));
@@ -195,31 +207,33 @@ void MeshFileSection::add_body_element(const MeshElement& element, const MeshUse
   support::SourcePosition material_position;
   bool has_plane = structure().dimension == 3;
   const GroupMaterial* material = use.material;
-  if (material == nullptr && use.section == nullptr && own_) material = &*own_;
+  const bool has_section = use.section != nullptr && use.section->fault.empty();
+  if (material == nullptr && !has_section && own_) material = &*own_;
   if (material != nullptr) {
     made = material->element;
     has_plane = has_plane || material->has_plane;
     material_position = material->position;
-  } else if (use.section != nullptr) {
+  } else if (has_section) {
     made.modulus = use.section->modulus;
     made.ratio = use.section->ratio;
     made.thickness = structure().dimension == 3 ? 1 : scale_ * use.section->measure;
     material_position = position(use.section->at);
   } else if (!is_of_stiffness(draft_, name_.text)) {
     refuse_misspelt(draft_, plan_.materials, plan_.element_groups, name_.text);
-    fail(element.at, fmt::format("element {} has no material; expected E and nu in the [[mesh]], "
+    const std::string fault = use.section == nullptr ? "" : ": " + use.section->fault;
+    fail(element.at, fmt::format("element {} has no material{}; expected E and nu in the [[mesh]], "
                                  "or a [[material]] of a group that it is of",
-                                 element.tag));
+                                 mesh_name(mesh_, element), fault));
   }
   if (element.state && material != nullptr && material->has_plane && made.state != *element.state) {
     fail(element.at, fmt::format("element {} is of another kind of plane than its material; "
                                  "expected the same, or a material without plane",
-                                 element.tag));
+                                 mesh_name(mesh_, element)));
   }
   if (!has_plane && !element.state && !is_of_stiffness(draft_, name_.text)) {
     fail(element.at, fmt::format("element {} is neither in plane stress nor in plane strain; "
                                  "expected plane = \"stress\" or \"strain\" with its material",
-                                 element.tag));
+                                 mesh_name(mesh_, element)));
   }
   if (element.state) made.state = *element.state;
   made.shape = element_shape(element.shape);
@@ -266,6 +280,12 @@ void MeshFileSection::add_group(const MeshGroup& group) {
   for (const int node : group_nodes(mesh_, group)) {
     if (number(node) >= 0) named.nodes.push_back(number(node));
   }
+  // Abaqus files have sets of reference points and of rigid elements.
+  if (named.nodes.empty() && is_abaqus_file(mesh_.files.front())) {
+    warn(group.at, fmt::format("group {} has no node of an element and is left out",
+                               support::in_quotes(group.name)));
+    return;
+  }
   if (named.nodes.empty()) {
     fail(group.at, fmt::format("group {} has no node of an element; expected nodes of the body",
                                support::in_quotes(group.name)));
@@ -284,12 +304,8 @@ void MeshFileSection::add_supports() {
     if (structure().dimension == 2) fixed[2] = false;
     if (number(support.node) < 0) {
       const MeshNode& node = mesh_.nodes[static_cast<std::size_t>(support.node)];
-      structure().warnings.emplace_back(
-          structure_error(
-              structure(), position(support.at),
-              fmt::format("the support of node {} is left out: the node is of no element",
-                          node.tag))
-              .what());
+      warn(support.at, fmt::format("the support of node {} is left out: the node is of no element",
+                                   mesh_name(mesh_, node)));
     } else if (fixed[0] || fixed[1] || fixed[2]) {
       draft_.support({number(support.node), position(support.at)}, fixed);
     }

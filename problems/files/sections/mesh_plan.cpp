@@ -7,10 +7,11 @@
 
 namespace kusabi::problems {
 
-bool joins(const TomlReader& reader, const TomlTable& group) {
-  const auto* entry = group.table->get("join");
+bool truth_of(const TomlReader& reader, const TomlTable& group, std::string_view key) {
+  const auto* entry = group.table->get(key);
   if (entry == nullptr) return true;
-  if (!entry->is_boolean()) reader.fail(*entry, "join is neither true nor false; expected one");
+  if (!entry->is_boolean())
+    reader.fail(*entry, fmt::format("{} is neither true nor false; expected one", key));
   return entry->value_or(true);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "problems/files/sections/material_section.hpp"
@@ -23,7 +24,7 @@ struct MeshPlan {
 /// @throws InputError if there is a gap
 void refuse_gapes(const ProblemDraft& draft, int first_new, const MeshPlan& plan);
 
-/// The value of `join`; true by default.
-bool joins(const TomlReader& reader, const TomlTable& group);
+/// The value of a key `true` or `false` of a group; true without it.
+bool truth_of(const TomlReader& reader, const TomlTable& group, std::string_view key);
 
 }  // namespace kusabi::problems

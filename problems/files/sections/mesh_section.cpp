@@ -125,7 +125,7 @@ void structured_mesh(ProblemDraft& draft, const TomlTable& group, Edges& edges, 
   const TomlText name = reader.text(name_entry, "the name of a mesh");
   const StructuredMesh mesh = shape(reader, group);
   const Element material_of_all = material(reader, group, 2);
-  const bool join = joins(reader, group);
+  const bool join = truth_of(reader, group, "join");
   const auto numbers = add_nodes(draft, mesh, name, join, plan);
   add_edges(draft, mesh, numbers, name, join, edges);
   const auto first_element = static_cast<int>(draft.structure().elements.size());

@@ -9,10 +9,6 @@
 
 namespace kusabi::problems {
 
-/// Tolerance of the distance between a node and its opposite place, relative to the size of the
-/// face, or for two nodes to the size of the structure; the key `gap` overrides it.
-inline constexpr double gaping = 1e-6;
-
 /// The places of `nodes`, one each, from the value of `key`: the name of an edge or group with the
 /// nearest face for each node; a list of nodes, one of which coincides with each; or a list of {
 /// nodes, weights }, one for each.

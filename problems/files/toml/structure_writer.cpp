@@ -4,48 +4,25 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 #include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
+
+#include "problems/files/toml/toml_text.hpp"
 
 namespace kusabi::problems {
 namespace {
-
-std::string quoted(const std::string& text) {
-  const toml::value<std::string> value(text);
-  std::ostringstream out;
-  out << toml::toml_formatter(value, toml::format_flags::none);
-  return out.str();
-}
 
 std::string key(const std::string& name) {
   const bool bare = std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return c < 128 && (std::isalnum(c) != 0 || c == '-' || c == '_');
   });
-  return bare && !name.empty() ? name : quoted(name);
+  return bare && !name.empty() ? name : toml_text(name);
 }
 
 std::string vector_text(const Eigen::VectorXd& numbers) {
   return fmt::format("[{}]", fmt::join(numbers.begin(), numbers.end(), ", "));
-}
-
-// `entries` in brackets, on lines of a readable length.
-std::string list(const std::vector<std::string>& entries) {
-  constexpr std::size_t longest = 96;
-  std::string text = "[";
-  std::string line;
-  for (const auto& entry : entries) {
-    if (line.size() + entry.size() > longest) {
-      text += fmt::format("\n {}", line);
-      line.clear();
-    }
-    line += fmt::format(" {},", entry);
-  }
-  if (text.size() == 1) return fmt::format("[{}]", line.substr(1, line.size() - 2));
-  return fmt::format("{}\n {}\n]", text, line);
 }
 
 // Calls `write(first, last)` for each run of `alike` entries, which form one section.
@@ -68,7 +45,7 @@ std::string yield_text(const YieldForces& yield) {
 void write_members(const Structure& structure, std::string& text) {
   const auto& members = structure.members;
   const auto name = [&](int node) {
-    return quoted(structure.node_names[static_cast<std::size_t>(node)]);
+    return toml_text(structure.node_names[static_cast<std::size_t>(node)]);
   };
   by_runs(
       members.size(),
@@ -86,14 +63,14 @@ void write_members(const Structure& structure, std::string& text) {
           text += fmt::format("EA = {}\n", members[first].axial_stiffness);
         }
         if (members[first].yield) text += yield_text(*members[first].yield);
-        text += fmt::format("between = {}\n", list(pairs));
+        text += fmt::format("between = {}\n", toml_list(pairs));
       });
 }
 
 void write_elements(const Structure& structure, std::string& text) {
   const auto& elements = structure.elements;
   const auto name = [&](int node) {
-    return quoted(structure.node_names[static_cast<std::size_t>(node)]);
+    return toml_text(structure.node_names[static_cast<std::size_t>(node)]);
   };
   const auto material = [&](auto i) {
     return std::tuple(elements[i].modulus, elements[i].ratio, elements[i].thickness,
@@ -114,7 +91,7 @@ void write_elements(const Structure& structure, std::string& text) {
           text += fmt::format("thickness = {}\nplane = \"{}\"\n", elements[first].thickness,
                               elements[first].state == PlaneState::stress ? "stress" : "strain");
         }
-        text += fmt::format("between = {}\n", list(groups));
+        text += fmt::format("between = {}\n", toml_list(groups));
       });
 }
 
@@ -129,15 +106,15 @@ void write_supports(const Structure& structure, std::string& text) {
   for (const auto& kind : kinds) {
     std::vector<std::string> names;
     for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
-      if (structure.fixed[node] == kind) names.push_back(quoted(structure.node_names[node]));
+      if (structure.fixed[node] == kind) names.push_back(toml_text(structure.node_names[node]));
     }
-    text += fmt::format("\n[[supports]]\nnodes = {}\n", list(names));
+    text += fmt::format("\n[[supports]]\nnodes = {}\n", toml_list(names));
     std::vector<std::string> axes;
     constexpr std::array axis_names{"\"x\"", "\"y\"", "\"z\""};
     for (std::size_t axis = 0; axis < d; ++axis) {
       if (kind[axis]) axes.emplace_back(axis_names[axis]);
     }
-    if (axes.size() < d) text += fmt::format("fixed = {}\n", list(axes));
+    if (axes.size() < d) text += fmt::format("fixed = {}\n", toml_list(axes));
   }
 }
 
@@ -145,7 +122,7 @@ std::string place_text(const Structure& structure, const std::vector<Share>& pla
   std::vector<std::string> names;
   std::vector<double> weights;
   for (const auto& [node, weight] : place) {
-    names.push_back(quoted(structure.node_names[static_cast<std::size_t>(node)]));
+    names.push_back(toml_text(structure.node_names[static_cast<std::size_t>(node)]));
     weights.push_back(weight);
   }
   return fmt::format("{{ nodes = [{}], weights = [{}] }}", fmt::join(names, ", "),
@@ -156,7 +133,7 @@ std::string place_text(const Structure& structure, const std::vector<Share>& pla
 void write_inclined(const Structure& structure, std::string& text) {
   for (const auto& [node, direction] : structure.inclined) {
     text += fmt::format("\n[[supports]]\nnodes = [{}]\ndirection = {}\n",
-                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        toml_text(structure.node_names[static_cast<std::size_t>(node)]),
                         vector_text(direction));
   }
 }
@@ -164,7 +141,7 @@ void write_inclined(const Structure& structure, std::string& text) {
 void write_ties(const Structure& structure, std::string& text) {
   for (const auto& [node, to] : structure.ties) {
     text += fmt::format("\n[[ties]]\nnodes = [{}]\nto = [{}]\n",
-                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        toml_text(structure.node_names[static_cast<std::size_t>(node)]),
                         place_text(structure, to));
   }
 }
@@ -179,10 +156,12 @@ void write_springs(const Structure& structure, std::string& text) {
       [&](auto first, auto last) {
         std::vector<std::string> names;
         for (auto i = first; i < last; ++i) {
-          names.push_back(quoted(structure.node_names[static_cast<std::size_t>(springs[i].node)]));
+          names.push_back(
+              toml_text(structure.node_names[static_cast<std::size_t>(springs[i].node)]));
         }
-        text += fmt::format("\n[[springs]]\nnodes = {}\naxes = [\"{}\"]\nstiffness = {}\n",
-                            list(names), axis_name(springs[first].axis), springs[first].stiffness);
+        text +=
+            fmt::format("\n[[springs]]\nnodes = {}\naxes = [\"{}\"]\nstiffness = {}\n",
+                        toml_list(names), axis_name(springs[first].axis), springs[first].stiffness);
       });
 }
 
@@ -200,14 +179,16 @@ void write_contact(const Structure& structure, std::string& text) {
         std::vector<std::string> names;
         std::vector<std::string> places;
         for (auto i = first; i < last; ++i) {
-          names.push_back(quoted(structure.node_names[static_cast<std::size_t>(contact[i].node)]));
+          names.push_back(
+              toml_text(structure.node_names[static_cast<std::size_t>(contact[i].node)]));
           places.push_back(place_text(structure, contact[i].against));
         }
-        text += fmt::format("\n[[contact]]\nnodes = {}\nnormal = {}\n", list(names),
+        text += fmt::format("\n[[contact]]\nnodes = {}\nnormal = {}\n", toml_list(names),
                             vector_text(contact[first].normal));
         if (!contact[first].surface.empty())
-          text += fmt::format("name = {}\n", quoted(contact[first].surface));
-        if (!contact[first].against.empty()) text += fmt::format("against = {}\n", list(places));
+          text += fmt::format("name = {}\n", toml_text(contact[first].surface));
+        if (!contact[first].against.empty())
+          text += fmt::format("against = {}\n", toml_list(places));
         if (contact[first].tangent) {
           text += fmt::format("tangent = {}\n", vector_text(*contact[first].tangent));
         }
@@ -218,7 +199,7 @@ void write_contact(const Structure& structure, std::string& text) {
 }
 
 std::string case_text(const std::string& load_case) {
-  return load_case.empty() ? "" : fmt::format("case = {}\n", quoted(load_case));
+  return load_case.empty() ? "" : fmt::format("case = {}\n", toml_text(load_case));
 }
 
 void write_loads(const Structure& structure, std::string& text) {
@@ -232,11 +213,11 @@ void write_loads(const Structure& structure, std::string& text) {
       [&](auto first, auto last) {
         std::vector<std::string> names;
         for (auto i = first; i < last; ++i) {
-          names.push_back(quoted(structure.node_names[static_cast<std::size_t>(loads[i].node)]));
+          names.push_back(toml_text(structure.node_names[static_cast<std::size_t>(loads[i].node)]));
         }
         text += fmt::format("\n[[loads]]\nkind = \"{}\"\nnodes = {}\nforce = {}\n",
                             loads[first].kind == Load::Kind::dead ? "dead" : "reference",
-                            list(names), vector_text(loads[first].force));
+                            toml_list(names), vector_text(loads[first].force));
         text += case_text(loads[first].load_case);
       });
 }
@@ -244,14 +225,14 @@ void write_loads(const Structure& structure, std::string& text) {
 std::string half_width_text(const UncertainParameter& parameter) {
   std::string text;
   if (parameter.half_width) text += fmt::format("alpha = {}\n", *parameter.half_width);
-  if (!parameter.group.empty()) text += fmt::format("group = {}\n", quoted(parameter.group));
+  if (!parameter.group.empty()) text += fmt::format("group = {}\n", toml_text(parameter.group));
   return text + case_text(parameter.load_case);
 }
 
 // One force for each node; nodes that are not named have none.
 void write_uncertain_load(const Structure& structure, const UncertainParameter& parameter,
                           std::string& text) {
-  text += fmt::format("\n[[uncertainty]]\nname = {}\nforces = [\n", quoted(parameter.name));
+  text += fmt::format("\n[[uncertainty]]\nname = {}\nforces = [\n", toml_text(parameter.name));
   const auto& components = parameter.components;
   by_runs(
       components.size(), [&](auto a, auto b) { return components[a].node == components[b].node; },
@@ -260,7 +241,7 @@ void write_uncertain_load(const Structure& structure, const UncertainParameter& 
         for (auto i = first; i < last; ++i) force(components[i].axis) = components[i].weight;
         const auto node = static_cast<std::size_t>(components[first].node);
         text += fmt::format("  {{ nodes = [{}], force = {} }},\n",
-                            quoted(structure.node_names[node]), vector_text(force));
+                            toml_text(structure.node_names[node]), vector_text(force));
       });
   text += "]\n" + half_width_text(parameter);
 }
@@ -275,7 +256,7 @@ void write_uncertainty(const Structure& structure, std::string& text) {
     }
     const auto& [node, axis, weight] = parameter.components.front();
     text += fmt::format("\n[[uncertainty]]\nnodes = [{}]\naxes = [\"{}\"]\nweight = {}\n",
-                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        toml_text(structure.node_names[static_cast<std::size_t>(node)]),
                         axis_name(axis), weight) +
             half_width_text(parameter);
   }
@@ -286,8 +267,8 @@ void write_uncertainty(const Structure& structure, std::string& text) {
 std::string structure_text(const Structure& structure) {
   std::string text =
       fmt::format("name = {}\ndimension = {}\nunits = {{ length = {}, force = {} }}\n\n[nodes]\n",
-                  quoted(structure.name), structure.dimension, quoted(structure.units.length),
-                  quoted(structure.units.force));
+                  toml_text(structure.name), structure.dimension, toml_text(structure.units.length),
+                  toml_text(structure.units.force));
   for (std::size_t node = 0; node < structure.node_names.size(); ++node) {
     text += fmt::format("{} = {}\n", key(structure.node_names[node]),
                         vector_text(structure.coordinates.col(static_cast<Eigen::Index>(node))));

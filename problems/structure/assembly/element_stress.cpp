@@ -17,9 +17,9 @@ namespace {
 
 NaturalPoint<double> centre_of(const ShapeTraits& traits) {
   NaturalPoint<double> centre{};
-  if (!traits.simplex) return centre;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(traits.dimension); ++k)
-    centre[k] = 1.0 / (traits.dimension + 1);
+  if (traits.family == ShapeFamily::product) return centre;
+  const int axes = traits.family == ShapeFamily::prism ? 2 : traits.dimension;  // of the simplex
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axes); ++k) centre[k] = 1.0 / (axes + 1);
   return centre;
 }
 

@@ -1,5 +1,5 @@
-// Shape functions: barycentric on simplices, products of linear functions on the others
-// (serendipity if quadratic).
+// Shape functions: barycentric on simplices, products of linear functions on squares and cubes, and
+// of both on prisms (serendipity if quadratic).
 #include "problems/structure/assembly/shape_functions.hpp"
 
 #include <cmath>
@@ -78,22 +78,66 @@ NaturalSlopes<Scalar> product_slopes(const ShapeTraits& traits, const NaturalPoi
   return slopes;
 }
 
+/// With L of the triangle and the node's own zeta, s: L (1 + s zeta) / 2; with midpoint nodes
+/// L (1 + s zeta) (2 L - 2 + s zeta) / 2 at a vertex, 2 L_a L_b (1 + s zeta) at the midpoint of an
+/// edge of a triangle, and L (1 - zeta^2) between the triangles.
+template <class Scalar>
+NaturalSlopes<Scalar> prism_slopes(const ShapeTraits& traits, const NaturalPoint<Scalar>& at) {
+  const std::array<Scalar, 3> level{Scalar(1.0) - at[0] - at[1], at[0], at[1]};
+  constexpr std::array<std::array<double, 2>, 3> rise{{{-1, -1}, {1, 0}, {0, 1}}};
+  const Scalar half = 0.5;
+  const Scalar one = 1.0;
+  const Scalar two = 2.0;
+  NaturalSlopes<Scalar> slopes(traits.nodes.size());
+  for (std::size_t node = 0; node < slopes.size(); ++node) {
+    const auto& own = traits.nodes[node];
+    const std::array<double, 3> own_level{1 - own[0] - own[1], own[0], own[1]};
+    std::vector<std::size_t> ends;  // the vertex, or both of an edge
+    for (std::size_t k = 0; k < 3; ++k)
+      if (own_level[k] != 0) ends.push_back(k);
+    const auto a = ends.front();
+    const auto b = ends.back();
+    const Scalar side = own[2];
+    const Scalar along = side * at[2];
+    const Scalar axial = own[2] == 0 ? one - at[2] * at[2] : half * (one + along);
+    const Scalar axial_slope = own[2] == 0 ? -two * at[2] : half * side;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (a != b) {
+        slopes[node][k] =
+            Scalar(4.0) * axial * (level[a] * Scalar(rise[b][k]) + level[b] * Scalar(rise[a][k]));
+      } else if (traits.quadratic && own[2] != 0) {
+        slopes[node][k] = axial * (Scalar(4.0) * level[a] - two + along) * Scalar(rise[a][k]);
+      } else {
+        slopes[node][k] = axial * Scalar(rise[a][k]);
+      }
+    }
+    if (a != b) {
+      slopes[node][2] = Scalar(4.0) * level[a] * level[b] * axial_slope;
+    } else if (traits.quadratic && own[2] != 0) {
+      slopes[node][2] = level[a] * axial_slope * (two * level[a] - one + two * along);
+    } else {
+      slopes[node][2] = level[a] * axial_slope;
+    }
+  }
+  return slopes;
+}
+
 template <class Scalar>
 struct WeightedPoint {
   NaturalPoint<Scalar> at{};
   Scalar weight;
 };
 
+/// One point, or one for each vertex.
 template <class Scalar>
-std::vector<WeightedPoint<Scalar>> simplex_rule(const ShapeTraits& traits) {
+std::vector<WeightedPoint<Scalar>> simplex_rule(std::size_t d, bool of_vertices) {
   using std::sqrt;
-  const auto d = static_cast<std::size_t>(traits.dimension);
   const Scalar size = Scalar(1.0) / Scalar(d == 2 ? 2.0 : 6.0);
-  const auto points = traits.quadratic ? d + 1 : 1;
+  const auto points = of_vertices ? d + 1 : 1;
   // Points symmetric about the centre: L = far at one vertex, L = near at all others.
   Scalar near = Scalar(1.0) / Scalar(static_cast<double>(d + 1));
   Scalar far = near;
-  if (traits.quadratic) {
+  if (of_vertices) {
     near = d == 2 ? Scalar(1.0) / Scalar(6.0) : (Scalar(5.0) - sqrt(Scalar(5.0))) / Scalar(20.0);
     far = Scalar(1.0) - Scalar(static_cast<double>(d)) * near;
   }
@@ -105,31 +149,47 @@ std::vector<WeightedPoint<Scalar>> simplex_rule(const ShapeTraits& traits) {
   return rule;
 }
 
-/// Gauss rule of two or three points along each axis, the first axis fastest.
+/// Gauss rule of two or three points from -1 to 1.
 template <class Scalar>
-std::vector<WeightedPoint<Scalar>> product_rule(const ShapeTraits& traits) {
+std::vector<WeightedPoint<Scalar>> line_rule(bool quadratic) {
   using std::sqrt;
   const Scalar outer =
-      traits.quadratic ? sqrt(Scalar(3.0) / Scalar(5.0)) : Scalar(1.0) / sqrt(Scalar(3.0));
-  std::vector<WeightedPoint<Scalar>> line{{{-outer}, 1.0}, {{outer}, 1.0}};
-  if (traits.quadratic) {
-    const Scalar outer_weight = Scalar(5.0) / Scalar(9.0);
-    line = {{{-outer}, outer_weight},
-            {{Scalar(0.0)}, Scalar(8.0) / Scalar(9.0)},
-            {{outer}, outer_weight}};
-  }
-  std::vector<WeightedPoint<Scalar>> rule{{{}, 1.0}};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(traits.dimension); ++k) {
-    std::vector<WeightedPoint<Scalar>> next;
-    for (const auto& on_line : line) {
-      for (auto point : rule) {
-        point.at[k] = on_line.at[0];
-        point.weight *= on_line.weight;
-        next.push_back(point);
-      }
+      quadratic ? sqrt(Scalar(3.0) / Scalar(5.0)) : Scalar(1.0) / sqrt(Scalar(3.0));
+  if (!quadratic) return {{{-outer}, 1.0}, {{outer}, 1.0}};
+  const Scalar outer_weight = Scalar(5.0) / Scalar(9.0);
+  return {{{-outer}, outer_weight},
+          {{Scalar(0.0)}, Scalar(8.0) / Scalar(9.0)},
+          {{outer}, outer_weight}};
+}
+
+/// The product of a rule with a Gauss rule along one more axis.
+template <class Scalar>
+std::vector<WeightedPoint<Scalar>> with_axis(const std::vector<WeightedPoint<Scalar>>& rule,
+                                             std::size_t axis, bool quadratic) {
+  std::vector<WeightedPoint<Scalar>> result;
+  for (const auto& on_line : line_rule<Scalar>(quadratic)) {
+    for (auto point : rule) {
+      point.at[axis] = on_line.at[0];
+      point.weight *= on_line.weight;
+      result.push_back(point);
     }
-    rule = std::move(next);
   }
+  return result;
+}
+
+template <class Scalar>
+std::vector<WeightedPoint<Scalar>> rule_of(const ShapeTraits& traits) {
+  const auto d = static_cast<std::size_t>(traits.dimension);
+  switch (traits.family) {
+    case ShapeFamily::simplex:
+      return simplex_rule<Scalar>(d, traits.quadratic);
+    case ShapeFamily::prism:
+      return with_axis(simplex_rule<Scalar>(2, true), 2, traits.quadratic);
+    case ShapeFamily::product:
+      break;
+  }
+  std::vector<WeightedPoint<Scalar>> rule{{{}, 1.0}};  // the first axis fastest
+  for (std::size_t axis = 0; axis < d; ++axis) rule = with_axis(rule, axis, traits.quadratic);
   return rule;
 }
 
@@ -137,10 +197,8 @@ template <class Scalar>
 std::vector<IntegrationPoint<Scalar>> points_of(ElementShape shape) {
   const auto& traits = shape_traits(shape);
   std::vector<IntegrationPoint<Scalar>> points;
-  for (const auto& [at, weight] :
-       traits.simplex ? simplex_rule<Scalar>(traits) : product_rule<Scalar>(traits)) {
+  for (const auto& [at, weight] : rule_of<Scalar>(traits))
     points.push_back({at, weight, natural_slopes<Scalar>(shape, at)});
-  }
   return points;
 }
 
@@ -149,13 +207,21 @@ std::vector<IntegrationPoint<Scalar>> points_of(ElementShape shape) {
 template <class Scalar>
 NaturalSlopes<Scalar> natural_slopes(ElementShape shape, const NaturalPoint<Scalar>& at) {
   const auto& traits = shape_traits(shape);
-  return traits.simplex ? simplex_slopes(traits, at) : product_slopes(traits, at);
+  switch (traits.family) {
+    case ShapeFamily::simplex:
+      return simplex_slopes(traits, at);
+    case ShapeFamily::prism:
+      return prism_slopes(traits, at);
+    case ShapeFamily::product:
+      break;
+  }
+  return product_slopes(traits, at);
 }
 
 template <class Scalar>
 const std::vector<IntegrationPoint<Scalar>>& integration_points(ElementShape shape) {
   static const auto all = [] {
-    std::array<std::vector<IntegrationPoint<Scalar>>, 8> rules;
+    std::array<std::vector<IntegrationPoint<Scalar>>, 10> rules;
     for (std::size_t each = 0; each < rules.size(); ++each)
       rules[each] = points_of<Scalar>(static_cast<ElementShape>(each));
     return rules;

@@ -190,7 +190,9 @@ template <std::size_t D>
 Eigen::VectorXd determinants_of(const Structure& structure, const Element& element) {
   const auto& traits = shape_traits(element.shape);
   const auto places = places_of<D, double>(structure, element);
-  const double factor = traits.simplex ? 1 : std::exp2(D);
+  const double factor = traits.family == ShapeFamily::simplex ? 1
+                        : traits.family == ShapeFamily::prism ? 2
+                                                              : std::exp2(D);
   std::vector<double> values;
   for (int corner = 0; corner < traits.corners; ++corner) {
     const auto slopes =

@@ -40,6 +40,10 @@ const Family hexahedron{
      {2, 6},
      {3, 7}}};
 
+const Family prism{6,
+                   {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}},
+                   {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
+
 const Family& family(ElementShape shape) {
   switch (shape) {
     case ElementShape::triangle3:
@@ -51,6 +55,9 @@ const Family& family(ElementShape shape) {
     case ElementShape::tetrahedron4:
     case ElementShape::tetrahedron10:
       return tetrahedron;
+    case ElementShape::prism6:
+    case ElementShape::prism15:
+      return prism;
     case ElementShape::hexahedron8:
     case ElementShape::hexahedron20:
       break;
@@ -81,9 +88,9 @@ Faces with_middles(const Family& of) {
 }  // namespace
 
 const std::vector<std::vector<int>>& element_faces(ElementShape shape) {
-  static const std::array<Faces, 4> second_order{
+  static const std::array<Faces, 5> second_order{
       with_middles(triangle), with_middles(quadrilateral), with_middles(tetrahedron),
-      with_middles(hexahedron)};
+      with_middles(hexahedron), with_middles(prism)};
   switch (shape) {
     case ElementShape::triangle6:
       return second_order[0];
@@ -93,6 +100,8 @@ const std::vector<std::vector<int>>& element_faces(ElementShape shape) {
       return second_order[2];
     case ElementShape::hexahedron20:
       return second_order[3];
+    case ElementShape::prism15:
+      return second_order[4];
     default:
       return family(shape).faces;
   }

@@ -39,7 +39,8 @@ bool inside_out(const Structure& structure, const Element& element) {
   }
   middle /= corners;
   // The straight face through the vertices, since a curved one may extend beyond the centre.
-  const Eigen::Index straight = structure.dimension == 2 ? 2 : corners == 4 ? 3 : 4;
+  const auto straight = static_cast<Eigen::Index>(
+      std::ranges::count_if(face, [&](int node) { return node < corners; }));
   const Eigen::MatrixXd flat = places.leftCols(straight);
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(structure.dimension);
   for (int node = 0; node < static_cast<int>(straight); ++node) mean += face_normal(flat, node);

@@ -119,8 +119,11 @@ const std::vector<std::vector<std::size_t>>& face_corners(const ShapeTraits& sha
   static const Faces tetrahedron{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
   static const Faces hexahedron{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                 {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  if (shape.dimension == 2) return shape.simplex ? triangle : quadrilateral;
-  return shape.simplex ? tetrahedron : hexahedron;
+  static const Faces prism{{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+  const bool simplex = shape.family == ShapeFamily::simplex;
+  if (shape.dimension == 2) return simplex ? triangle : quadrilateral;
+  if (shape.family == ShapeFamily::prism) return prism;
+  return simplex ? tetrahedron : hexahedron;
 }
 
 /// The midpoint node between two vertices.

@@ -19,6 +19,10 @@ using FaceNodes = std::vector<int>;
 /// The faces of elements whose nodes are all in `group`, and the members whose ends both are.
 std::vector<FaceNodes> faces_within(const Structure& structure, const std::vector<int>& group);
 
+/// Tolerance of the distance between a node and its opposite place, relative to the size of the
+/// face, or for two nodes to the size of the structure; the key `gap` overrides it.
+inline constexpr double gaping = 1e-6;
+
 struct SurfacePlace {
   std::vector<Share> shares;  ///< multiples of 2^-40 that sum to 1 exactly, none zero
   double distance = 0;        ///< from the point, length

@@ -35,15 +35,36 @@ constexpr std::array<NaturalPoint<double>, 20> hexahedron{
      {-1, 1, 1},   {0, -1, -1}, {1, 0, -1},  {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
      {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0},  {1, 1, 0},   {-1, 1, 0}}};
 
-constexpr std::array<ShapeTraits, 8> shapes{
-    {{"three-node triangle", 2, true, false, 3, Points(triangle).first<3>()},
-     {"six-node triangle", 2, true, true, 3, Points(triangle)},
-     {"four-node quadrilateral", 2, false, false, 4, Points(quadrilateral).first<4>()},
-     {"eight-node quadrilateral", 2, false, true, 4, Points(quadrilateral)},
-     {"four-node tetrahedron", 3, true, false, 4, Points(tetrahedron).first<4>()},
-     {"ten-node tetrahedron", 3, true, true, 4, Points(tetrahedron)},
-     {"eight-node hexahedron", 3, false, false, 8, Points(hexahedron).first<8>()},
-     {"twenty-node hexahedron", 3, false, true, 8, Points(hexahedron)}}};
+// The vertices of the faces zeta = -1 and zeta = 1, the midpoints of the edges of both from vertex
+// 1 on, and those of the edges between them.
+constexpr std::array<NaturalPoint<double>, 15> prism{{{0, 0, -1},
+                                                      {1, 0, -1},
+                                                      {0, 1, -1},
+                                                      {0, 0, 1},
+                                                      {1, 0, 1},
+                                                      {0, 1, 1},
+                                                      {0.5, 0, -1},
+                                                      {0.5, 0.5, -1},
+                                                      {0, 0.5, -1},
+                                                      {0.5, 0, 1},
+                                                      {0.5, 0.5, 1},
+                                                      {0, 0.5, 1},
+                                                      {0, 0, 0},
+                                                      {1, 0, 0},
+                                                      {0, 1, 0}}};
+
+constexpr std::array<ShapeTraits, 10> shapes{
+    {{"three-node triangle", 2, ShapeFamily::simplex, false, 3, Points(triangle).first<3>()},
+     {"six-node triangle", 2, ShapeFamily::simplex, true, 3, Points(triangle)},
+     {"four-node quadrilateral", 2, ShapeFamily::product, false, 4,
+      Points(quadrilateral).first<4>()},
+     {"eight-node quadrilateral", 2, ShapeFamily::product, true, 4, Points(quadrilateral)},
+     {"four-node tetrahedron", 3, ShapeFamily::simplex, false, 4, Points(tetrahedron).first<4>()},
+     {"ten-node tetrahedron", 3, ShapeFamily::simplex, true, 4, Points(tetrahedron)},
+     {"eight-node hexahedron", 3, ShapeFamily::product, false, 8, Points(hexahedron).first<8>()},
+     {"twenty-node hexahedron", 3, ShapeFamily::product, true, 8, Points(hexahedron)},
+     {"six-node prism", 3, ShapeFamily::prism, false, 6, Points(prism).first<6>()},
+     {"fifteen-node prism", 3, ShapeFamily::prism, true, 6, Points(prism)}}};
 
 }  // namespace
 

@@ -15,11 +15,18 @@ namespace kusabi::problems {
 template <class Scalar>
 using NaturalPoint = std::array<Scalar, 3>;
 
+/// Domain of the natural coordinates.
+enum class ShapeFamily {
+  simplex,  ///< xi, eta, zeta >= 0 with a sum up to 1
+  product,  ///< from -1 to 1 each
+  prism,    ///< xi, eta >= 0 with a sum up to 1; zeta from -1 to 1
+};
+
 /// Data common to all elements of one shape.
 struct ShapeTraits {
   std::string_view name;  ///< "ten-node tetrahedron"
   int dimension;
-  bool simplex;    ///< xi, eta, zeta >= 0 with a sum up to 1; otherwise from -1 to 1 each
+  ShapeFamily family;
   bool quadratic;  ///< a node in the middle of each edge
   int corners;
   /// Vertices first, then the midpoints of edges.
@@ -28,7 +35,7 @@ struct ShapeTraits {
 
 const ShapeTraits& shape_traits(ElementShape shape);
 
-/// The shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10, 8 or 20 in space.
+/// The shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10, 8, 20, 6 or 15 in space.
 std::optional<ElementShape> shape_of(int dimension, std::size_t nodes);
 
 }  // namespace kusabi::problems

@@ -83,6 +83,8 @@ enum class ElementShape {
   tetrahedron10,
   hexahedron8,
   hexahedron20,
+  prism6,
+  prism15,
 };
 
 /// An element of an isotropic body, in the plane or in space.

@@ -121,14 +121,15 @@ TEST(InclinedSupport, AlongAnAxisIsReadAsARoller) {
   }
 }
 
-// Hexahedra and tetrahedra of 20 and 10 nodes at random places: midpoint nodes are between the
-// vertices of their edges.
+// Hexahedra, tetrahedra and prisms of 20, 10 and 15 nodes at random places: midpoint nodes are
+// between the vertices of their edges.
 TEST(SurfacePlace, KnowsTheFacesOfElements) {
   Structure structure;
   structure.dimension = 3;
   std::vector<int> all(20);
   for (int i = 0; i < 20; ++i) all[static_cast<std::size_t>(i)] = i;
-  for (const auto shape : {ElementShape::hexahedron20, ElementShape::tetrahedron10}) {
+  for (const auto shape :
+       {ElementShape::hexahedron20, ElementShape::tetrahedron10, ElementShape::prism15}) {
     const auto& traits = shape_traits(shape);
     structure.elements = {{{all.begin(), all.begin() + static_cast<long>(traits.nodes.size())},
                            1,
@@ -140,7 +141,9 @@ TEST(SurfacePlace, KnowsTheFacesOfElements) {
     for (std::size_t i = 0; i < traits.nodes.size(); ++i)
       places.col(static_cast<Eigen::Index>(i)) = Eigen::Vector3d(traits.nodes[i].data());
     const auto faces = faces_within(structure, all);
-    EXPECT_EQ(faces.size(), traits.simplex ? 4U : 6U);
+    EXPECT_EQ(faces.size(), traits.family == ShapeFamily::simplex ? 4U
+                            : traits.family == ShapeFamily::prism ? 5U
+                                                                  : 6U);
     for (const auto& face : faces) {
       const std::size_t corners = face.size() / 2;
       for (std::size_t side = 0; side < corners; ++side) {

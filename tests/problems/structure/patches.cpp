@@ -29,6 +29,15 @@ std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell)
   const auto at = [&](int i, int j, int k) {
     return Cell{cell[0] + i, cell[1] + j, d == 3 ? cell[2] + k : 0};
   };
+  if (shape == ElementShape::prism6 || shape == ElementShape::prism15) {
+    for (const auto& [a, b] : {std::pair(0, 1), {1, 0}}) {  // both halves of the square
+      auto& own = elements.emplace_back();
+      for (int k = 0; k < 2; ++k) {
+        for (const auto& [i, j] : {std::pair(0, 0), {b, a}, {1, 1}}) own.push_back(at(i, j, k));
+      }
+    }
+    return elements;
+  }
   if (!is_simplex(shape)) {
     auto& own = elements.emplace_back();
     for (int k = 0; k < d - 1; ++k) {
@@ -96,7 +105,7 @@ class PatchMaker {
     const auto found = middles_.find(edge);
     if (found != middles_.end()) return found->second;
     const Eigen::VectorXd place = (body_.coordinates.col(a) + body_.coordinates.col(b)) / 2;
-    const bool straight = shape_ == ElementShape::tetrahedron10;
+    const bool straight = shape_ == ElementShape::tetrahedron10 || shape_ == ElementShape::prism15;
     return middles_[edge] = add_moved(place, straight ? 0 : moved_ / 3);
   }
 
@@ -119,7 +128,8 @@ class PatchMaker {
 }  // namespace
 
 std::string name_of(ElementShape shape) {
-  constexpr std::array names{"T3", "T6", "Q4", "Q8", "Tet4", "Tet10", "Hex8", "Hex20"};
+  constexpr std::array names{"T3",    "T6",   "Q4",    "Q8",   "Tet4",
+                             "Tet10", "Hex8", "Hex20", "Pri6", "Pri15"};
   return names.at(static_cast<std::size_t>(shape));
 }
 
@@ -132,7 +142,7 @@ bool is_quadratic(ElementShape shape) {
 }
 
 int corners_of(ElementShape shape) {
-  constexpr std::array corners{3, 3, 4, 4, 4, 4, 8, 8};
+  constexpr std::array corners{3, 3, 4, 4, 4, 4, 8, 8, 6, 6};
   return corners.at(static_cast<std::size_t>(shape));
 }
 
@@ -154,7 +164,9 @@ const std::vector<std::array<int, 2>>& edges_of(ElementShape shape) {
         {0, 4},
         {1, 5},
         {2, 6},
-        {3, 7}}}};
+        {3, 7}}},
+      {ElementShape::prism15,
+       {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}}};
   static const Edges none;
   const auto found = all.find(shape);
   return found == all.end() ? none : found->second;

@@ -13,7 +13,8 @@ namespace kusabi::problems::test {
 inline constexpr ElementShape all_shapes[] = {
     ElementShape::triangle3,      ElementShape::triangle6,    ElementShape::quadrilateral4,
     ElementShape::quadrilateral8, ElementShape::tetrahedron4, ElementShape::tetrahedron10,
-    ElementShape::hexahedron8,    ElementShape::hexahedron20};
+    ElementShape::hexahedron8,    ElementShape::hexahedron20, ElementShape::prism6,
+    ElementShape::prism15};
 
 std::string name_of(ElementShape shape);
 int dimension_of(ElementShape shape);
@@ -25,8 +26,8 @@ const std::vector<std::array<int, 2>>& edges_of(ElementShape shape);
 
 /// Three cells along each axis. E = 200, nu = 0.3, thickness 0.5, plane stress.
 /// @param moved largest random displacement of interior vertices as a share of a cell; midpoints of
-///        edges follow, with a further third of that, except for tetrahedra, whose rule is not
-///        exact for curves
+///        edges follow, with a further third of that, except for tetrahedra and prisms, whose rule
+///        is not exact for curves
 Structure patch(ElementShape shape, double moved, std::mt19937& bits);
 
 /// The middle element of the patch by itself.

@@ -17,7 +17,8 @@ namespace {
 constexpr std::array shapes{ElementShape::triangle3,      ElementShape::triangle6,
                             ElementShape::quadrilateral4, ElementShape::quadrilateral8,
                             ElementShape::tetrahedron4,   ElementShape::tetrahedron10,
-                            ElementShape::hexahedron8,    ElementShape::hexahedron20};
+                            ElementShape::hexahedron8,    ElementShape::hexahedron20,
+                            ElementShape::prism6,         ElementShape::prism15};
 
 /// A structure of the element of which all others are images.
 Structure reference_element(ElementShape shape) {
@@ -61,8 +62,10 @@ TEST_P(Faces, EncloseTheElement) {
     volume += face_centre(corners).dot(vector) / dimension;
     sum += vector;
   }
-  const bool simplex = shape_traits(GetParam()).simplex;
-  EXPECT_NEAR(volume, dimension == 2 ? (simplex ? 0.5 : 4) : (simplex ? 1.0 / 6 : 8), 1e-14);
+  const auto family = shape_traits(GetParam()).family;
+  const bool simplex = family == ShapeFamily::simplex;
+  const double solid = family == ShapeFamily::prism ? 1 : simplex ? 1.0 / 6 : 8;
+  EXPECT_NEAR(volume, dimension == 2 ? (simplex ? 0.5 : 4) : solid, 1e-14);
   EXPECT_LT(sum.norm(), 1e-14);
 }
 

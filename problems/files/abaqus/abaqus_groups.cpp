@@ -1,13 +1,14 @@
-// Sets of nodes and elements, and faces of elements.
-#include "problems/files/meshes/abaqus_groups.hpp"
+// Sets of nodes and elements.
+#include "problems/files/abaqus/abaqus_groups.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/structure/geometry/element_faces.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::problems {
@@ -30,12 +31,17 @@ Range range(const MeshText& line) {
   return result;
 }
 
-/// Maximum number of faces of an element.
-constexpr std::size_t most_faces = 6;
-
 bool is_number(std::string_view field) {
-  return !field.empty() && (std::isdigit(static_cast<unsigned char>(field.front())) != 0 ||
-                            field.front() == '-' || field.front() == '+');
+  if (field.starts_with('-') || field.starts_with('+')) field.remove_prefix(1);
+  return !field.empty() && std::ranges::all_of(field, [](unsigned char character) {
+    return std::isdigit(character) != 0;
+  });
+}
+
+/// The name in a field, which may be in quotes.
+std::string_view unquoted(std::string_view field) {
+  const bool quoted = field.size() > 1 && field.starts_with('"') && field.ends_with('"');
+  return quoted ? field.substr(1, field.size() - 2) : field;
 }
 
 /// Removes repetitions and keeps the first occurrence.
@@ -68,6 +74,7 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
     const Range all = range(line);
     for (std::int64_t tag = all.first; tag <= all.last; tag += all.step) {
       const int number = of_tag(static_cast<int>(tag));
+      if (number == MeshIndex::left_out) continue;
       if (number < 0) {
         line.fail(
             0, fmt::format("{} {} does not exist; expected one that is given above", called, tag));
@@ -103,109 +110,151 @@ const std::string& required(const AbaqusText& text, const AbaqusCard& card, std:
 
 MeshGroup& AbaqusGroups::group(const AbaqusText& text, const std::string& name, MeshPlace at) {
   if (name.empty()) text.line().fail("a set without a name; expected NAME=...");
-  const auto [entry, is_new] = numbers_.emplace(capitals(name), mesh_.groups.size());
-  if (is_new) mesh_.groups.push_back({name, at, {}, {}, {}});
+  const std::string full = full_name(name);
+  const auto [entry, is_new] = numbers_.emplace(capitals(full), mesh_.groups.size());
+  if (is_new) mesh_.groups.push_back({full, at, {}, {}, {}});
   return mesh_.groups[entry->second];
 }
 
 const MeshGroup* AbaqusGroups::find(std::string_view name) const {
-  const auto entry = numbers_.find(capitals(name));
+  const auto entry = numbers_.find(capitals(full_name(std::string(unquoted(name)))));
   return entry == numbers_.end() ? nullptr : &mesh_.groups[entry->second];
+}
+
+std::string AbaqusGroups::full_name(const std::string& name) const {
+  const std::string& instance = mesh_.instances[static_cast<std::size_t>(index_.instance())];
+  return instance.empty() ? name : instance + "." + name;
+}
+
+void AbaqusGroups::begin_instance(const AbaqusText& text, const std::string& name) {
+  if (find_instance(name) >= 0) {
+    text.line().fail(
+        fmt::format("instance {} is given twice; expected once", support::in_quotes(name)));
+  }
+  mesh_.instances.push_back(name);
+  enter(static_cast<int>(mesh_.instances.size()) - 1);
+}
+
+int AbaqusGroups::find_instance(std::string_view name) const {
+  const auto found = std::ranges::find(mesh_.instances, capitals(name), capitals);
+  return found == mesh_.instances.end() ? -1 : static_cast<int>(found - mesh_.instances.begin());
+}
+
+int AbaqusGroups::instance_of(const AbaqusText& text, const AbaqusCard& card) const {
+  const std::string* name = card.find("INSTANCE");
+  if (name == nullptr) return index_.instance();
+  const int instance = find_instance(*name);
+  if (instance < 1) {
+    text.line().fail(fmt::format("instance {} does not exist; expected one that is given above",
+                                 support::in_quotes(*name)));
+  }
+  return instance;
+}
+
+std::optional<std::pair<int, int>> AbaqusGroups::tag_of_instance(std::string_view field) const {
+  const auto dot = field.rfind('.');
+  if (dot == std::string_view::npos || !is_number(field.substr(dot + 1))) return std::nullopt;
+  const int instance = find_instance(field.substr(0, dot));
+  int tag = 0;
+  const auto digits = field.substr(dot + 1);
+  const auto fault = std::from_chars(digits.data(), digits.data() + digits.size(), tag).ec;
+  if (instance < 1 || fault != std::errc()) return std::nullopt;
+  return std::pair(instance, tag);
 }
 
 std::vector<int> AbaqusGroups::nodes(const MeshText& line, std::size_t field) const {
   if (field >= line.fields() || is_number(line.field(field))) return {index_.node(line, field)};
+  if (const auto tag = tag_of_instance(line.field(field))) {
+    const int number = index_.find_node(tag->second, tag->first);
+    if (number >= 0) return {number};
+  }
   return set_named(line, field, "node", &MeshGroup::nodes);
 }
 
 std::vector<int> AbaqusGroups::elements(const MeshText& line, std::size_t field) const {
-  if (field >= line.fields() || is_number(line.field(field))) return {index_.element(line, field)};
+  const auto present = [](int number) {
+    return number < 0 ? std::vector<int>() : std::vector<int>{number};
+  };
+  if (field >= line.fields() || is_number(line.field(field)))
+    return present(index_.element(line, field));
+  if (const auto tag = tag_of_instance(line.field(field))) {
+    const int number = index_.find_element(tag->second, tag->first);
+    if (number != MeshIndex::unknown) return present(number);
+  }
   return set_named(line, field, "element", &MeshGroup::elements);
+}
+
+// A set whose elements are all left out is empty.
+bool AbaqusGroups::is_set(const MeshGroup* group, std::vector<int> MeshGroup::*members) {
+  return group != nullptr &&
+         (!(group->*members).empty() ||
+          (group->nodes.empty() && group->elements.empty() && group->faces.empty()));
 }
 
 const std::vector<int>& AbaqusGroups::set_named(const MeshText& line, std::size_t field,
                                                 std::string_view kind,
                                                 std::vector<int> MeshGroup::*members) const {
   const MeshGroup* set = find(line.field(field));
-  if (set == nullptr || (set->*members).empty()) {
+  if (!is_set(set, members)) {
     line.fail(field, fmt::format("{} set {} does not exist; expected one that is given above", kind,
                                  support::in_quotes(line.field(field))));
   }
   return set->*members;
 }
 
-const std::vector<int>& AbaqusGroups::element_set(const AbaqusText& text,
-                                                  const std::string& name) const {
+const MeshGroup& AbaqusGroups::set_of(const AbaqusText& text, const std::string& name,
+                                      std::string_view kind,
+                                      std::vector<int> MeshGroup::*members) const {
   const MeshGroup* set = find(name);
-  if (set == nullptr || set->elements.empty()) {
-    text.line().fail(fmt::format("element set {} does not exist; expected one that is given above",
+  if (!is_set(set, members)) {
+    text.line().fail(fmt::format("{} set {} does not exist; expected one that is given above", kind,
                                  support::in_quotes(name)));
   }
-  return set->elements;
+  return *set;
+}
+
+std::string AbaqusGroups::surface_name(const MeshText& line, std::size_t field) const {
+  if (field >= line.fields()) line.fail(field, "the line ends; expected the name of a surface");
+  const auto name = unquoted(line.field(field));
+  if (const MeshGroup* group = find(name)) return group->name;
+  if (!analytical_.contains(capitals(name))) {
+    line.fail(field, fmt::format("surface {} does not exist; expected one that is given above",
+                                 support::in_quotes(name)));
+  }
+  return {};
+}
+
+const MeshGroup& AbaqusGroups::node_set(const AbaqusText& text, const std::string& name) const {
+  return set_of(text, name, "node", &MeshGroup::nodes);
+}
+
+const MeshGroup& AbaqusGroups::element_set(const AbaqusText& text, const std::string& name) const {
+  return set_of(text, name, "element", &MeshGroup::elements);
 }
 
 void AbaqusGroups::read_node_set(AbaqusText& text, const AbaqusCard& card) {
-  allow_only(text, card, {"NSET", "GENERATE", "UNSORTED"});
+  allow_only(text, card, {"NSET", "GENERATE", "UNSORTED", "INTERNAL", "INSTANCE"});
   std::vector<int> set = group(text, required(text, card, "NSET"), card.at).nodes;
+  const int before = index_.instance();
+  enter(instance_of(text, card));
   read_set(
       text, card, "node", mesh_.nodes.size(), set, [&](int tag) { return index_.find_node(tag); },
       [&](const MeshText& line, std::size_t field) { return nodes(line, field); });
+  enter(before);
   group(text, *card.find("NSET"), card.at).nodes = std::move(set);
 }
 
 void AbaqusGroups::read_element_set(AbaqusText& text, const AbaqusCard& card) {
-  allow_only(text, card, {"ELSET", "GENERATE", "UNSORTED"});
+  allow_only(text, card, {"ELSET", "GENERATE", "UNSORTED", "INTERNAL", "INSTANCE"});
   std::vector<int> set = group(text, required(text, card, "ELSET"), card.at).elements;
+  const int before = index_.instance();
+  enter(instance_of(text, card));
   read_set(
       text, card, "element", mesh_.elements.size(), set,
       [&](int tag) { return index_.find_element(tag); },
       [&](const MeshText& line, std::size_t field) { return elements(line, field); });
+  enter(before);
   group(text, *card.find("ELSET"), card.at).elements = std::move(set);
-}
-
-void AbaqusGroups::read_surface(AbaqusText& text, const AbaqusCard& card) {
-  allow_only(text, card, {"NAME", "TYPE"});
-  MeshGroup& surface = group(text, required(text, card, "NAME"), card.at);
-  const std::string* type = card.find("TYPE");
-  const std::string kind = type == nullptr ? "ELEMENT" : capitals(*type);
-  if (kind != "ELEMENT" && kind != "NODE") {
-    text.line().fail(
-        fmt::format("a surface of type {}; expected ELEMENT or NODE", support::in_quotes(kind)));
-  }
-  while (text.next_data()) {
-    if (kind == "ELEMENT") {
-      read_face(text, surface);
-    } else {
-      const auto more = nodes(text.line(), 0);
-      surface.nodes.insert(surface.nodes.end(), more.begin(), more.end());
-      if (surface.nodes.size() > 2 * mesh_.nodes.size()) {
-        remove_repeated(surface.nodes, mesh_.nodes.size());
-      }
-    }
-  }
-  remove_repeated(surface.nodes, mesh_.nodes.size());
-}
-
-void AbaqusGroups::read_face(const AbaqusText& text, MeshGroup& surface) {
-  const MeshText& line = text.line();
-  const auto set = elements(line, 0);
-  const std::string label = line.fields() > 1 ? capitals(line.field(1)) : std::string();
-  const int face = label.size() == 2 && label[0] == 'S' ? label[1] - '1' : -1;
-  for (const int number : set) {
-    const MeshElement& element = mesh_.elements[static_cast<std::size_t>(number)];
-    const int faces = mesh_dimension(element.shape) < 2
-                          ? 0
-                          : static_cast<int>(element_faces(element_shape(element.shape)).size());
-    if (face < 0 || face >= faces) {
-      line.fail(1, fmt::format("face {} of element {}, {}; expected one of S1 to S{}",
-                               support::in_quotes(label), element.tag, mesh_called(element.shape),
-                               faces));
-    }
-    surface.faces.push_back({number, face});
-    if (surface.faces.size() > most_faces * mesh_.elements.size()) {
-      line.fail("a surface of more faces than the mesh has; expected each once");
-    }
-  }
 }
 
 }  // namespace kusabi::problems

@@ -1,12 +1,12 @@
 // Choice of the reader by the file name.
-#include "problems/files/meshes/mesh_file.hpp"
+#include "problems/files/sections/mesh_file.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "problems/files/meshes/abaqus_file.hpp"
-#include "problems/files/meshes/abaqus_text.hpp"
+#include "problems/files/abaqus/abaqus_file.hpp"
+#include "problems/files/abaqus/abaqus_text.hpp"
 #include "problems/files/meshes/gmsh_file.hpp"
 #include "support/input_error.hpp"
 

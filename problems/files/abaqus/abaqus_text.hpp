@@ -53,6 +53,11 @@ class AbaqusText {
   /// All files read so far.
   const std::vector<std::string>& files() const { return files_; }
 
+  /// Notes something that is left out: "*STEP is left out". What occurs again is one warning.
+  void warn(const std::string& what, MeshPlace at);
+  /// All of them, in the order of their first lines: "FILE:LINE: *STEP is left out (3 times)".
+  std::vector<std::string> warnings() const;
+
  private:
   struct Open {
     std::string place;
@@ -67,7 +72,14 @@ class AbaqusText {
 
   const MeshTexts& texts_;
   std::vector<Open> open_;
+  struct Warning {
+    std::string what;
+    MeshPlace at;  ///< of the first
+    int count = 1;
+  };
+
   std::vector<std::string> files_;
+  std::vector<Warning> warnings_;
   int included_ = 0;
   bool put_back_ = false;
 };

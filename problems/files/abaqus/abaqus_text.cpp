@@ -1,11 +1,12 @@
 // Classification of lines.
-#include "problems/files/meshes/abaqus_text.hpp"
+#include "problems/files/abaqus/abaqus_text.hpp"
 
 #include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
 
+#include "problems/files/abaqus/abaqus_keywords.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::problems {
@@ -36,12 +37,7 @@ void add_parameters(const MeshText& line, std::size_t first, AbaqusCard& card) {
 
 /// The keyword of a line: *SOLID SECTION for "*Solid  section".
 std::string keyword_in(const MeshText& line) {
-  std::string keyword;
-  for (const char character : capitals(line.field(0))) {
-    if (character == ' ' && (keyword.ends_with(' ') || keyword == "*")) continue;
-    keyword += character;
-  }
-  return keyword;
+  return canonical_keyword(line.field(0));
 }
 
 const std::string& included_name(const MeshText& line, const AbaqusCard& card) {
@@ -140,6 +136,25 @@ bool AbaqusText::next_data() {
   if (!next_line()) return false;
   put_back_ = is_keyword(line().line());
   return !put_back_;
+}
+
+void AbaqusText::warn(const std::string& what, MeshPlace at) {
+  const auto known = std::ranges::find(warnings_, what, &Warning::what);
+  if (known == warnings_.end()) {
+    warnings_.push_back({what, at});
+  } else {
+    ++known->count;
+  }
+}
+
+std::vector<std::string> AbaqusText::warnings() const {
+  std::vector<std::string> result;
+  for (const Warning& warning : warnings_) {
+    result.push_back(fmt::format(
+        "{}:{}: {}{}", files_[static_cast<std::size_t>(warning.at.file)], warning.at.line,
+        warning.what, warning.count == 1 ? "" : fmt::format(" ({} times)", warning.count)));
+  }
+  return result;
 }
 
 std::vector<std::pair<std::string, int>> abaqus_includes(std::string_view text,

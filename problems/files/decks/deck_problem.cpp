@@ -1,0 +1,141 @@
+// Head, materials and supports; the pairs follow.
+#include "problems/files/decks/deck_problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "problems/files/decks/deck_draft.hpp"
+#include "problems/files/decks/deck_pairs.hpp"
+#include "problems/files/toml/toml_text.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+std::string stem_of(const std::string& file) {
+  std::string stem = std::filesystem::path(file).stem().string();
+  std::ranges::replace_if(
+      stem, [](unsigned char one) { return std::isalnum(one) == 0 && one != '-'; }, '_');
+  constexpr std::size_t longest = 16;  // names of nodes and groups follow it
+  return stem.empty() || stem.size() > longest ? "deck" : stem;
+}
+
+void write_head(DeckDraft& draft, const DeckChoices& choices, const std::string& prefix) {
+  const std::string& heading = draft.mesh().heading;
+  const std::string file = std::filesystem::path(choices.file).filename().string();
+  draft.write(fmt::format(
+      "# Written by kusabi import from {0}: edit it as needed. The deck has no units.\n", file));
+  if (const double friction = largest_friction(draft.mesh()); friction > 0) {
+    draft.write(fmt::format("# Its largest friction coefficient is {0}: --mu {0}\n", friction));
+  }
+  draft.write(fmt::format("name = {}\ndimension = {}\nunits = {{ length = {}, force = {} }}\n",
+                          toml_text(heading.empty() ? prefix : heading), draft.dimension(),
+                          toml_text(choices.length), toml_text(choices.force)));
+  draft.write(fmt::format(
+      "\n[[mesh]]\nname = {}\nfile = {}\nsupports = false            # those below instead\n",
+      toml_text(prefix), toml_text(choices.file)));
+}
+
+/// The plane state that all elements of a section have; nothing in space, or if they differ.
+std::optional<PlaneState> state_of(const MeshData& mesh, const MeshSection& section) {
+  std::optional<PlaneState> state;
+  for (const int number : section.elements) {
+    const auto& own = mesh.elements[static_cast<std::size_t>(number)].state;
+    if (state && own != state) return std::nullopt;
+    state = own;
+  }
+  return state;
+}
+
+void write_material(DeckDraft& draft, const MeshSection& section) {
+  const auto shape = [&](int number) {
+    return draft.mesh().elements[static_cast<std::size_t>(number)].shape;
+  };
+  const bool bars = std::ranges::all_of(section.elements,
+                                        [&](int one) { return mesh_dimension(shape(one)) == 1; });
+  const bool bodies = std::ranges::any_of(
+      section.elements, [&](int one) { return mesh_dimension(shape(one)) == draft.dimension(); });
+  if (section.elements.empty() || (!bars && !bodies)) return;
+  draft.write(fmt::format("\n[[material]]               # {}\ngroups = {}\n", section.material,
+                          toml_texts({draft.name(section.set)})));
+  if (!section.fault.empty()) {
+    draft.warn(section.at, fmt::format("{}: give E and nu in the problem file", section.fault));
+    draft.write("# E and nu of an isotropic material\n");
+  } else {
+    draft.write(fmt::format("E = {}\n", section.modulus));
+    draft.write(bars ? fmt::format("A = {}\n", section.measure)
+                     : fmt::format("nu = {}\n", section.ratio));
+  }
+  if (draft.dimension() == 3 || bars) return;
+  draft.write(fmt::format("thickness = {}\n", section.measure));
+  if (const auto state = state_of(draft.mesh(), section)) {
+    draft.write(
+        fmt::format("plane = \"{}\"\n", *state == PlaneState::stress ? "stress" : "strain"));
+  }
+}
+
+void write_support(DeckDraft& draft, const ChosenNodes& nodes, const std::array<bool, 3>& fixed) {
+  std::vector<std::string> axes;
+  for (int axis = 0; axis < draft.dimension(); ++axis)
+    if (fixed[static_cast<std::size_t>(axis)]) axes.emplace_back(1, "xyz"[axis]);
+  draft.write(fmt::format("\n[[supports]]\n{}", draft.lines(nodes)));
+  if (static_cast<int>(axes.size()) < draft.dimension())
+    draft.write(fmt::format("fixed = {}\n", toml_texts(axes)));
+}
+
+// Sets whose nodes are all supported alike stand for their nodes, the largest first.
+void write_supports(DeckDraft& draft) {
+  std::map<std::array<bool, 3>, std::set<int>> left;
+  std::size_t outside = 0;
+  for (const MeshSupport& support : draft.mesh().supports) {
+    auto fixed = support.fixed;
+    if (draft.dimension() == 2) fixed[2] = false;
+    if (!draft.is_used(support.node)) ++outside;
+    if (draft.is_used(support.node) && (fixed[0] || fixed[1] || fixed[2]))
+      left[fixed].insert(support.node);
+  }
+  if (outside > 0) {
+    draft.warn(draft.mesh().supports.front().at,
+               fmt::format("supports of {} nodes of no element are left out", outside));
+  }
+  std::vector<ChosenNodes> sets;
+  for (const MeshGroup& group : draft.mesh().groups)
+    if (!group.nodes.empty()) sets.push_back(draft.nodes_of(group));
+  std::ranges::stable_sort(sets, std::greater(), [](const auto& set) { return set.all.size(); });
+  for (auto& entry : left) {
+    const auto& fixed = entry.first;
+    std::set<int>& nodes = entry.second;
+    for (const ChosenNodes& set : sets) {
+      const bool within =
+          std::ranges::all_of(set.all, [&](int node) { return nodes.contains(node); });
+      if (set.all.empty() || !within) continue;
+      for (const int node : set.all) nodes.erase(node);
+      write_support(draft, set, fixed);
+    }
+    if (!nodes.empty()) write_support(draft, {"", {}, {nodes.begin(), nodes.end()}}, fixed);
+  }
+}
+
+}  // namespace
+
+DeckProblem deck_problem(const MeshData& mesh, const DeckChoices& choices) {
+  const std::string prefix = stem_of(choices.file);
+  DeckDraft draft(mesh, prefix);
+  write_head(draft, choices, prefix);
+  for (const MeshSection& section : mesh.sections) write_material(draft, section);
+  write_supports(draft);
+  write_pairs(draft, choices.gap);
+  DeckProblem result{draft.text(), mesh.warnings};
+  result.warnings.insert(result.warnings.end(), draft.warnings().begin(), draft.warnings().end());
+  return result;
+}
+
+}  // namespace kusabi::problems

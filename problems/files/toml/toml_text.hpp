@@ -1,0 +1,18 @@
+// Values in the notation of TOML.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kusabi::problems {
+
+/// The text in quotes.
+std::string toml_text(const std::string& text);
+
+/// An array of `entries`, which are values, on lines of a readable length.
+std::string toml_list(const std::vector<std::string>& entries);
+
+/// An array of texts.
+std::string toml_texts(const std::vector<std::string>& texts);
+
+}  // namespace kusabi::problems
