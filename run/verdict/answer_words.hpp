@@ -14,6 +14,7 @@ std::string headline_of(const Sticking& found, engine::Status ended);
 std::string headline_of(const CriticalBracket& found, engine::Status ended);
 std::string headline_of(const FrictionSteps& found, engine::Status ended);
 std::string headline_of(const LoadInterval& found, engine::Status ended);
+std::string headline_of(const MemberLoss& found, engine::Status ended);
 std::string headline_of(const LoadSteps& found, engine::Status ended);
 std::string headline_of(const MixedOptimum& found, engine::Status ended);
 std::string headline_of(const CertificateCheck& found, engine::Status ended);
@@ -24,6 +25,7 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const LoadSteps& found, std::vector<Reservation>& all);
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const CertificateCheck& found, std::vector<Reservation>& all);
