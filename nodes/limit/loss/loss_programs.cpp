@@ -1,6 +1,7 @@
 // Lost members have forces with bounds of zero; all else stays.
 #include "nodes/limit/loss/loss_programs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -20,9 +21,6 @@ constexpr double free_weight = 1e-3;
 /// Smaller scaled forces of a basic solution are rounding errors.
 constexpr double no_force = 1e-12;
 
-/// Reduction of the yield forces of a carrying stress state, relative: the margin of its proof.
-constexpr double yield_margin = 1e-10;
-
 Eigen::VectorXd values(const std::vector<double>& numbers, int count) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), count);
 }
@@ -32,8 +30,8 @@ linear::LinearProgram state_program(const LimitModel& model, double target) {
   linear::LinearProgram program;
   program.name = "carrying stress state";
   for (int i = 0; i < model.member_count(); ++i) {
-    program.add_column({.cost = 1, .upper = (1 - yield_margin) * model.tension(i)});
-    program.add_column({.cost = 1, .upper = (1 - yield_margin) * model.compression(i)});
+    program.add_column({.cost = 1, .upper = model.tension(i)});
+    program.add_column({.cost = 1, .upper = model.compression(i)});
   }
   const int factor = program.add_column({.lower = target});
   for (int k = 0; k < model.free_count(); ++k) {
@@ -101,18 +99,12 @@ void StateProgram::restart() {
   simplex_.set_basis(first_);
 }
 
-void StateProgram::bound(int member, bool present) {
-  const double share = present ? 1 - yield_margin : 0;
-  simplex_.set_column_bounds(2 * member, 0, share * model_.tension(member));
-  simplex_.set_column_bounds(2 * member + 1, 0, share * model_.compression(member));
-}
-
 StateProgram::Result StateProgram::solve(const IndexSet& lost, const IndexSet& avoided,
-                                         const IndexSet& free) {
-  for (const int i : lost_ - lost) bound(i, true);
-  for (const int i : lost - lost_) bound(i, false);
-  lost_ = lost;
+                                         const IndexSet& free, double margin) {
   for (int i = 0; i < model_.member_count(); ++i) {
+    const double share = lost.contains(i) ? 0 : 1 - margin;
+    simplex_.set_column_bounds(2 * i, 0, share * model_.tension(i));
+    simplex_.set_column_bounds(2 * i + 1, 0, share * model_.compression(i));
     const double weight = avoided.contains(i) ? avoided_weight : free.contains(i) ? free_weight : 1;
     simplex_.set_cost(2 * i, weight);
     simplex_.set_cost(2 * i + 1, weight);
@@ -132,7 +124,9 @@ CarryingState StateProgram::state() const {
   CarryingState state{columns.back(), Eigen::VectorXd(model_.member_count())};
   for (int i = 0; i < model_.member_count(); ++i) {
     const auto at = 2 * static_cast<std::size_t>(i);
-    const double force = columns[at] - columns[at + 1];
+    // The simplex method may violate bounds by its tolerance.
+    const double force =
+        std::clamp(columns[at] - columns[at + 1], -model_.compression(i), model_.tension(i));
     state.forces(i) = std::abs(force) < no_force ? 0 : force;
   }
   return state;

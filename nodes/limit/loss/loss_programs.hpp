@@ -22,6 +22,11 @@ struct CarryingState {
   Eigen::VectorXd forces;  ///< scaled, n^m; exactly zero in members without stress
 };
 
+/// Reductions of the yield forces of a carrying stress state, relative: the margin of its proof.
+/// The second one is used if a proof with the first one fails; the simplex method may violate
+/// bounds by 1e-9.
+inline constexpr double yield_margins[] = {1e-10, 4e-9};
+
 /// Load factor after a loss. Its results depend on the loss alone.
 class RemainingFactor {
  public:
@@ -60,9 +65,9 @@ class StateProgram {
   void restart();
 
   /// @param lost without stress @param avoided members with a large weight
-  /// @param free members with a small weight
+  /// @param free members with a small weight @param margin relative reduction of the yield forces
   Result solve(const support::IndexSet& lost, const support::IndexSet& avoided,
-               const support::IndexSet& free);
+               const support::IndexSet& free, double margin);
 
   /// @pre the result of the last solve was `found`
   [[nodiscard]] CarryingState state() const;
@@ -70,13 +75,10 @@ class StateProgram {
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
 
  private:
-  void bound(int member, bool present);
-
   const problems::LimitModel& model_;
   support::Stop stop_;
   linear::Simplex simplex_;
   linear::Basis first_;
-  support::IndexSet lost_;
 };
 
 }  // namespace kusabi::limit

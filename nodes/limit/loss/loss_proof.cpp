@@ -62,21 +62,6 @@ bool LossProof::carries(const IndexSet& present, double target, double factor,
   return std::holds_alternative<mpq_class>(proof_->lower(node));
 }
 
-IndexSet LossProof::between(const IndexSet& members) const {
-  IndexSet nodes;
-  for (const int i : members) {
-    const auto& bar = problem_.members[static_cast<std::size_t>(i)];
-    nodes.insert(bar.first);
-    nodes.insert(bar.second);
-  }
-  IndexSet found;
-  for (int i = 0; i < model_.member_count(); ++i) {
-    const auto& bar = problem_.members[static_cast<std::size_t>(i)];
-    if (nodes.contains(bar.first) && nodes.contains(bar.second)) found.insert(i);
-  }
-  return found;
-}
-
 std::optional<double> LossProof::upper(const IndexSet& lost, const Eigen::VectorXd& motion) {
   if (motion.size() != model_.free_count() || !motion.allFinite()) return {};
   remove(lost, 0);

@@ -35,9 +35,6 @@ class LossProof {
   bool carries(const support::IndexSet& present, double target, double factor,
                const Eigen::VectorXd& forces);
 
-  /// The members both of whose nodes have a member of this set.
-  [[nodiscard]] support::IndexSet between(const support::IndexSet& members) const;
-
   /// Proved upper bound of the load factor without these members; nothing if there is none.
   /// @param motion scaled, n^d
   std::optional<double> upper(const support::IndexSet& lost, const Eigen::VectorXd& motion);

@@ -27,7 +27,10 @@ double value(LoadStatus status, double factor) {
   return status == LoadStatus::not_carried ? -infinite : infinite;
 }
 
-/// A member without one of these has no stress in a basic solution.
+/// Difference of a target and the least factor known, scaled: room for the margins of proofs.
+constexpr double target_gap = 4 * closed_gap;
+
+/// A member with less has no stress in a basic solution.
 constexpr double no_stress = 1e-12;
 
 /// A result of shared work.
@@ -129,7 +132,7 @@ bool LossSearch::take(const LossTree::Solution& solution) {
   auto found = after(solution.lost);
   if (found.status == LoadStatus::undetermined) return false;
   pool_ = solution.supports;
-  const double margin = closed_gap * model_.factor_unit;
+  const double margin = target_gap * model_.factor_unit;
   const double factor = value_of(found) * model_.factor_unit;
   target_ = std::min(target_, factor) - margin;
   if (value_of(found) < value_of(worst_)) worst_ = std::move(found);
@@ -222,7 +225,7 @@ LossAnswer LossSearch::solve() {
   answer_.nominal = after({}).collapse.factor * model_.factor_unit;
   const bool ended = analysis_.ended();
   if (worst_.status == LoadStatus::collapses && !ended) {
-    const double margin = closed_gap * model_.factor_unit;
+    const double margin = target_gap * model_.factor_unit;
     const double known = value_of(worst_) * model_.factor_unit;
     target_ = question_.at_least.value_or(known - margin);
     const bool below = question_.at_least && known < target_ - margin;

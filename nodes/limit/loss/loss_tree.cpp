@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "nodes/limit/loss/bracing.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 
 namespace kusabi::limit {
@@ -70,9 +71,8 @@ LossTree::Node LossTree::root() const {
   return {{}, IndexSet::below(model_.member_count()) - target_.eligible, target_.most, {}};
 }
 
-// The smallest set of members, in a few attempts, that is proved to carry the state: those with
-// stress, then with members that cannot be lost, then with all members between stressed nodes, and
-// all that are left. More members are needed where stressed ones by themselves are a mechanism.
+// A set of members that is proved to carry the state: those with stress, these with braces, or all
+// that are left.
 std::optional<IndexSet> LossTree::proved_support(const Node& node, const IndexSet& lost,
                                                  const CarryingState& state) {
   const double factor = state.factor * model_.factor_unit;
@@ -80,33 +80,36 @@ std::optional<IndexSet> LossTree::proved_support(const Node& node, const IndexSe
   for (int i = 0; i < model_.member_count(); ++i) {
     if (state.forces(i) != 0) stressed.insert(i);
   }
-  const auto left = IndexSet::below(model_.member_count()) - lost;
-  const auto kept = stressed | (node.kept - lost);
   ++tally_.states;
-  for (const auto& support : {stressed, kept, kept | (proof_.between(stressed) - lost), left}) {
-    if (proof_.carries(support, target_.factor, factor, state.forces)) return support;
-  }
+  const auto carry = [&](const IndexSet& members) {
+    return proof_.carries(members, target_.factor, factor, state.forces);
+  };
+  if (carry(stressed)) return stressed;
+  const auto left = IndexSet::below(model_.member_count()) - lost;
+  auto support = braced(model_, stressed, left, node.kept);
+  if (carry(support)) return support;
+  if (carry(left)) return left;
   return {};
 }
 
-// Looks for a state without the lost members, and adds its support.
+// Looks for a state without the lost members, and adds its support. If it is not proved, one with a
+// larger margin is looked for.
 bool LossTree::find_state(Opening& here, const IndexSet& lost, const IndexSet& avoided) {
-  ++tally_.programs;
-  switch (program_.solve(lost, avoided, here.node.kept)) {
-    case StateProgram::Result::found:
-      if (auto support = proved_support(here.node, lost, program_.state())) {
-        here.supports.push_back(*std::move(support));
-        return true;
-      }
-      here.undecided = true;
-      return false;
-    case StateProgram::Result::none:
+  for (const double margin : yield_margins) {
+    ++tally_.programs;
+    const auto result = program_.solve(lost, avoided, here.node.kept, margin);
+    if (result == StateProgram::Result::none) {
       report(here, lost);
       return false;
-    default:
-      here.undecided = true;
-      return false;
+    }
+    if (result == StateProgram::Result::undetermined) break;
+    if (auto support = proved_support(here.node, lost, program_.state())) {
+      here.supports.push_back(*std::move(support));
+      return true;
+    }
   }
+  here.undecided = true;
+  return false;
 }
 
 // The program (5) is asked too: a loss is reported only if both programs agree on it.
