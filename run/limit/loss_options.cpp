@@ -55,7 +55,8 @@ void LossOptions::describe(OptionTable& table) {
                "least load factor over all losses of up to this number of members, for the dead "
                "load as given");
   table
-      .number("--at-least", &at_least, Range{}, "load factor: is it carried after every such loss?")
+      .number("--at-least", &at_least, Range{},
+              "decides if this load factor is carried after every such loss")
       .needs("--lose");
   table
       .text("--keep", kept, "NAMES",
