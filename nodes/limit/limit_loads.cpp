@@ -9,6 +9,7 @@
 #include "nodes/limit/compared_loads.hpp"
 #include "nodes/limit/factor_curves.hpp"
 #include "nodes/limit/guaranteed_interval.hpp"
+#include "nodes/limit/loss/loss_search.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
@@ -120,6 +121,13 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
     }
     if (search.ended()) answer.rest = analysis.budget().why();
   }
+  if (question.loss) {
+    if (search.ended()) {
+      answer.rest = analysis.budget().why();
+    } else {
+      findings.loss = LossSearch(analysis, truss, problem, search.model(), *question.loss).solve();
+    }
+  }
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
   const auto sample = [&]() -> std::optional<ZeroOneStart> {
@@ -146,6 +154,15 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
     if (search.ended()) answer.rest = analysis.budget().why();
   }
   return findings;
+}
+
+engine::Status LimitFindings::ended() const {
+  if (loss && loss->search != engine::Status::solved) return loss->search;
+  return answer.ended();
+}
+
+bool LimitFindings::whole() const {
+  return answer.whole() && (!loss || loss->proved);
 }
 
 engine::Status LimitAnswer::ended() const {

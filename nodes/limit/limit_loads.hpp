@@ -2,9 +2,11 @@
 // loads, (13), and the factors carried under every admissible load: the analysis of `kusabi limit`.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
+#include "nodes/limit/loss/loss_answer.hpp"
 #include "nodes/limit/model/limit_question.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -18,6 +20,12 @@ struct LimitFindings {
   /// The proved claims with their evidence for a certificate, on rank 0. None on least factors
   /// without one on the largest.
   std::vector<verify::LimitStatement> statements;
+  /// Of a question about the loss of members; nothing: none, or no nominal factor was found.
+  std::optional<LossAnswer> loss;
+
+  /// As LimitAnswer, with the loss of members.
+  [[nodiscard]] engine::Status ended() const;
+  [[nodiscard]] bool whole() const;
 };
 
 /// Every rank makes the same call.

@@ -113,6 +113,7 @@ void Limit::describe(OptionTable& table) {
                "end of the curves, in multiples of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
              "CSV file of the curves, one row per breakpoint");
+  options_.loss.describe(table);
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
@@ -128,6 +129,9 @@ void Limit::describe(OptionTable& table) {
 
 void Limit::check() const {
   group_half_widths(group_alpha_);
+  if (options_.loss.most > 0 && !certificate_.empty()) {
+    throw WrongInput("--certificate: not available with --lose; expected one of them");
+  }
   if (options_.question.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: requires --curve or --curve-load");
@@ -162,7 +166,12 @@ void Limit::settle_half_widths() {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (options_.question.alpha) return;
+  if (options_.question.alpha) {
+    if (options_.loss.most == 0) return;
+    throw WrongInput(
+        "--lose: requires a dead load without uncertainty; expected no --alpha, no --group-alpha "
+        "and no alpha in the file");
+  }
   refuse_without_worst_case();
   // The dead load exactly as given: a certificate of the case without uncertainty.
   if (!certificate_.empty()) options_.question.alpha = 0;
@@ -193,6 +202,7 @@ void Limit::prepare(CommandRun& run) {
   warn_all(run.session(), structure.warnings);
   take_cases(std::move(structure));
   settle_half_widths();
+  options_.question.loss = options_.loss.question(cases_.front().problem);
   engine::Facts facts;
   for (const auto& [name, truss, problem, found] : cases_) {
     engine::agree(run.session().transport(), problem.fingerprint);

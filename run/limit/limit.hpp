@@ -9,6 +9,7 @@
 #include "nodes/limit/model/limit_question.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/command/subcommand.hpp"
+#include "run/limit/loss_options.hpp"
 
 namespace kusabi::run {
 
@@ -19,6 +20,7 @@ struct LimitOptions {
   problems::AskedHalfWidths asked;
   limit::LimitQuestion question;  ///< its alpha follows from `asked` and the file
   engine::Limits limits;          ///< limits of the tree search
+  LossOptions loss;
   CheckpointChoice checkpoint;
 };
 

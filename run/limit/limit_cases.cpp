@@ -24,17 +24,19 @@ bool is_carried_at_none(const limit::LimitAnswer& answer) {
 // Factor by which cases are compared; infinity: unknown.
 double least_factor(const LimitCase& each) {
   const auto& answer = each.found.answer;
+  if (each.found.loss) return each.found.loss->ends.upper;
   if (is_carried_at_none(answer)) return -std::numeric_limits<double>::infinity();
   if (answer.worst) return answer.worst->ends.upper;
   return answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity();
 }
 
-const char* state_of(const limit::LimitAnswer& answer) {
-  if (!answer.whole()) return "open";
-  return is_carried_at_none(answer) ? "not-carried" : "solved";
+const char* state_of(const limit::LimitFindings& found) {
+  if (!found.whole()) return "open";
+  return is_carried_at_none(found.answer) ? "not-carried" : "solved";
 }
 
-std::string found_text(const limit::LimitAnswer& answer) {
+std::string found_text(const limit::LimitFindings& found) {
+  const auto& answer = found.answer;
   if (is_carried_at_none(answer)) {
     return fmt::format("not carried at any factor{}", answer.whole() ? ", proved" : ", open");
   }
@@ -46,6 +48,12 @@ std::string found_text(const limit::LimitAnswer& answer) {
   } else if (!answer.whole()) {
     text += ", open";
   }
+  if (const auto& loss = found.loss) {
+    text += loss->is_fatal()
+                ? fmt::format(", no factor after a loss, {}", loss->proved ? "proved" : "open")
+                : fmt::format(", {:.10g} after a loss, {}", loss->ends.upper,
+                              loss->proved ? "proved" : "open");
+  }
   return text;
 }
 
@@ -56,7 +64,7 @@ const LimitCase& governing(std::span<const LimitCase> cases) {
 }
 
 bool all_whole(std::span<const LimitCase> cases) {
-  return std::ranges::all_of(cases, [](const auto& each) { return each.found.answer.whole(); });
+  return std::ranges::all_of(cases, [](const auto& each) { return each.found.whole(); });
 }
 
 bool have_statements(std::span<const LimitCase> cases) {
@@ -85,7 +93,7 @@ std::string cases_text(std::span<const LimitCase> cases) {
   std::string text = fmt::format("{} load cases\n", cases.size());
   const auto out = std::back_inserter(text);
   for (const auto& each : cases)
-    fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found.answer));
+    fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found));
   if (cases.front().found.answer.worst)
     fmt::format_to(out, "in all cases: {}\n", interval_text(interval_of_all(cases)));
   fmt::format_to(
@@ -107,7 +115,12 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
                            {"proved", worst->proved}};
       row["guaranteed_interval"] = interval_json(guaranteed_interval(answer));
     }
-    row["state"] = state_of(answer);
+    if (const auto& loss = each.found.loss) {
+      row["member_loss"] = {{"lower", number_or_null(loss->ends.lower)},
+                            {"upper", number_or_null(loss->ends.upper)},
+                            {"proved", loss->proved}};
+    }
+    row["state"] = state_of(each.found);
     rows.push_back(std::move(row));
   }
   return rows;

@@ -9,6 +9,7 @@
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
+#include "run/limit/loss_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
@@ -127,6 +128,11 @@ ordered_json options_json(const LimitOptions& options) {
   if (!options.load_case.empty()) chosen["case"] = options.load_case;
   if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
   chosen["curve_to"] = question.curve_to;
+  if (question.loss) {
+    chosen["lose"] = question.loss->most;
+    chosen["at_least"] = number_or_null(question.loss->at_least);
+    if (!options.loss.kept.empty()) chosen["keep"] = options.loss.kept;
+  }
   return chosen;
 }
 
@@ -195,6 +201,7 @@ ordered_json result_json(const LimitReport& report) {
     result["nominal_support_reactions"] =
         support_reactions_json(report, *answer.nominal, problem.dead);
   }
+  if (report.loss) result["member_loss"] = loss_json(problem, *report.loss);
   if (answer.worst) add_worst_case(result, report, *answer.worst);
   if (options.question.alpha) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
@@ -204,6 +211,13 @@ ordered_json result_json(const LimitReport& report) {
 
 ordered_json statistics_json(const LimitReport& report) {
   ordered_json statistics{{"ranks", report.ranks}};
+  if (report.loss) {
+    const auto& counts = report.loss->counts;
+    statistics["member_loss"] = {{"searches", counts.searches},
+                                 {"nodes", counts.nodes},
+                                 {"states", counts.states},
+                                 {"programs", counts.programs}};
+  }
   if (const auto& worst = report.answer.worst) {
     statistics["nodes"] = worst->nodes;
     statistics["tree_programs"] = worst->tree_programs;

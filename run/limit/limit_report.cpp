@@ -12,6 +12,7 @@
 #include "problems/limit/half_widths.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_words.hpp"
+#include "run/limit/loss_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
@@ -159,6 +160,7 @@ std::string LimitReport::table(const Page& page) const {
   write_zero(text, "the dead load", *answer.nominal);
   write_mode(text, problem, *answer.nominal);
   text += utilisation_text(problem, *answer.nominal);
+  if (loss) text += loss_text(problem, *loss);
   if (answer.worst) write_worst(text, options, problem, answer);
   if (!answer.samples.empty()) {
     const auto [least, greatest] = std::ranges::minmax(answer.samples);

@@ -1,6 +1,7 @@
 // Results of `kusabi limit`: table and JSON.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct LimitReport {
         truss(governs.truss),
         problem(governs.problem),
         answer(governs.found.answer),
+        loss(governs.found.loss),
         load_case(governs.name),
         ranks(on_ranks) {}
 
@@ -33,6 +35,7 @@ struct LimitReport {
   const problems::Structure& truss;
   const problems::LimitProblem& problem;
   const limit::LimitAnswer& answer;
+  const std::optional<limit::LossAnswer>& loss;
   const std::string& load_case;  ///< empty: the file has none
   int ranks;
 

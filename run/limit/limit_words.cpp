@@ -17,6 +17,7 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
+#include "run/limit/loss_report.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
 
@@ -175,7 +176,7 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   const auto& answer = governs.found.answer;
   Verdict verdict;
   for (const auto& each : cases) {
-    if (verdict.ended == engine::Status::solved) verdict.ended = each.found.answer.ended();
+    if (verdict.ended == engine::Status::solved) verdict.ended = each.found.ended();
   }
   const auto yields = [&](const LimitCollapse& collapse, const char* when) {
     if (auto text = yielding_sentence(governs.problem, collapse, when); !text.empty())
@@ -193,6 +194,13 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   }
   interval.incomplete = !all_whole(cases);
   verdict.answer = interval;
+  const bool of_losses =
+      std::ranges::all_of(cases, [](const auto& each) { return each.found.loss.has_value(); });
+  if (of_losses) {
+    verdict.details.clear();
+    if (const auto& collapse = governs.found.loss->collapse) yields(*collapse, "Then");
+    verdict.answer = member_loss(cases);
+  }
   return verdict;
 }
 

@@ -34,6 +34,8 @@ class WrittenVerdict {
       verdict.answer = friction_steps(answer);
     } else if (kind == "load-interval") {
       verdict.answer = load_interval(answer);
+    } else if (kind == "member-loss") {
+      verdict.answer = member_loss(answer);
     } else if (kind == "load-steps") {
       verdict.answer = load_steps(answer);
     } else if (kind == "mixed-optimum") {
@@ -151,6 +153,17 @@ class WrittenVerdict {
                        .cases = count(answer, "cases")};
     if (const auto* const loads = ResultReader::find(answer, "uncertain"))
       found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
+    return found;
+  }
+  [[nodiscard]] MemberLoss member_loss(const ResultJson& answer) const {
+    MemberLoss found{.most = count(answer, "most"),
+                     .factor = bracket(answer, "factor"),
+                     .fatal = some_standing(answer, "fatal"),
+                     .lost = reader_.names(answer, "lost"),
+                     .target = some_number(answer, "target"),
+                     .reached = {},
+                     .cases = count(answer, "cases")};
+    if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
     return found;
   }
   [[nodiscard]] LoadSteps load_steps(const ResultJson& answer) const {

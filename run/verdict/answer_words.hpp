@@ -16,6 +16,7 @@ std::string headline_of(const HoldingBracket& found, engine::Status ended);
 std::string headline_of(const HoldingFactors& found, engine::Status ended);
 std::string headline_of(const FrictionSteps& found, engine::Status ended);
 std::string headline_of(const LoadInterval& found, engine::Status ended);
+std::string headline_of(const MemberLoss& found, engine::Status ended);
 std::string headline_of(const LoadSteps& found, engine::Status ended);
 std::string headline_of(const MixedOptimum& found, engine::Status ended);
 std::string headline_of(const CertificateCheck& found, engine::Status ended);
@@ -28,6 +29,7 @@ void reserve(const HoldingBracket& found, engine::Status ended, std::vector<Rese
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const LoadSteps& found, std::vector<Reservation>& all);
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const CertificateCheck& found, std::vector<Reservation>& all);

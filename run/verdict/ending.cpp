@@ -38,6 +38,7 @@ ExitCode exit_code(const Verdict& verdict) {
 std::string status_text(const Verdict& verdict) {
   if (verdict.ended != engine::Status::solved) return status_name(verdict.ended);
   const bool of_loads = std::holds_alternative<LoadInterval>(verdict.answer) ||
+                        std::holds_alternative<MemberLoss>(verdict.answer) ||
                         std::holds_alternative<LoadSteps>(verdict.answer);
   if (of_loads && !is_answered(verdict)) return "open";
   return is_carried_at_none(verdict) ? "not-carried" : "solved";

@@ -145,6 +145,18 @@ struct LoadInterval {
   std::uint64_t cases = 1;  ///< load cases; the factors are carried in all of them
 };
 
+/// Load factors after the loss of members: `limit --lose`.
+struct MemberLoss {
+  std::uint64_t most = 1;  ///< K: number of members that may be lost together
+  Bracket factor{};        ///< the least of the largest factors that remain
+  /// After the worst loss known the dead load is carried at no factor of either sign.
+  std::optional<Standing> fatal{};
+  std::vector<std::string> lost{};  ///< members of the worst loss known; empty: it lowers nothing
+  std::optional<double> target{};   ///< the factor in question; absent: the least one
+  std::optional<bool> reached{};    ///< true if the target remains after each loss; absent: open
+  std::uint64_t cases = 1;          ///< load cases
+};
+
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
 struct LoadSteps {
   std::optional<Bound> nominal{};              ///< without uncertainty
@@ -208,8 +220,8 @@ struct Measurement {
 
 /// Absent: the command answers no question.
 using AnyAnswer = std::variant<std::monostate, Sticking, CriticalBracket, HoldingBracket,
-                               HoldingFactors, FrictionSteps, LoadInterval, LoadSteps, MixedOptimum,
-                               CertificateCheck, Measurement>;
+                               HoldingFactors, FrictionSteps, LoadInterval, MemberLoss, LoadSteps,
+                               MixedOptimum, CertificateCheck, Measurement>;
 
 struct Verdict {
   engine::Status ended = engine::Status::solved;  ///< of the searches

@@ -117,6 +117,17 @@ ordered_json answer_json(const LoadInterval& found) {
           {"cases", found.cases}};
 }
 
+ordered_json answer_json(const MemberLoss& found) {
+  return {{"kind", "member-loss"},
+          {"most", found.most},
+          {"factor", bracket_json(found.factor)},
+          {"fatal", standing_json(found.fatal)},
+          {"lost", found.lost},
+          {"target", number_or_null(found.target)},
+          {"reached", found.reached ? ordered_json(*found.reached) : ordered_json()},
+          {"cases", found.cases}};
+}
+
 ordered_json answer_json(const LoadSteps& found) {
   return {{"kind", "load-steps"},
           {"nominal", bound_json(found.nominal)},

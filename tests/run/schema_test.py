@@ -42,7 +42,7 @@ HOLD = {
 }
 LIMIT = {
     "gust.toml": ((), ("--alpha", 0.5, "--curve", "--samples", 10, "--cuts", "all", "--curve-to", 3)),
-    "truss-bridge.toml": ((), ("--alpha", 1)),
+    "truss-bridge.toml": ((), ("--alpha", 1), ("--lose", 1, "--at-least", 0.5, "--keep", "d0")),
     "steel-mast.toml": ((), ("--case", "wind")),
     "roof-truss.toml": ((),),
     "static-gap.toml": ((), ("--alpha", 0.1)),
@@ -73,9 +73,9 @@ OPTIONAL_OF = {
     "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
                  # depending on the method
                  "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},
-    "limit": {"options": {"curve_load", "group_alpha", "case"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case"}, "statistics": {"nodes", "tree_programs", "zero_one"},
+    "limit": {"options": {"curve_load", "group_alpha", "case", "lose", "at_least", "keep"}, "member_loss": {"forces"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case", "member_loss"}, "statistics": {"nodes", "tree_programs", "zero_one", "member_loss"},
               "lower": {"critical_parameters"}, "upper": {"critical_parameters"},
-              "result": {"guaranteed_interval", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+              "result": {"guaranteed_interval", "member_loss", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
     "hold": {"structure": {"reference_loads"}},

@@ -115,7 +115,8 @@ def computed_bounds(answer):
     """Bounds of an answer that are not proved and named in a sentence."""
     kind = answer["kind"]
     named = {"critical": [("bracket", "lower"), ("bracket", "upper")], "friction-steps": [("infeasible",)],
-             "mixed-optimum": [("bound",)], "load-steps": [("nominal",)]}.get(kind, [])
+             "mixed-optimum": [("bound",)], "load-steps": [("nominal",)],
+             "member-loss": [("factor", "lower")]}.get(kind, [])
     for way in named:
         bound = answer
         for key in way:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -23,6 +24,13 @@ enum class LimitMethod {
 /// program for each cut (bench/README.md).
 inline constexpr int usual_split_from = 150;
 
+/// The least load factor over all losses of up to `most` members.
+struct LossQuestion {
+  int most = 1;                      ///< K
+  std::optional<double> at_least{};  ///< factor in question; nothing: the least one
+  std::vector<int> kept{};           ///< members that are not lost
+};
+
 struct LimitQuestion {
   /// Half-width of the uncertain loads, relative to those of the columns of T
   /// (`problems::settle_half_widths`); nothing: nominal only.
@@ -41,6 +49,8 @@ struct LimitQuestion {
   bool curve = false;      ///< true if the curve of the factor over the uncertainty is computed
   /// Load of a further curve, n^d, force; nothing: none.
   std::optional<Eigen::VectorXd> curve_load{};
+  /// Loss of members, for the nominal load; nothing: none.
+  std::optional<LossQuestion> loss{};
   double curve_to = 1;  ///< upper limit of beta of the curves, times alpha or times the load
 
   /// True if the method is the 0-1 program with the paper's means only.

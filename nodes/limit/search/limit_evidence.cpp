@@ -3,6 +3,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "verify/limit/limit_consistency.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -154,6 +158,13 @@ verify::LimitNode limit_node(const problems::LimitProblem& problem, const LimitM
     columns.push_back(static_cast<std::size_t>(cut.column));
   }
   return Converter(problem, model, alpha).node_of(node, places, columns);
+}
+
+verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
+                               const verify::Structure& truss) {
+  auto found = verify::limit_consistency(certificate, truss);
+  if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
+  return verify::recorded_truss(certificate);
 }
 
 }  // namespace kusabi::limit

@@ -7,6 +7,8 @@
 #include "nodes/limit/search/sign_tree.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/limit_proof.hpp"
+#include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
 
@@ -23,5 +25,10 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
 verify::LimitNode limit_node(const problems::LimitProblem& problem,
                              const problems::LimitModel& model, double alpha,
                              std::span<const StaticCut> cuts, const ClosedNode& node);
+
+/// The truss with its exact directions; that of the computation if these are undefined (a bar of
+/// length almost zero).
+verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
+                               const verify::Structure& truss);
 
 }  // namespace kusabi::limit

@@ -9,7 +9,6 @@
 
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
-#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit {
@@ -20,15 +19,6 @@ constexpr double margins[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
 
 double infinite() {
   return std::numeric_limits<double>::infinity();
-}
-
-// The truss with its exact directions; that of the computation if these are undefined (a bar of
-// length almost zero).
-verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
-                               const verify::Structure& truss) {
-  auto found = verify::limit_consistency(certificate, truss);
-  if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
-  return verify::recorded_truss(certificate);
 }
 
 // The proved lower bound for all loads of a node; minus infinity: none.

@@ -26,7 +26,9 @@ class Program {
     for (int e = 0; e < rows; ++e)
       glp_set_row_bnds(program_.get(), e + 1, GLP_FX, dead(e), dead(e));
     for (int i = 0; i < members; ++i) {
-      glp_set_col_bnds(program_.get(), i + 1, GLP_DB, -truss.compression(i), truss.tension(i));
+      const bool lost = truss.tension(i) == 0 && truss.compression(i) == 0;
+      glp_set_col_bnds(program_.get(), i + 1, lost ? GLP_FX : GLP_DB, -truss.compression(i),
+                       truss.tension(i));
       set_column(i, truss.equilibrium.col(i));
     }
     glp_set_col_bnds(program_.get(), members + 1, GLP_FR, 0, 0);

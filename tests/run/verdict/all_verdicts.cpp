@@ -134,6 +134,25 @@ void add_loads(std::vector<AnyAnswer>& all) {
   }
 }
 
+void add_losses(std::vector<AnyAnswer>& all) {
+  for (const auto& factor : brackets(0.7, 0.71)) {
+    for (const std::uint64_t most : {1U, 2U}) {
+      MemberLoss loss{.most = most, .factor = factor, .lost = {"a-b"}};
+      all.push_back(loss);
+      for (const std::optional<bool> reached : {std::optional<bool>(), {true}, {false}}) {
+        loss.target = 0.8;
+        // A target is missed only at a proved upper bound.
+        loss.reached = reached;
+        if (reached == false && (!factor.upper || factor.upper->standing == Standing::computed))
+          continue;
+        all.push_back(loss);
+      }
+    }
+  }
+  for (const auto standing : {Standing::computed, Standing::proved})
+    all.push_back(MemberLoss{.most = 2, .fatal = standing, .lost = {"a-b", "c-d"}});
+}
+
 void add_programs(std::vector<AnyAnswer>& all) {
   using enum MixedOptimum::State;
   for (const auto state : {optimal, feasible, infeasible, unbounded, unknown}) {
@@ -176,6 +195,7 @@ std::vector<Verdict> all_verdicts() {
   add_critical(answers);
   add_steps(answers);
   add_loads(answers);
+  add_losses(answers);
   add_programs(answers);
   add_certificates(answers);
   std::vector<Verdict> all;

@@ -51,6 +51,10 @@ bool names_what_is_not_proved(const Verdict& verdict) {
     return empty ? is_computed(found->least.lower) || is_computed(found->most.upper)
                  : is_computed(found->most.lower);
   }
+  if (const auto* const found = std::get_if<MemberLoss>(&verdict.answer)) {
+    if (found->fatal) return found->fatal == Standing::computed;
+    return !found->target && (is_computed(found->factor.lower) || is_computed(found->factor.upper));
+  }
   if (const auto* const found = std::get_if<LoadSteps>(&verdict.answer)) {
     return found->nominal_at_none == Standing::computed || is_computed(found->nominal);
   }

@@ -1,0 +1,54 @@
+// Result on the loss of members as numbers, in the units of the problem (docs/theory/limit.md).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/outcome.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
+
+namespace kusabi::limit {
+
+/// Load factor that remains after the loss of one member, computed by the simplex method.
+struct SingleLoss {
+  int member = 0;
+  LoadStatus status = LoadStatus::undetermined;
+  double factor = 0;  ///< of `collapses`
+};
+
+/// Size of the search; it depends on the number of ranks only if the search was stopped.
+struct LossCounts {
+  std::uint64_t searches = 0;  ///< one for each target
+  std::uint64_t nodes = 0;
+  std::uint64_t programs = 0;  ///< linear programs
+  std::uint64_t states = 0;    ///< carrying stress states that were proved
+};
+
+struct LossAnswer {
+  int most = 0;                     ///< K
+  int eligible = 0;                 ///< number of members that may be lost
+  double nominal = 0;               ///< load factor of the intact truss
+  std::vector<SingleLoss> singles;  ///< by member; empty if the run was stopped before
+  /// The worst loss known, ascending; empty: no loss lowers the factor.
+  std::vector<int> lost;
+  /// Its collapse; nothing: no factor remains after it.
+  std::optional<LimitCollapse> collapse;
+  /// Minus infinity: no load factor remains after the worst loss known.
+  LimitEnds ends;
+  /// Of `--at-least`: true, false, or nothing: undecided.
+  std::optional<double> target;
+  std::optional<bool> reaches_target;
+  bool proved = false;          ///< true if the requested result is proved
+  std::uint64_t undecided = 0;  ///< nodes where a program or a proof failed
+  LossCounts counts;
+  engine::Status search = engine::Status::solved;  ///< reason of an early end
+
+  /// True if no load factor remains after the worst loss known.
+  [[nodiscard]] bool is_fatal() const {
+    return ends.upper == -std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace kusabi::limit

@@ -1,0 +1,73 @@
+// Names of members from those of nodes.
+#include "run/limit/loss_options.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "run/output/wrong_input.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using problems::LimitProblem;
+
+// Members that are named, and those at named nodes.
+std::vector<int> kept_members(const LimitProblem& problem, const std::string& names) {
+  std::vector<bool> kept(static_cast<std::size_t>(problem.member_count()));
+  for (std::size_t from = 0; from < names.size();) {
+    const auto to = std::min(names.find(' ', from), names.size());
+    const auto name = names.substr(from, to - from);
+    from = to + 1;
+    if (name.empty()) continue;
+    bool any = false;
+    for (int i = 0; i < problem.member_count(); ++i) {
+      const auto& bar = problem.members[static_cast<std::size_t>(i)];
+      const auto& first = problem.node_names[static_cast<std::size_t>(bar.first)];
+      const auto& second = problem.node_names[static_cast<std::size_t>(bar.second)];
+      if (name != first && name != second && name != first + '-' + second &&
+          name != second + '-' + first) {
+        continue;
+      }
+      any = true;
+      kept[static_cast<std::size_t>(i)] = true;
+    }
+    if (!any) {
+      throw WrongInput(fmt::format(
+          "--keep '{}': no such node or member; expected names separated by blanks, a member as "
+          "NODE-NODE",
+          name));
+    }
+  }
+  std::vector<int> members;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i]) members.push_back(static_cast<int>(i));
+  }
+  return members;
+}
+
+}  // namespace
+
+void LossOptions::describe(OptionTable& table) {
+  table.number("--lose", &most, between(1, 1000),
+               "least load factor over all losses of up to this number of members, for the dead "
+               "load as given");
+  table
+      .number("--at-least", &at_least, Range{},
+              "decides if this load factor is carried after every such loss")
+      .needs("--lose");
+  table
+      .text("--keep", kept, "NAMES",
+            "members that are not lost, as NODE-NODE, and nodes whose members are not, separated "
+            "by blanks")
+      .needs("--lose");
+}
+
+std::optional<limit::LossQuestion> LossOptions::question(const LimitProblem& problem) const {
+  if (most == 0) return std::nullopt;
+  return limit::LossQuestion{most, at_least, kept_members(problem, kept)};
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,26 @@
+// Options of `kusabi limit` on the loss of members.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "nodes/limit/model/limit_question.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/command/option_table.hpp"
+
+namespace kusabi::run {
+
+struct LossOptions {
+  int most = 0;  ///< 0: the loss of members is not in question
+  std::optional<double> at_least{};
+  std::string kept{};  ///< names separated by blanks: a node, or a member as "a-b"
+
+  void describe(OptionTable& table);
+
+  /// Nothing if the loss of members is not in question.
+  /// @throws WrongInput if a name in `kept` is neither a node nor a member
+  [[nodiscard]] std::optional<limit::LossQuestion> question(
+      const problems::LimitProblem& problem) const;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,187 @@
+// Names of members, and one row for each.
+#include "run/limit/loss_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/limit/collapse_mode.hpp"
+#include "run/limit/limit_words.hpp"
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using limit::LoadStatus;
+using limit::LossAnswer;
+using limit::SingleLoss;
+using nlohmann::ordered_json;
+using problems::LimitProblem;
+
+/// Smaller relative changes of a factor are rounding errors of the simplex method.
+constexpr double lowers_by = 1e-9;
+
+std::vector<std::string> names_of(const LimitProblem& problem, const std::vector<int>& members) {
+  std::vector<std::string> names;
+  for (const int i : members) names.push_back(problems::member_name(problem, i));
+  return names;
+}
+
+double value_of(const SingleLoss& single) {
+  if (single.status == LoadStatus::not_carried) return -std::numeric_limits<double>::infinity();
+  if (single.status == LoadStatus::undetermined) return std::numeric_limits<double>::infinity();
+  return single.factor;
+}
+
+const char* state_of(LoadStatus status) {
+  return status == LoadStatus::collapses     ? "collapses"
+         : status == LoadStatus::not_carried ? "not-carried"
+                                             : "undetermined";
+}
+
+std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
+  if (loss.singles.empty()) return {};
+  auto singles = loss.singles;
+  std::ranges::stable_sort(singles, {}, value_of);
+  const double nominal = loss.nominal;
+  const auto lowers = [&](const SingleLoss& single) {
+    return value_of(single) < nominal - lowers_by * std::abs(nominal);
+  };
+  std::string text = "  loss of one member (computed by the simplex method):\n";
+  const auto out = std::back_inserter(text);
+  std::size_t shown = 0;
+  for (const auto& single : singles) {
+    if (!lowers(single)) break;
+    ++shown;
+    const auto name = problems::member_name(problem, single.member);
+    if (single.status == LoadStatus::not_carried) {
+      fmt::format_to(out, "    {}: not carried at any load factor\n", name);
+    } else {
+      fmt::format_to(out, "    {}: {:.10g}\n", name, single.factor);
+    }
+  }
+  const auto failed = static_cast<std::size_t>(
+      std::ranges::count(singles, LoadStatus::undetermined, &SingleLoss::status));
+  if (failed > 0)
+    fmt::format_to(out, "    {}: the simplex method failed\n", counted(failed, "member"));
+  fmt::format_to(out, "    {} of {} do not lower the factor\n", singles.size() - shown - failed,
+                 counted(singles.size(), "member"));
+  return text;
+}
+
+void write_ends(std::string& text, const LossAnswer& loss) {
+  const auto out = std::back_inserter(text);
+  const auto mark = [](bool proved) { return proved ? "" : " (computed, not proved)"; };
+  if (loss.is_fatal()) {
+    fmt::format_to(out, "  some loss leaves no load factor of either sign{}\n",
+                   loss.proved ? ", proved" : mark(false));
+    return;
+  }
+  const auto& ends = loss.ends;
+  if (loss.target) {
+    const char* const answer = !loss.reaches_target   ? "open"
+                               : *loss.reaches_target ? "yes, proved"
+                                                      : "no, proved";
+    fmt::format_to(out, "  load factor at least {}: {}\n", *loss.target, answer);
+  } else if (loss.proved) {
+    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", ends.lower, ends.upper);
+    return;
+  } else if (ends.lower_proved) {
+    fmt::format_to(out, "  load factor at least {:.10g}\n", ends.lower);
+  } else {
+    text += "  no lower bound of the load factor was proved\n";
+  }
+  fmt::format_to(out, "  load factor after the worst loss known: {:.10g}{}\n", ends.upper,
+                 mark(ends.upper_proved));
+}
+
+}  // namespace
+
+std::string loss_text(const LimitProblem& problem, const LossAnswer& loss) {
+  std::string text = fmt::format("\nloss of up to {} of {}\n", loss.most,
+                                 counted(static_cast<std::uint64_t>(loss.eligible), "member"));
+  write_ends(text, loss);
+  const auto out = std::back_inserter(text);
+  if (loss.lost.empty()) {
+    text += "  no loss is known that lowers the factor\n";
+  } else {
+    fmt::format_to(out, "  worst loss known: {}\n", fmt::join(names_of(problem, loss.lost), " "));
+  }
+  if (loss.collapse && loss.collapse->factor < 0)
+    text += "  negative: the dead load alone collapses the structure then\n";
+  if (loss.undecided > 0)
+    fmt::format_to(out, "  {} numerically undecided\n",
+                   counted(loss.undecided, "node") + (loss.undecided == 1 ? " is" : " are"));
+  text += singles_text(problem, loss);
+  if (loss.search != engine::Status::solved)
+    fmt::format_to(out, "  stopped early ({})\n", status_name(loss.search));
+  const auto& counts = loss.counts;
+  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.searches, "search"),
+                 counted(counts.nodes, "node"), counted(counts.states, "carrying stress state"),
+                 counted(counts.programs, "linear program"));
+  return text;
+}
+
+ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
+  ordered_json json{
+      {"most", loss.most},
+      {"eligible", loss.eligible},
+      {"lower", number_or_null(loss.ends.lower)},
+      {"upper", number_or_null(loss.ends.upper)},
+      {"lower_proved", loss.ends.lower_proved},
+      {"upper_proved", loss.ends.upper_proved},
+      {"proved", loss.proved},
+      {"fatal", loss.is_fatal()},
+      {"lost", names_of(problem, loss.lost)},
+      {"target", number_or_null(loss.target)},
+      {"reached", loss.reaches_target ? ordered_json(*loss.reaches_target) : ordered_json()},
+      {"undecided", loss.undecided}};
+  auto singles = ordered_json::array();
+  for (const auto& single : loss.singles) {
+    const bool finite = single.status == LoadStatus::collapses;
+    singles.push_back({{"member", problems::member_name(problem, single.member)},
+                       {"index", single.member},
+                       {"factor", finite ? ordered_json(single.factor) : ordered_json()},
+                       {"state", state_of(single.status)}});
+  }
+  json["single"] = std::move(singles);
+  if (loss.collapse) {
+    json["forces"] = numbers(loss.collapse->forces);
+  }
+  return json;
+}
+
+MemberLoss member_loss(std::span<const LimitCase> cases) {
+  const auto& governs = governing(cases);
+  const auto& worst = *governs.found.loss;
+  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
+  MemberLoss answer{.most = static_cast<std::uint64_t>(worst.most), .cases = cases.size()};
+  answer.lost = names_of(governs.problem, worst.lost);
+  answer.target = worst.target;
+  if (worst.is_fatal()) {
+    answer.fatal = standing(worst.ends.upper_proved);
+    return answer;
+  }
+  answer.factor.upper = Bound{worst.ends.upper, standing(worst.ends.upper_proved)};
+  double lower = std::numeric_limits<double>::infinity();
+  bool reached = true;
+  bool missed = false;
+  for (const auto& each : cases) {
+    const auto& loss = *each.found.loss;
+    lower = std::min(
+        lower, loss.ends.lower_proved ? loss.ends.lower : -std::numeric_limits<double>::infinity());
+    reached = reached && loss.reaches_target.value_or(false);
+    missed = missed || !loss.reaches_target.value_or(true);
+  }
+  if (std::isfinite(lower)) answer.factor.lower = Bound{lower, Standing::proved};
+  if (worst.target && (reached || missed)) answer.reached = reached;
+  return answer;
+}
+
+}  // namespace kusabi::run

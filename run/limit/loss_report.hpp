@@ -1,0 +1,27 @@
+// Loss of members in the results of `kusabi limit --lose`: table, JSON, and the verdict.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "nodes/limit/loss/loss_answer.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/limit/limit_cases.hpp"
+#include "run/verdict/verdict.hpp"
+
+namespace kusabi::run {
+
+/// The worst loss, and the members whose loss alone lowers the factor.
+std::string loss_text(const problems::LimitProblem& problem, const limit::LossAnswer& loss);
+
+/// The key `member_loss` of a result.
+nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,
+                                 const limit::LossAnswer& loss);
+
+/// Of the load case in which the least factor remains. @pre every case has an answer
+MemberLoss member_loss(std::span<const LimitCase> cases);
+
+}  // namespace kusabi::run

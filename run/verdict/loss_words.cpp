@@ -1,0 +1,89 @@
+// Sentences about the loss of members.
+#include <cctype>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "run/verdict/answer_words.hpp"
+#include "run/verdict/shown_bracket.hpp"
+
+namespace kusabi::run {
+namespace {
+
+// "after the loss of a-b and c-d"
+std::string after_worst(const MemberLoss& found) {
+  if (found.lost.empty()) return "without any loss";
+  return fmt::format("after the loss of {}", fmt::join(found.lost, " and "));
+}
+
+// "after the loss of any 2 members"
+std::string after_any(const MemberLoss& found) {
+  auto text = found.most == 1 ? std::string("after the loss of any one member")
+                              : fmt::format("after the loss of any {} members", found.most);
+  if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
+  return text;
+}
+
+std::string capital(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::string at_most(const MemberLoss& found) {
+  if (!found.factor.upper) return {};
+  const auto& [value, standing] = *found.factor.upper;
+  return fmt::format("{} the limit load factor is at most {}{}", after_worst(found),
+                     rounded_up(value), unless_proved(standing));
+}
+
+std::string of_target(const MemberLoss& found) {
+  if (!found.reached) {
+    return fmt::format("Whether the limit load factor is at least {} {} is open.", *found.target,
+                       after_any(found));
+  }
+  if (*found.reached) {
+    return capital(
+        fmt::format("{} the limit load factor is at least {}.", after_any(found), *found.target));
+  }
+  return capital(fmt::format("{}, less than {}.", at_most(found), *found.target));
+}
+
+}  // namespace
+
+std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
+  if (found.fatal) {
+    return capital(fmt::format("{} it does not carry its dead load at any load factor{}.",
+                               after_worst(found), unless_proved(*found.fatal)));
+  }
+  if (found.target) return of_target(found);
+  if (const auto& lower = found.factor.lower) {
+    return capital(fmt::format("{} the limit load factor is at least {}{}; {}.", after_any(found),
+                               rounded_down(lower->value), unless_proved(lower->standing),
+                               at_most(found)));
+  }
+  if (!found.factor.upper) return "The factor that remains after the loss of members is not known.";
+  return capital(at_most(found)) + ".";
+}
+
+void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservation>& all) {
+  const auto proved = [](const std::optional<Bound>& bound) {
+    return bound && bound->standing == Standing::proved;
+  };
+  if (found.fatal) {
+    if (*found.fatal == Standing::computed)
+      all.push_back({"That no factor remains is computed, not proved.", true});
+    return;
+  }
+  if (found.target) {
+    if (!found.reached)
+      all.push_back(
+          {"No proof was found that the factor remains, and none that it does not.", true});
+    return;
+  }
+  if (!proved(found.factor.lower))
+    all.push_back({"A lower bound of the factor that remains is not proved.", true});
+  if (!proved(found.factor.upper) && ended == engine::Status::solved)
+    all.push_back({"An upper bound of the factor that remains is not proved.", true});
+}
+
+}  // namespace kusabi::run

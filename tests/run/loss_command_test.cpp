@@ -1,0 +1,127 @@
+// kusabi limit --lose: factors after the loss of members, on one rank and on two, and wrong calls.
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "limit_calls.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::HasSubstr;
+
+using LossCommand = LimitCalls;
+
+// By hand: a load of 3 + lambda hangs on three vertical bars of strength 5, 4 and 2.
+const char* const hanger = R"(name = "hanger"
+dimension = 2
+[nodes]
+a = [0, 0]
+b = [0, 1]
+c = [0, 2]
+d = [0, 3]
+[[members]]
+yield = 5
+between = [["a", "b"]]
+[[members]]
+yield = 4
+between = [["a", "c"]]
+[[members]]
+yield = 2
+between = [["a", "d"]]
+[[supports]]
+nodes = ["b", "c", "d"]
+[[supports]]
+nodes = ["a"]
+axes = ["x"]
+[[loads]]
+kind = "reference"
+nodes = ["a"]
+force = [0, -1]
+[[loads]]
+kind = "dead"
+nodes = ["a"]
+force = [0, -3]
+)";
+
+TEST_F(LossCommand, LosesTheStrongestBarsOfAHanger) {
+  write("hanger.toml", hanger);
+  const auto file = argument("hanger.toml");
+  const auto one = file_of(file + " --lose 1");
+  EXPECT_NEAR(one["result"]["nominal"], 8, 1e-9);
+  const auto& loss = one["result"]["member_loss"];
+  EXPECT_LE(loss["lower"], 3);
+  EXPECT_GE(loss["upper"], 3);
+  EXPECT_NEAR(loss["lower"], 3, 1e-6);
+  EXPECT_TRUE(loss["proved"]);
+  EXPECT_EQ(loss["lost"], nlohmann::json({"a-b"}));
+  ASSERT_EQ(loss["single"].size(), 3U);
+  EXPECT_NEAR(loss["single"][1]["factor"], 4, 1e-9);
+  EXPECT_NEAR(loss["single"][2]["factor"], 6, 1e-9);
+  const auto two = file_of(file + " --lose 2")["result"]["member_loss"];
+  EXPECT_NEAR(two["upper"], -1, 1e-6);  // the dead load alone is too large then
+  EXPECT_TRUE(two["proved"]);
+  const auto three = file_of(file + " --lose 3")["result"]["member_loss"];
+  EXPECT_FALSE(three["fatal"]);  // the factor -3 leaves no load
+  EXPECT_NEAR(three["upper"], -3, 1e-6);
+  const auto kept = file_of(file + " --lose 1 --keep a-b")["result"]["member_loss"];
+  EXPECT_NEAR(kept["upper"], 4, 1e-6);
+  EXPECT_EQ(kept["eligible"], 2);
+}
+
+TEST_F(LossCommand, DecidesWhetherAFactorRemains) {
+  write("hanger.toml", hanger);
+  const auto file = argument("hanger.toml");
+  const auto yes = file_of(file + " --lose 1 --at-least 2.9");
+  EXPECT_TRUE(yes["result"]["member_loss"]["reached"]);
+  EXPECT_THAT(yes["verdict"]["sentence"],
+              HasSubstr("After the loss of any one member the limit load factor is at least 2.9"));
+  const auto no = file_of(file + " --lose 1 --at-least 3.1");
+  EXPECT_FALSE(no["result"]["member_loss"]["reached"]);
+  EXPECT_THAT(no["verdict"]["sentence"], HasSubstr("After the loss of a-b the limit load factor is at most"));
+}
+
+TEST_F(LossCommand, ReportsALossThatLeavesNoFactor) {
+  const auto json = file_of(example("truss-bridge.toml") + " --lose 3");
+  EXPECT_TRUE(json["result"]["member_loss"]["fatal"]);
+  EXPECT_TRUE(json["result"]["member_loss"]["proved"]);
+  EXPECT_THAT(json["verdict"]["sentence"], HasSubstr("does not carry its dead load at any"));
+}
+
+TEST_F(LossCommand, IsTheSameOnOneAndTwoRanks) {
+  for (const std::string& call :
+       {example("paper/limit-4x4.toml") + " --lose 2 --keep \"2,4 3,4\"",
+        example("truss-bridge.toml") + " --lose 2", example("truss-bridge.toml") + " --lose 1"}) {
+    nlohmann::json alone;
+    for (const std::string& launch : {std::string(), ranks(2)}) {
+      const auto run =
+          shell(launch + command + " limit " + call + " --output " + argument("out.json"));
+      auto json = nlohmann::json::parse(content(in_folder("out.json")));
+      json.erase("statistics");
+      if (alone.is_null()) alone = json;
+      EXPECT_EQ(json, alone) << run.output;
+    }
+  }
+}
+
+TEST_F(LossCommand, RefusesWhatItCannotCombine) {
+  write("hanger.toml", hanger);
+  const auto refusal = [&](const std::string& options) {
+    const auto run = shell(command + " limit " + argument("hanger.toml") + ' ' + options);
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    return run.output;
+  };
+  EXPECT_THAT(refusal("--lose 1 --keep e"), HasSubstr("--keep 'e': no such node or member"));
+  EXPECT_THAT(refusal("--lose 1 --certificate c.txt"),
+              HasSubstr("--certificate: not available with --lose"));
+  EXPECT_THAT(refusal("--at-least 1"), HasSubstr("--lose"));
+  const auto run =
+      shell(command + " limit " + example("truss-bridge.toml") + " --lose 1 --alpha 1");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("--lose: requires a dead load without uncertainty"));
+}
+
+}  // namespace
+}  // namespace kusabi::test
