@@ -57,9 +57,10 @@ std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
   }
   if (found.target) return of_target(found);
   if (const auto& lower = found.factor.lower) {
-    return capital(fmt::format("{} the limit load factor is at least {}{}; {}.", after_any(found),
+    const auto upper = at_most(found);
+    return capital(fmt::format("{} the limit load factor is at least {}{}{}{}.", after_any(found),
                                rounded_down(lower->value), unless_proved(lower->standing),
-                               at_most(found)));
+                               upper.empty() ? "" : "; ", upper));
   }
   if (!found.factor.upper) return "The factor that remains after the loss of members is not known.";
   return capital(at_most(found)) + ".";
