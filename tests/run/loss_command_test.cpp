@@ -84,7 +84,8 @@ TEST_F(LossCommand, DecidesWhetherAFactorRemains) {
               HasSubstr("After the loss of any one member the limit load factor is at least 2.9"));
   const auto no = file_of(file + " --lose 1 --at-least 3.1");
   EXPECT_FALSE(no["result"]["member_loss"]["reached"]);
-  EXPECT_THAT(no["verdict"]["sentence"], HasSubstr("After the loss of a-b the limit load factor is at most"));
+  EXPECT_THAT(no["verdict"]["sentence"],
+              HasSubstr("After the loss of a-b the limit load factor is at most"));
 }
 
 TEST_F(LossCommand, ReportsALossThatLeavesNoFactor) {
