@@ -40,12 +40,15 @@ std::string size_text(double size, const std::string& unit) {
 }
 
 // "4 members yield: a-b b-c c-d d-e."
+// @param lost members that are not there
 std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& collapse,
-                              const char* when) {
+                              const char* when, std::span<const int> lost = {}) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   std::vector<std::string> names;
-  for (const auto& each : mode.yielding)
-    names.push_back(problems::member_name(problem, each.member));
+  for (const auto& each : mode.yielding) {
+    if (std::ranges::find(lost, each.member) == lost.end())
+      names.push_back(problems::member_name(problem, each.member));
+  }
   const auto all = names.size();
   if (all == 0) return {};
   if (all > most_in_sentence) {
@@ -198,7 +201,11 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
       std::ranges::all_of(cases, [](const auto& each) { return each.found.loss.has_value(); });
   if (of_losses) {
     verdict.details.clear();
-    if (const auto& collapse = governs.found.loss->collapse) yields(*collapse, "Then");
+    const auto& loss = *governs.found.loss;
+    if (loss.collapse) {
+      auto text = yielding_sentence(governs.problem, *loss.collapse, "Then", loss.lost);
+      if (!text.empty()) verdict.details.push_back(std::move(text));
+    }
     verdict.answer = member_loss(cases);
   }
   return verdict;

@@ -122,7 +122,7 @@ std::string loss_text(const LimitProblem& problem, const LossAnswer& loss) {
   if (loss.search != engine::Status::solved)
     fmt::format_to(out, "  stopped early ({})\n", status_name(loss.search));
   const auto& counts = loss.counts;
-  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.searches, "search"),
+  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.searches, "tree"),
                  counted(counts.nodes, "node"), counted(counts.states, "carrying stress state"),
                  counted(counts.programs, "linear program"));
   return text;

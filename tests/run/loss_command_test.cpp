@@ -1,4 +1,5 @@
 // kusabi limit --lose: factors after the loss of members, on one rank and on two, and wrong calls.
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -11,8 +12,6 @@ namespace kusabi::test {
 namespace {
 
 using testing::HasSubstr;
-
-using LossCommand = LimitCalls;
 
 // By hand: a load of 3 + lambda hangs on three vertical bars of strength 5, 4 and 2.
 const char* const hanger = R"(name = "hanger"
@@ -46,8 +45,13 @@ nodes = ["a"]
 force = [0, -3]
 )";
 
+class LossCommand : public LimitCalls {
+ protected:
+  void write_hanger() const { std::ofstream(in_folder("hanger.toml")) << hanger; }
+};
+
 TEST_F(LossCommand, LosesTheStrongestBarsOfAHanger) {
-  write("hanger.toml", hanger);
+  write_hanger();
   const auto file = argument("hanger.toml");
   const auto one = file_of(file + " --lose 1");
   EXPECT_NEAR(one["result"]["nominal"], 8, 1e-9);
@@ -72,7 +76,7 @@ TEST_F(LossCommand, LosesTheStrongestBarsOfAHanger) {
 }
 
 TEST_F(LossCommand, DecidesWhetherAFactorRemains) {
-  write("hanger.toml", hanger);
+  write_hanger();
   const auto file = argument("hanger.toml");
   const auto yes = file_of(file + " --lose 1 --at-least 2.9");
   EXPECT_TRUE(yes["result"]["member_loss"]["reached"]);
@@ -80,7 +84,8 @@ TEST_F(LossCommand, DecidesWhetherAFactorRemains) {
               HasSubstr("After the loss of any one member the limit load factor is at least 2.9"));
   const auto no = file_of(file + " --lose 1 --at-least 3.1");
   EXPECT_FALSE(no["result"]["member_loss"]["reached"]);
-  EXPECT_THAT(no["verdict"]["sentence"], HasSubstr("After the loss of a-b the limit load factor is at most"));
+  EXPECT_THAT(no["verdict"]["sentence"],
+              HasSubstr("After the loss of a-b the limit load factor is at most"));
 }
 
 TEST_F(LossCommand, ReportsALossThatLeavesNoFactor) {
@@ -107,7 +112,7 @@ TEST_F(LossCommand, IsTheSameOnOneAndTwoRanks) {
 }
 
 TEST_F(LossCommand, RefusesWhatItCannotCombine) {
-  write("hanger.toml", hanger);
+  write_hanger();
   const auto refusal = [&](const std::string& options) {
     const auto run = shell(command + " limit " + argument("hanger.toml") + ' ' + options);
     EXPECT_EQ(run.exit_code, 2) << run.output;

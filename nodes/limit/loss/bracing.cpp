@@ -57,18 +57,25 @@ IndexSet braced(const problems::LimitModel& model, const IndexSet& stressed,
   for (const int row : touched) reference(row) = model.reference(row);
   span.add(reference);
   auto braces = stressed;
-  // Members that touch nothing else first, then all that touch something.
-  for (const bool within : {true, false}) {
-    for (const auto& choice : {available & preferred, available - preferred}) {
-      for (const int member : choice - braces) {
-        if (span.rank() >= touched.size()) return braces;
-        const auto rows = rows_of(model, member);
-        if (rows.empty() || (within ? !touched.includes(rows) : !touched.meets(rows))) continue;
-        if (!span.add(column(member))) continue;
-        braces.insert(member);
-        touched |= rows;
-      }
+  // Adds what braces. @param within only members that touch nothing else
+  const auto add = [&](const IndexSet& choice, bool within) {
+    const auto before = braces;
+    for (const int member : choice - before) {
+      if (span.rank() >= touched.size()) break;
+      const auto rows = rows_of(model, member);
+      if (rows.empty() || (within ? !touched.includes(rows) : !touched.meets(rows))) continue;
+      if (!span.add(column(member))) continue;
+      braces.insert(member);
+      touched |= rows;
     }
+    return braces != before;
+  };
+  const IndexSet choices[] = {available & preferred, available - preferred};
+  for (const auto& choice : choices) add(choice, true);
+  // Members added touch further displacements, which other members may brace.
+  for (bool any = true; any;) {
+    any = false;
+    for (const auto& choice : choices) any = add(choice, false) || any;
   }
   return braces;
 }
