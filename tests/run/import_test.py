@@ -57,7 +57,7 @@ class Imports(KusabiCase):
         output = self.folder / "answer.json"
         run = self.kusabi("critical", problem, "--output", output)
         self.assertEqual(run.returncode, 0, run.stderr)
-        answer = json.loads(output.read_text())
+        answer = json.loads(output.read_text())["result"]["critical_friction"]
         return answer["lower"], answer["upper"]
 
     def test_a_wedge_of_abaqus_cae_is_the_wedge_by_hand(self):

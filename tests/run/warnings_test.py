@@ -119,9 +119,9 @@ class Messages(Problems):
         self.assertNotIn("axial", message)
 
     def test_abaqus_files_in_parts_and_with_contact(self):
-        for mesh, walls, warning in (("parts.inp", '"w.left", "w.right"', "*PREPRINT is left out"),
-                                     ("contact.inp", '"w.SL", "w.SR"', "kusabi import writes a problem file")):
-            contact = f'\n[[contact]]\nnodes = [{walls}]\nnormal = "surface"\n'
+        for mesh, walls, warning in (("parts.inp", ("w.left", "w.right"), "*PREPRINT is left out"),
+                                     ("contact.inp", ("w.SL", "w.SR"), "kusabi import writes a problem file")):
+            contact = "".join(f'\n[[contact]]\nnodes = ["{wall}"]\nnormal = "surface"\n' for wall in walls)
             run = self.said("critical", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + contact, mesh))
             self.assertIn("0.2679491", run.stdout)  # tan(15 degrees)
             self.assertIn(warning, run.stderr)
