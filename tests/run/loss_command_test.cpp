@@ -16,6 +16,7 @@ using testing::HasSubstr;
 // By hand: a load of 3 + lambda hangs on three vertical bars of strength 5, 4 and 2.
 const char* const hanger = R"(name = "hanger"
 dimension = 2
+units = { length = "m", force = "kN" }
 [nodes]
 a = [0, 0]
 b = [0, 1]
@@ -34,7 +35,7 @@ between = [["a", "d"]]
 nodes = ["b", "c", "d"]
 [[supports]]
 nodes = ["a"]
-axes = ["x"]
+fixed = ["x"]
 [[loads]]
 kind = "reference"
 nodes = ["a"]
