@@ -47,7 +47,7 @@ TEST(LimitProof, RefusesForcesWhoseDefectIsBeyondAllDoubles) {
   certificate.columns = upright({0, 0, 0, 1, 1, 1});
   certificate.tension.assign(6, 1.7e308);
   certificate.compression.assign(6, 1.7e308);
-  certificate.infeasible = {0, 0};
+  certificate.dead = {0, 0};
   certificate.reference = {1, 1};
   certificate.motion = {1, 0};
   LimitNode node;

@@ -19,8 +19,8 @@
 namespace kusabi::wedged {
 namespace {
 
-constexpr double width = 1e-8;
-constexpr std::int64_t cells = 100'000'000;
+constexpr double cell_width = 1e-8;
+constexpr std::int64_t last_cell = 100'000'000;
 
 problems::WedgedProblem truss(int rows) {
   auto problem = problems::wedged_problem(problems::plane_truss({.rows = rows}));
@@ -46,7 +46,7 @@ struct Interrupted {
 
 constexpr std::uint64_t never = UINT64_MAX;
 /// Fewer questions are put around one node.
-constexpr std::uint64_t many = 10;
+constexpr std::uint64_t many_questions = 10;
 
 /// @param tree makes a tree of one node
 template <class Plant>
@@ -55,7 +55,7 @@ void expect_one_node_left_open(Plant plant) {
   const Interrupted all(whole, never);
   ASSERT_EQ(all.outcome.status, engine::Status::solved);
   ASSERT_EQ(all.outcome.opened(), 1U);
-  ASSERT_GT(all.questions, many);
+  ASSERT_GT(all.questions, many_questions);
   auto part = plant();
   const Interrupted half(part, all.questions / 2);
   EXPECT_EQ(half.outcome.status, engine::Status::interrupted);
@@ -71,8 +71,8 @@ PatternNode all_in_contact(int candidates) {
 TEST(InterruptedNodes, NewtonsMethodLeavesItsPatternOpen) {
   const auto problem = truss(8);
   expect_one_node_left_open([&] {
-    return PatternBisection(problem, width, {{.leaf = all_in_contact(8), .lives = true}}, 2 * cells,
-                            CriticalMethod::newton, 1);
+    return PatternBisection(problem, cell_width, {{.leaf = all_in_contact(8), .lives = true}},
+                            2 * last_cell, CriticalMethod::newton, 1);
   });
 }
 
@@ -80,7 +80,7 @@ TEST(InterruptedNodes, TheHistoryOfALeafIsBegunAnew) {
   const auto problem = truss(8);
   const std::vector<SweepTree::Leaf> leaves{
       {.place = all_in_contact(8), .stage = {LeafStage::Kind::solid, {}, {}}}};
-  expect_one_node_left_open([&] { return SweepTree(problem, width, 2 * cells, leaves); });
+  expect_one_node_left_open([&] { return SweepTree(problem, cell_width, 2 * last_cell, leaves); });
 }
 
 /// Trees of rays at a friction coefficient.
@@ -156,7 +156,7 @@ TEST(InterruptedNodes, EndATrialOfRays) {
   auto whole = trial();
   ASSERT_TRUE(whole.succeeds(no_end));
   const auto all = questions;
-  ASSERT_GT(all, many);
+  ASSERT_GT(all, many_questions);
   for (stop_at = 1; stop_at <= all; stop_at += 1 + all / 40) {
     auto part = trial();
     EXPECT_FALSE(part.succeeds(no_end)) << stop_at;

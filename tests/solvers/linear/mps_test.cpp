@@ -128,11 +128,12 @@ TEST(Mps, MakesRangesOfRowsByTheSignOfTheirs) {
               HasSubstr("a range of row \"c\", which is of type N; expected"));
   EXPECT_THAT(refusal(file("RANGES\n R e 3\n R e 3\n")), HasSubstr("a second range of row"));
 }
+// Bounds of the first column under a section of bounds.
+auto of(const std::string& lines) {
+  return bounds(read(file("BOUNDS\n" + lines)), 0);
+}
 
 TEST(Mps, ReadsBoundsOfAllTypes) {
-  const auto of = [](const std::string& lines) {
-    return bounds(read(file("BOUNDS\n" + lines)), 0);
-  };
   EXPECT_EQ(of(" LO B x 2\n"), Ends(2, infinity));
   EXPECT_EQ(of(" UP B x 2\n"), Ends(0, 2));
   EXPECT_EQ(of(" UP x 2\n"), Ends(0, 2)) << "without a set";
