@@ -246,7 +246,7 @@ TABLES = {
         Row("Figure 5: the circles", "kusabi rays plane-5.toml --mu 1", LOST, cones,
             "ours: rays of each cone, and where it is in contact"),
         Row("7.2: rays (a)–(i) of one pattern", "kusabi rays plane-5.toml --mu 1", "9", rays_of_cones,
-            "ours: rays of each cone. The letters are those of Figure 5, which is lost; no cone has nine rays"),
+            "rays of each of our five cones; none has nine"),
         Row("Table 3: μᶜ of (a)–(e)", "kusabi critical plane-5.toml --method bisection --mu-max 1",
             "0.6072, 0.6718, 0.7804, 0.7909, 0.9422", coefficients(4)),
         Row("Table 3, by one sweep", "kusabi sweep plane-5.toml --mu-max 1 --svg chart.svg",
