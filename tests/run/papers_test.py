@@ -29,6 +29,7 @@ class Papers(unittest.TestCase):
         run = self.check(self.page.replace(RIGHT, "| 25 | 24 | same |"))
         self.assertEqual(run.returncode, 1)
         self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        self.assertEqual(run.stdout, "")
         self.assertRegex(run.stderr, r"wedged-plane: '\| Figures 8, 9: .*\| 25 \| 24 \| same \|'; expected '.*\| 25 \| 25 \| same \|'")
 
     def test_a_table_that_nothing_computes_is_refused(self):
