@@ -64,6 +64,7 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
 }
 
 void CriticalFriction::set_friction(double factor) {
+  support::leave_if(stop_);  // between programs; within one only higher precision levels ask
   for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
   solver_.set_friction(friction_);
 }

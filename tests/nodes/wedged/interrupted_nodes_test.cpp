@@ -86,8 +86,8 @@ TEST(InterruptedNodes, TheHistoryOfALeafIsBegunAnew) {
 /// Trees of rays at a friction coefficient.
 struct Given {
   Given()
-      : problem(truss(12)),
-        friction(12, 1.0),
+      : problem(truss(8)),
+        friction(8, 1.0),
         cone(problems::precise_compliance(problem), friction) {}
 
   [[nodiscard]] SignPatternTree tree() const { return {problem, friction}; }
