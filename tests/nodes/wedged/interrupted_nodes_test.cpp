@@ -107,7 +107,7 @@ TEST(InterruptedNodes, OfTheTreeOfRaysAreNotCounted) {
   RayTree whole(given.tree(), given.cone);
   const Interrupted all(whole, never);
   ASSERT_EQ(ends(whole.tally().patterns), all.outcome.opened());
-  ASSERT_GT(all.questions, 3 * all.outcome.opened());
+  ASSERT_GT(all.questions, 2 * all.outcome.opened());
   for (std::uint64_t stop_at = 1; stop_at < all.questions; stop_at += all.questions / 40) {
     RayTree tree(given.tree(), given.cone);
     const Interrupted part(tree, stop_at);
@@ -132,7 +132,7 @@ TEST(InterruptedNodes, OfDividedListsLeaveNoRayThatIsNone) {
   auto whole = plant();
   const Interrupted all(whole, never);
   const auto known = distinct(all.outcome);
-  ASSERT_GT(all.questions, 3 * all.outcome.opened());
+  ASSERT_GT(all.questions, 2 * all.outcome.opened());
   std::size_t stopped = 0;
   for (std::uint64_t stop_at = 1; stop_at < all.questions; stop_at += all.questions / 40) {
     auto tree = plant();
