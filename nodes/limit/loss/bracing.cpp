@@ -32,7 +32,7 @@ class Span {
     }
     const double rest = column.norm();
     if (rest < independent * size) return false;
-    basis_.push_back(column / rest);
+    basis_.emplace_back(column / rest);
     return true;
   }
   [[nodiscard]] int rank() const { return static_cast<int>(basis_.size()); }

@@ -63,7 +63,6 @@ LossSearch::LossSearch(engine::Analysis& analysis, const verify::Structure& trus
                        const problems::LimitProblem& problem, const problems::LimitModel& model,
                        const LossQuestion& question)
     : analysis_(analysis),
-      problem_(problem),
       model_(model),
       question_(question),
       eligible_(IndexSet::below(problem.member_count())),

@@ -47,7 +47,6 @@ class LossSearch {
   void settle_target();
 
   engine::Analysis& analysis_;
-  const problems::LimitProblem& problem_;
   const problems::LimitModel& model_;
   const LossQuestion& question_;
   support::IndexSet eligible_;

@@ -21,6 +21,7 @@ constexpr double consistent = 10 * closed_gap;
 // Supports that are pairwise disjoint outside of `kept`, the smallest first.
 std::vector<IndexSet> packing(const std::vector<IndexSet>& supports, const IndexSet& kept) {
   std::vector<IndexSet> rest;
+  rest.reserve(supports.size());
   for (const auto& support : supports) rest.push_back(support - kept);
   std::ranges::stable_sort(rest, {}, &IndexSet::size);
   std::vector<IndexSet> packed;

@@ -44,9 +44,10 @@ void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
     out.branch({node.first + half, node.count - half});
     return;
   }
-  const auto& [place, stage] = leaves_[node.first];
-  auto history = pollable_.within(
-      out, node, [&] { return leaf_history(critical_[place.block], place.pattern, stage, most_); });
+  const Leaf& leaf = leaves_[node.first];
+  auto history = pollable_.within(out, node, [&] {
+    return leaf_history(critical_[leaf.place.block], leaf.place.pattern, leaf.stage, most_);
+  });
   if (!history) return;
   ++tally_.leaves;
   out.solution({node.first, *std::move(history)});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,6 +82,7 @@ AbaqusType abaqus_type(std::string_view name) {
 
 std::string abaqus_types_read() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(of_bodies));
   for (const Row& row : of_bodies) names.push_back(row.name);
   names.resize(names.size() - 2);  // bars have two nodes
   const auto last = names.back();

@@ -54,6 +54,7 @@ std::string DeckDraft::name(int node) const {
 std::string DeckDraft::lines(const ChosenNodes& nodes) const {
   const auto names = [&](const std::vector<int>& list) {
     std::vector<std::string> result;
+    result.reserve(list.size());
     for (const int node : list) result.push_back(name(node));
     return toml_texts(result);
   };

@@ -32,6 +32,7 @@ std::string toml_list(const std::vector<std::string>& entries) {
 
 std::string toml_texts(const std::vector<std::string>& texts) {
   std::vector<std::string> entries;
+  entries.reserve(texts.size());
   for (const std::string& text : texts) entries.push_back(toml_text(text));
   return toml_list(entries);
 }
