@@ -26,6 +26,7 @@
 #include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/friction/bisection.hpp"
 #include "nodes/wedged/friction/friction_grid.hpp"
+#include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/files/structure_file.hpp"
