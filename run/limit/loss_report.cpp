@@ -29,6 +29,7 @@ constexpr double lowers_by = 1e-9;
 
 std::vector<std::string> names_of(const LimitProblem& problem, const std::vector<int>& members) {
   std::vector<std::string> names;
+  names.reserve(members.size());
   for (const int i : members) names.push_back(problems::member_name(problem, i));
   return names;
 }
