@@ -42,11 +42,11 @@ def with_loads(case, rng):
             clearances.append(clearance)
             if clearance:
                 text.append(f"clearance = {clearance!r}")
-    free = [node for node in bodies.Bodies(case.text).nodes]
+    nodes = list(bodies.Bodies(case.text).nodes)
     forces = []
     for kind in ("dead", "reference"):
         force = {}
-        for node in rng.sample(free, rng.randint(1, 2)):
+        for node in rng.sample(nodes, rng.randint(1, 2)):
             value = [rng.choice((0.0, -1.0, rng.uniform(-2, 2))), rng.choice((-1.0, rng.uniform(-2, 2)))]
             text += ["", "[[loads]]", f'kind = "{kind}"', f'nodes = ["{node}"]', f"force = {value}"]
             for axis in (0, 1):

@@ -174,8 +174,7 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
   if (!any) {
     verdict.details.emplace_back(
         "\"Can hold\" means that a state of equilibrium exists; whether it is reached depends on "
-        "the "
-        "history of loading. Loads outside these bounds are held after no history.");
+        "the history of loading. Where it cannot hold a load, no history leads to such a state.");
   }
   return verdict;
 }

@@ -26,7 +26,6 @@ constexpr const char* by_no_friction =
 
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
-  if (std::isinf(each.low) && std::isinf(each.high)) return fmt::format("any{}", standing);
   if (std::isinf(each.low)) return fmt::format("up to {}{}", rounded_down(each.high), standing);
   if (std::isinf(each.high)) return fmt::format("from {} on{}", rounded_up(each.low), standing);
   if (each.low == each.high) return fmt::format("{:.6g}{}", each.low, standing);

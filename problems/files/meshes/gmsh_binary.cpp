@@ -37,6 +37,8 @@ class GmshBinary {
   Number take();
   /// The number on an ASCII line, which is written, too.
   std::size_t number_of_line();
+  // Copies the number of blocks of MSH 4.1 and the three numbers after it.
+  std::size_t number_of_blocks();
   std::size_t count() { return static_cast<std::size_t>(take<std::uint64_t>()); }
   template <class Number>
   void put(std::size_t count);
@@ -192,11 +194,16 @@ void GmshBinary::nodes_2() {
   }
 }
 
-void GmshBinary::nodes_4() {
+std::size_t GmshBinary::number_of_blocks() {
   const auto blocks = count();
   text_ += fmt::format("{} ", blocks);
   put<std::uint64_t>(3);
   end_line();
+  return blocks;
+}
+
+void GmshBinary::nodes_4() {
+  const auto blocks = number_of_blocks();
   for (std::size_t block = 0; block < blocks; ++block) {
     const auto dimension = take<std::int32_t>();
     const auto entity = take<std::int32_t>();
@@ -235,10 +242,7 @@ void GmshBinary::elements_2() {
 }
 
 void GmshBinary::elements_4() {
-  const auto blocks = count();
-  text_ += fmt::format("{} ", blocks);
-  put<std::uint64_t>(3);
-  end_line();
+  const auto blocks = number_of_blocks();
   for (std::size_t block = 0; block < blocks; ++block) {
     const auto dimension = take<std::int32_t>();
     const auto entity = take<std::int32_t>();

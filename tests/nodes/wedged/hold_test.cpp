@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -120,8 +121,10 @@ bool near(double a, double b) {
   return a == b || std::abs(a - b) <= 1e-6 * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-/// A random body of bars in the plane, moved off the integers, with two loads and clearances.
-std::optional<problems::Structure> loaded_structure(std::uint64_t seed) {
+/// A random unconstrained body of bars in the plane, moved off the integers, with two loads and
+/// clearances. Nothing: the seed gives a mechanism, a constrained body, or too few or many
+/// contacts.
+std::optional<LoadedProblem> loaded_body(std::uint64_t seed) {
   auto structure = random_loose_structure(2, seed);
   std::mt19937_64 generator(seed + 77);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -139,23 +142,22 @@ std::optional<problems::Structure> loaded_structure(std::uint64_t seed) {
     for (int node = 0; node < static_cast<int>(structure.coordinates.cols()); ++node)
       structure.loads.push_back(
           {kind, node, Eigen::Vector2d(uniform(generator), uniform(generator))});
-  return structure;
+  try {
+    auto loaded = loaded_problem(structure);
+    const bool of_interest =
+        loaded.problem.motions.cols() > 0 && loaded.has_reference && loaded.has_dead;
+    return of_interest ? std::optional(std::move(loaded)) : std::nullopt;
+  } catch (const support::InputError&) {  // a mechanism
+    return {};
+  }
 }
 
 TEST(HeldFactors, AreThoseOfAllPatterns) {
   int compared = 0, bounded = 0, empty = 0, several = 0, proved = 0;
   for (std::uint64_t seed = 1; seed <= 160; ++seed) {
-    const auto structure = loaded_structure(seed);
-    if (!structure) continue;
+    const auto loaded = loaded_body(seed);
+    if (!loaded) continue;
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    std::optional<LoadedProblem> loaded;
-    try {
-      loaded = loaded_problem(*structure);
-    } catch (const support::InputError&) {
-      continue;  // a mechanism
-    }
-    if (loaded->problem.motions.cols() == 0 || !loaded->has_reference || !loaded->has_dead)
-      continue;
     const double mu = 0.1 + 0.15 * static_cast<double>(seed % 7);
     const auto wanted = by_all_patterns(*loaded, mu);
     engine::SingleProcess alone;
@@ -185,17 +187,9 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
 TEST(HoldingFriction, IsThatFromWhichOnSomePatternHoldsTheDeadLoad) {
   int compared = 0, inside = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
-    const auto structure = loaded_structure(seed);
-    if (!structure) continue;
+    const auto loaded = loaded_body(seed);
+    if (!loaded) continue;
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
-    std::optional<LoadedProblem> loaded;
-    try {
-      loaded = loaded_problem(*structure);
-    } catch (const support::InputError&) {
-      continue;
-    }
-    if (loaded->problem.motions.cols() == 0 || !loaded->has_reference || !loaded->has_dead)
-      continue;
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
     const auto found = holding_friction(analysis, *loaded, {.most = 100});
