@@ -249,7 +249,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
 }
 
 /// Decides all sign patterns at one coefficient and adds the costs.
-/// @param wanted whether the result is to be recorded
+/// @param wanted true for results to be recorded
 template <class Wanted>
 DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase,
                                 const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {

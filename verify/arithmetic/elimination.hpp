@@ -28,7 +28,7 @@ class Elimination {
   /// the equations.
   [[nodiscard]] Rationals products(const Rationals& row) const;
 
-  /// Adds the equation row'x = 0. @return whether the dimension of the solution space decreases by
+  /// Adds the equation row'x = 0. @return true if the dimension of the solution space decreases by
   /// one
   bool demand(const Rationals& row);
 

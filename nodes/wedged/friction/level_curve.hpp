@@ -23,7 +23,7 @@ class LevelCurve {
 
   /// Adds a solved point. @param newton zero of its tangent
   void take(double factor, double level, double newton);
-  /// Adds a point where t* is zero within the tolerance.
+  /// Adds a point at which t* is zero within the tolerance.
   void take_tie(double factor);
 
   /// The least coefficient of a degenerate point; infinity: none.

@@ -58,7 +58,7 @@ class QuadraticPoint {
   Eigen::Index e_;
 };
 
-/// -B and M of a point, with what their derivatives need.
+/// -B and M at a point, and intermediate results for their derivatives.
 class QuadraticForm {
  public:
   /// @param block a problem of one block whose bodies are constrained
