@@ -15,7 +15,7 @@ namespace {
 // Lower bound of |S_jk| in denominators.
 constexpr double least_size = 1e-12;
 
-// Multiple of the mean of P added to P_ij in estimated second derivatives, which vanish at P_ij = 0.
+// Multiple of the mean of P added to P_ij in estimated curvatures, which vanish at P_ij = 0.
 constexpr double share_of_mean = 5;
 
 // Lower bound of second derivatives with respect to logarithms.
