@@ -72,7 +72,7 @@ inline RunningError& RunningError::operator*=(const RunningError& other) {
   return *this = *this * other;
 }
 
-/// a - b of two doubles, without rounding in a Real of two doubles.
+/// a - b of two doubles; exact if Real is a sum of two doubles.
 template <class Real>
 Real difference(double a, double b) {
   return Real(a) - Real(b);
