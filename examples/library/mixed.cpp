@@ -1,5 +1,5 @@
-// A mixed 0-1 program: a knapsack of capacity 55 for items of weights 10, 20, 30 and values 60, 100,
-// 120; each unit of unused capacity has the value 1. Optimum: the last two items and 5 units, 225.
+// A mixed 0-1 program: a knapsack of capacity 55, items of weights 10, 20, 30 and values 60, 100,
+// 120, and the value 1 for each unit of unused capacity. Optimum 225: two items and 5 units.
 #include <cstdio>
 
 #include "engine/transport/single_process.hpp"
