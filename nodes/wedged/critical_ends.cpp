@@ -160,7 +160,7 @@ Evidence CriticalEnds::form_of(std::uint32_t block) const {
       .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
-// A stiffness that cannot be enclosed leaves the proof in doubles (quadratic_is_infeasible).
+// If K cannot be enclosed, the proof in doubles (quadratic_is_infeasible) is sufficient.
 void CriticalEnds::prove_by_forms(QuadraticForms forms) {
   if (!enclose()) {
     bracket_.raise(forms.factor);
@@ -361,7 +361,7 @@ engine::Status CriticalEnds::prove_upper() {
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> feasible;
-  bool ties_decided = false;  // by the other patterns, at the first degenerate one
+  bool ties_decided = false;  // by the other patterns, after the first degenerate point
   double factor = *bracket_.upper();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {

@@ -29,8 +29,8 @@ class LevelCurve {
   /// The least coefficient of a degenerate point; infinity: none.
   [[nodiscard]] double least_tie() const { return least_tie_; }
 
-  /// The next estimate. @param floor, top where t* is known to be negative, and not negative:
-  /// infinity if nowhere @return from floor on, and below top
+  /// The next estimate, in [floor, top). @param floor t* is negative there  @param top t* is not
+  /// negative there; infinity: no such coefficient is known
   [[nodiscard]] Estimate next(double floor, double top) const;
 
  private:
