@@ -21,7 +21,7 @@ struct HoldOutcome {
   HoldTally tally{};
 
   /// True if there is no state below the root, proved.
-  [[nodiscard]] bool dead() const {
+  [[nodiscard]] bool is_infeasible() const {
     return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
            tally.undecided == 0 && tally.limits.empty();
   }
@@ -55,9 +55,9 @@ class BlockHold {
                                                double factor, double mu) const;
 
  private:
-  /// The ends of a monotone answer along a line from a point where it is `alive`.
+  /// The ends of a monotone answer along a line from a point where it is feasible.
   struct Ends {
-    double alive, dead;
+    double feasible, infeasible;
     bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
   };
   struct Gap {
@@ -80,7 +80,7 @@ class BlockHold {
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu) const;
   void narrow(HoldingFriction& found);
-  bool prove_lower(HoldingFriction& found, double most_dead);
+  bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
 
   engine::Analysis& analysis_;
