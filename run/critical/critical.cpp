@@ -61,7 +61,7 @@ class Critical final : public Subcommand {
   CriticalOptions options_;
   std::string vtu_;
   problems::ProblemText text_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
   std::vector<problems::FacetDoubt> facets_;
   problems::WedgedProblem problem_;
   wedged::CriticalFindings findings_;
@@ -143,7 +143,7 @@ void Critical::prepare(CommandRun& run) {
   // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   structure_ = std::move(structure);
-  warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), structure_->warnings);
   warn_all(run.session(), ignored_loads(structure_, "critical"));
   facets_ = std::move(facets);
   problem_ = run.within_limits(
@@ -153,7 +153,8 @@ void Critical::prepare(CommandRun& run) {
   if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);
   if (!options_.question.most && most < wedged::usual_most) options_.question.most = most;
   agree(run.session(), problem_);
-  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
+  run.keep_state(options_.checkpoint,
+                 {{"the problem", hexadecimal(problem_.provenance.fingerprint)}});
 }
 
 std::string Critical::announcement(const std::string& ranks) const {

@@ -111,8 +111,8 @@ void ExportCbf::prepare(CommandRun& run) {
 Names ExportCbf::comments(double unit) const {
   const auto d = static_cast<std::size_t>(problem_.dimension);
   Names lines{
-      fmt::format("{}, from {}, fingerprint {}", problem_.name, file(),
-                  hexadecimal(problem_.fingerprint)),
+      fmt::format("{}, from {}, fingerprint {}", problem_.provenance.name, file(),
+                  hexadecimal(problem_.provenance.fingerprint)),
       fmt::format("The cone program of the sign pattern with contact: {}; separated: {}; friction "
                   "coefficient {}.",
                   listed(candidate_names(problem_, contact_)),
@@ -120,7 +120,7 @@ Names ExportCbf::comments(double unit) const {
       "Maximise t; the optimal objective is the margin t*. If t* < 0, no wedged configuration has "
       "this pattern.",
       fmt::format("F is divided by its mean normal compliance, {} {}/{}, so that t has no unit.",
-                  unit, problem_.units.length, problem_.units.force)};
+                  unit, problem_.provenance.units.length, problem_.provenance.units.force)};
   for (std::size_t i = 0; i < problem_.contact_names.size(); ++i) {
     lines.push_back(fmt::format("columns {} to {}: reaction at {}: n, {}; friction {}", d * i,
                                 d * i + d - 1, problem_.contact_names[i], d == 2 ? "t1" : "t1, t2",
@@ -133,7 +133,8 @@ Names ExportCbf::comments(double unit) const {
 void ExportCbf::write(std::ostream& out) const {
   const double unit = mean_normal_compliance(problem_);
   write_benchmark_format(
-      out, conic::node_cone_program(problem_.compliance / unit, friction_, contact_, separated_),
+      out,
+      conic::node_cone_program(problem_.compliance.matrix / unit, friction_, contact_, separated_),
       comments(unit));
 }
 

@@ -64,15 +64,15 @@ void ExportMatrix::prepare(CommandRun& run) {
 std::vector<std::string> ExportMatrix::comments() const {
   const bool stiffness = choice_ == Matrix::stiffness;
   std::vector<std::string> lines{
-      fmt::format("{}, from {}, fingerprint {}", problem_.name, file(),
-                  hexadecimal(problem_.fingerprint)),
+      fmt::format("{}, from {}, fingerprint {}", problem_.provenance.name, file(),
+                  hexadecimal(problem_.provenance.fingerprint)),
       stiffness ? fmt::format("The stiffness K condensed onto the contact candidates: r = K u, in "
                               "{}/{}.",
-                              problem_.units.force, problem_.units.length)
+                              problem_.provenance.units.force, problem_.provenance.units.length)
                 : fmt::format("The compliance F of the contact candidates: u = F r, in {}/{}.",
-                              problem_.units.length, problem_.units.force),
+                              problem_.provenance.units.length, problem_.provenance.units.force),
       "Each candidate has its own frame: n out of the obstacle, t along it."};
-  for (const auto& [node, nodes, motions] : problem_.unconstrained_bodies) {
+  for (const auto& [node, nodes, motions] : problem_.modes.bodies) {
     lines.push_back(fmt::format("The body of node {} {}: {}", node, motions,
                                 stiffness
                                     ? "K is only semidefinite."
@@ -92,9 +92,10 @@ std::vector<std::string> ExportMatrix::comments() const {
 }
 
 void ExportMatrix::write(std::ostream& out) const {
-  problems::write_matrix_market(
-      out, choice_ == Matrix::stiffness ? problems::free_stiffness(problem_) : problem_.compliance,
-      comments());
+  problems::write_matrix_market(out,
+                                choice_ == Matrix::stiffness ? problems::free_stiffness(problem_)
+                                                             : problem_.compliance.matrix,
+                                comments());
 }
 
 }  // namespace

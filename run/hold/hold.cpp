@@ -44,7 +44,7 @@ class Hold final : public Subcommand {
 
   HoldOptions options_;
   problems::ProblemText text_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
   wedged::LoadedProblem loaded_;
   HoldFindings findings_;
 };
@@ -79,13 +79,13 @@ void Hold::refuse_without_loads() const {
 
 void Hold::prepare(CommandRun& run) {
   structure_ = problems::read_structure(text_, options_.file);
-  warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), structure_->warnings);
   if (options_.load_case.empty() && !problems::load_cases(structure_).empty()) {
     throw WrongInput(
         fmt::format("{}: the file has load cases; expected --case with one of them: {}",
                     options_.file, problems::choice_of_load_cases(structure_)));
   }
-  structure_ = problems::in_chosen_case(std::move(structure_), options_.load_case);
+  structure_ = problems::in_chosen_case(structure_, options_.load_case);
   loaded_ =
       run.within_limits([&](const auto& work) { return wedged::loaded_problem(structure_, work); });
   if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.file);

@@ -61,7 +61,7 @@ class Limit final : public Subcommand {
   std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
-  void take_cases(problems::Structure structure);
+  void take_cases(const problems::CheckedStructure& whole);
   void settle_half_widths();
   void refuse_without_worst_case() const;
   [[nodiscard]] const char* why_no_certificate() const;
@@ -185,12 +185,13 @@ void Limit::read(CommandRun& run) {
 }
 
 // All load cases of the file, or the requested one.
-void Limit::take_cases(problems::Structure structure) {
-  structure = problems::in_chosen_case(std::move(structure), options_.load_case);
+void Limit::take_cases(const problems::CheckedStructure& whole) {
+  const auto structure = problems::in_chosen_case(whole, options_.load_case);
   auto names = problems::load_cases(structure);
   if (names.empty()) names.emplace_back();
   for (const auto& name : names) {
-    auto truss = name.empty() ? structure : problems::in_load_case(structure, name);
+    auto truss =
+        name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
     auto problem = problems::limit_problem(truss);
     cases_.push_back({name, std::move(truss), std::move(problem)});
   }
@@ -198,9 +199,9 @@ void Limit::take_cases(problems::Structure structure) {
 
 void Limit::prepare(CommandRun& run) {
   // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
-  auto structure = problems::read_structure(text_, options_.file);
-  warn_all(run.session(), structure.warnings);
-  take_cases(std::move(structure));
+  const auto structure = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure->warnings);
+  take_cases(structure);
   settle_half_widths();
   options_.question.loss = options_.loss.question(cases_.front().problem);
   engine::Facts facts;

@@ -18,7 +18,7 @@ namespace kusabi::run {
 /// A load case and its results; a file without cases has one without a name.
 struct LimitCase {
   std::string name;
-  problems::Structure truss;
+  problems::CheckedStructure truss;
   problems::LimitProblem problem;
   limit::LimitFindings found{};
 };

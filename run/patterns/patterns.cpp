@@ -71,7 +71,7 @@ class Patterns final : public Subcommand {
   std::string trace_;
   std::string vtu_;
   problems::ProblemText text_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
   wedged::PatternQuestion question_;
@@ -197,7 +197,7 @@ void Patterns::read(CommandRun& run) {
 // Fingerprint of the tree: a checkpoint belongs to a tree, which depends on friction and tolerance.
 std::uint64_t Patterns::tree_fingerprint() const {
   support::Fingerprint fingerprint;
-  fingerprint.add(problem_.fingerprint);
+  fingerprint.add(problem_.provenance.fingerprint);
   fingerprint.add(options_.friction);
   fingerprint.add(options_.tolerance);
   fingerprint.add(static_cast<std::uint64_t>(options_.branching));
@@ -214,7 +214,7 @@ void Patterns::prepare(CommandRun& run) {
   // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   structure_ = std::move(structure);
-  warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), structure_->warnings);
   warn_all(run.session(), ignored_loads(structure_, "patterns"));
   warn_all(run.session(), facet_warnings(facets, options_.friction, options_.file));
   problem_ = run.within_limits(
@@ -238,7 +238,8 @@ void Patterns::prepare(CommandRun& run) {
   question_.exists = options_.exists;
   auto& search = question_.search;
   search.order = options_.order;
-  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
+  run.keep_state(options_.checkpoint,
+                 {{"the problem", hexadecimal(problem_.provenance.fingerprint)}});
   // If an earlier run has finished, no further evidence is recorded.
   certificate_.emplace(run.session(), run.has_searched() ? std::string() : options_.certificate,
                        options_.file, tree_fingerprint(), run.has_begun_to_search(),

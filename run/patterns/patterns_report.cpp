@@ -83,7 +83,7 @@ Verdict PatternsReport::verdict() const {
   // test has decided them.
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
-                                 : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
+                                 : findings_.flat == 0 && problem_.modes.bodies.empty();
   // A pattern answers --exists; a search that is complete has listed all of them.
   const bool example = options_.exists && findings_.count() != 0U &&
                        findings_.outcome.status == engine::Status::solution_limit;

@@ -79,7 +79,7 @@ class Rays final : public Subcommand {
   RaysOptions options_;
   std::string vtu_;
   problems::ProblemText text_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
@@ -130,13 +130,14 @@ void Rays::prepare(CommandRun& run) {
   // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   structure_ = std::move(structure);
-  warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), structure_->warnings);
   warn_all(run.session(), ignored_loads(structure_, "rays"));
   warn_all(run.session(), facet_warnings(facets, options_.friction, options_.file));
   problem_ = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   agree(run.session(), problem_);
-  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
+  run.keep_state(options_.checkpoint,
+                 {{"the problem", hexadecimal(problem_.provenance.fingerprint)}});
   check_problem();
   friction_ = friction_at(problem_, options_.friction, options_.file);
   cone_ = wedged::reaction_cone(problem_, friction_);

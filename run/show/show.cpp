@@ -36,15 +36,15 @@ class Show final : public Subcommand {
   }
   void prepare(CommandRun& run) override {
     structure_ = problems::read_structure(text_, file_);
-    warn_all(run.session(), structure_.warnings);
+    warn_all(run.session(), structure_->warnings);
   }
   void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) override {
     return {run.file("--vtu",
                      [this](std::ostream& out) {
                        auto grid = pictures::unsolved_grid(structure_);
-                       grid.remark = fmt::format("{}; {} and {}", structure_.name,
-                                                 structure_.units.length, structure_.units.force);
+                       grid.remark = fmt::format("{}; {} and {}", structure_->name,
+                                                 structure_->units.length, structure_->units.force);
                        write_vtu(out, grid);
                      }),
             run.answer([this] { return structure_summary(structure_); })};
@@ -53,7 +53,7 @@ class Show final : public Subcommand {
  private:
   std::string file_;
   problems::ProblemText text_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
 };
 
 }  // namespace

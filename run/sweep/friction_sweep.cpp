@@ -31,7 +31,7 @@ const char* times(const problems::WedgedProblem& problem) {
 
 class FrictionSweep final : public Swept {
  public:
-  FrictionSweep(const SweepOptions& options, problems::Structure structure,
+  FrictionSweep(const SweepOptions& options, problems::CheckedStructure structure,
                 std::vector<double> points, double most)
       : options_(options),
         structure_(std::move(structure)),
@@ -43,7 +43,8 @@ class FrictionSweep final : public Swept {
         [&](const auto& work) { return problems::wedged_problem(structure_, work); });
     friction_at(problem_, question_.most, options_.file);
     agree(run.session(), problem_);
-    run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
+    run.keep_state(options_.checkpoint,
+                   {{"the problem", hexadecimal(problem_.provenance.fingerprint)}});
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
     return fmt::format("{}; up to a friction coefficient of {}{}; {}", problem_line(problem_),
@@ -76,7 +77,7 @@ class FrictionSweep final : public Swept {
   }
 
   const SweepOptions& options_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> points_;
   wedged::SweepQuestion question_;
@@ -244,7 +245,8 @@ Verdict FrictionSweep::verdict() const {
 
 }  // namespace
 
-std::unique_ptr<Swept> swept_friction(const SweepOptions& options, problems::Structure structure,
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options,
+                                      problems::CheckedStructure structure,
                                       std::vector<double> points, double most) {
   return std::make_unique<FrictionSweep>(options, std::move(structure), std::move(points), most);
 }

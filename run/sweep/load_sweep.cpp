@@ -43,7 +43,8 @@ std::string lower_end_text(const limit::GuaranteedInterval& interval) {
 
 class LoadSweep final : public Swept {
  public:
-  LoadSweep(const SweepOptions& options, problems::Structure truss, std::vector<double> points)
+  LoadSweep(const SweepOptions& options, problems::CheckedStructure truss,
+            std::vector<double> points)
       : options_(options), truss_(std::move(truss)), alphas_(std::move(points)) {}
 
   void prepare(CommandRun& run) override {
@@ -86,7 +87,7 @@ class LoadSweep final : public Swept {
   void fix_groups();
 
   const SweepOptions& options_;
-  problems::Structure truss_;
+  problems::CheckedStructure truss_;
   problems::LimitProblem problem_;
   std::vector<double> alphas_;
   int ranks_ = 1;
@@ -246,7 +247,7 @@ Verdict LoadSweep::verdict() const {
 
 }  // namespace
 
-std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::Structure truss,
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::CheckedStructure truss,
                                    std::vector<double> points) {
   return std::make_unique<LoadSweep>(options, std::move(truss), std::move(points));
 }

@@ -119,7 +119,7 @@ void Sweep::check() const {
 void Sweep::prepare(CommandRun& run) {
   // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
-  warn_all(run.session(), structure.warnings);
+  warn_all(run.session(), structure->warnings);
   if (options_.alpha.empty()) {
     auto points = friction_points();
     const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
@@ -128,9 +128,8 @@ void Sweep::prepare(CommandRun& run) {
              facet_warnings(facets, points.empty() ? most : points.front(), options_.file));
     swept_ = swept_friction(options_, std::move(structure), std::move(points), most);
   } else {
-    swept_ =
-        swept_loads(options_, problems::in_chosen_case(std::move(structure), options_.load_case),
-                    sweep_points("--alpha", options_.alpha, true));
+    swept_ = swept_loads(options_, problems::in_chosen_case(structure, options_.load_case),
+                         sweep_points("--alpha", options_.alpha, true));
   }
   swept_->prepare(run);
 }

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/options.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "run/command/command_run.hpp"
 
 namespace kusabi::run {
@@ -49,11 +49,12 @@ class Swept {
 };
 
 /// @param structure of the file @param points increasing; may be empty @param most the largest
-std::unique_ptr<Swept> swept_friction(const SweepOptions& options, problems::Structure structure,
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options,
+                                      problems::CheckedStructure structure,
                                       std::vector<double> points, double most);
 
 /// @param points increasing, at least one
-std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::Structure truss,
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::CheckedStructure truss,
                                    std::vector<double> points);
 
 }  // namespace kusabi::run

@@ -70,7 +70,7 @@ class Verify final : public Subcommand {
   VerifyOptions options_;
   std::string text_;
   problems::ProblemText problem_text_;
-  std::optional<problems::Structure> structure_;
+  std::optional<problems::CheckedStructure> structure_;
   VerifyFindings findings_;
 };
 

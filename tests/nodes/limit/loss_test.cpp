@@ -33,7 +33,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 LossAnswer answer_of(const Structure& truss, const LossQuestion& question) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  const auto problem = problems::limit_problem(truss);
+  const auto problem = problems::limit_problem(checked(truss));
   const auto found = limit_loads(analysis, truss, problem, {.loss = question});
   return found.loss.value_or(LossAnswer{});
 }
@@ -115,7 +115,7 @@ TEST(Loss, ProvesTheWorstOfAllLossesOfRandomTrusses) {
     const auto truss = random_truss(seed);
     std::optional<test::PlainTruss> plain;
     try {
-      problems::limit_problem(truss);
+      problems::limit_problem(checked(truss));
       plain.emplace(truss);
     } catch (const support::InputError&) {
       continue;  // a mechanism, or two nodes at one place
@@ -243,7 +243,7 @@ TEST(Loss, ListsTheLossOfEachMember) {
 // The opening of a node depends on the node alone, and the first solution on no number of ranks.
 TEST(Loss, DoesNotDependOnTheNumberOfRanks) {
   const auto truss = grid(4);
-  const auto problem = problems::limit_problem(truss);
+  const auto problem = problems::limit_problem(checked(truss));
   const auto verified = evidence::verified_structure(truss);
   const auto model = problems::limit_model(problem);
   const std::vector<support::IndexSet> pool;

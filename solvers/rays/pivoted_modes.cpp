@@ -1,5 +1,5 @@
 // Elimination of rigid-body modes by column operations.
-#include "solvers/rays/rigid_modes.hpp"
+#include "solvers/rays/pivoted_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 namespace kusabi::rays {
 
-RigidModes combined(LongMatrix motions) {
+PivotedModes combined(LongMatrix motions) {
   const Eigen::Index count = motions.cols();
-  RigidModes result;
+  PivotedModes result;
   long double largest = 0;
   for (Eigen::Index done = 0; done < count; ++done) {
     const auto normals = motions(Eigen::seq(0, Eigen::last, 2), Eigen::seq(done, Eigen::last));

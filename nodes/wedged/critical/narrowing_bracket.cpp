@@ -1,5 +1,5 @@
 // Updates of the bracket, and the line that reports it.
-#include "nodes/wedged/critical/critical_bracket.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 
 #include <cmath>
 #include <limits>
@@ -17,22 +17,22 @@ constexpr double rounding_of_ends = 1e-9;
 
 }  // namespace
 
-double CriticalBracket::upper_or_infinity() const {
+double NarrowingBracket::upper_or_infinity() const {
   return upper_.value_or(std::numeric_limits<double>::infinity());
 }
 
-bool CriticalBracket::is_one_cell(double width) const {
+bool NarrowingBracket::is_one_cell(double width) const {
   return upper_or_infinity() - lower_ <= width * (1 + rounding_of_ends);
 }
 
-void CriticalBracket::raise(double lower) {
+void NarrowingBracket::raise(double lower) {
   if (!(lower > lower_)) return;
   lower_ = lower;
   lower_proved_ = false;
   changed_ = true;
 }
 
-void CriticalBracket::sink(double upper, const PatternNode& leaf) {
+void NarrowingBracket::sink(double upper, const PatternNode& leaf) {
   if (!(upper < upper_or_infinity())) return;
   upper_ = upper;
   leaf_ = leaf;
@@ -40,37 +40,37 @@ void CriticalBracket::sink(double upper, const PatternNode& leaf) {
   changed_ = true;
 }
 
-void CriticalBracket::prove_lower(double lower) {
+void NarrowingBracket::prove_lower(double lower) {
   lower_ = lower;
   lower_proved_ = true;
   changed_ = true;
 }
 
-void CriticalBracket::prove_upper(double upper, const PatternNode& leaf) {
+void NarrowingBracket::prove_upper(double upper, const PatternNode& leaf) {
   upper_ = upper;
   leaf_ = leaf;
   upper_proved_ = true;
   changed_ = true;
 }
 
-void CriticalBracket::move_lower(double lower) {
+void NarrowingBracket::move_lower(double lower) {
   lower_ = lower;
   lower_proved_ = false;
   changed_ = true;
 }
 
-void CriticalBracket::move_upper(std::optional<double> upper) {
+void NarrowingBracket::move_upper(std::optional<double> upper) {
   upper_ = upper;
   upper_proved_ = false;
   changed_ = true;
 }
 
-void CriticalBracket::move_upper(double upper, const PatternNode& leaf) {
+void NarrowingBracket::move_upper(double upper, const PatternNode& leaf) {
   move_upper(upper);
   leaf_ = leaf;
 }
 
-void CriticalBracket::show() {
+void NarrowingBracket::show() {
   if (!changed_ || analysis_.seconds() < short_run) return;
   changed_ = false;
   const auto proof = [](bool proved) { return proved ? "proved" : "not yet proved"; };

@@ -10,9 +10,9 @@
 namespace kusabi::wedged {
 
 /// The same on all ranks.
-class CriticalBracket {
+class NarrowingBracket {
  public:
-  CriticalBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
+  NarrowingBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
 
   /// No configuration is wedged at this coefficient or below.
   [[nodiscard]] double lower() const { return lower_; }
