@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,7 +20,6 @@
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
 #include "run/rays/rays_report.hpp"
-#include "run/session/kept_state.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/exact_json.hpp"
