@@ -233,7 +233,7 @@ ordered_json statistics_json(const LimitReport& report) {
 ordered_json LimitReport::json() const {
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
-          {"problem", limit_problem_json(problem, truss, options.file)},
+          {"problem", limit_problem_json(problem, truss, options.input.file)},
           {"options", options_json(options)},
           {"status", status_text(limit_verdict(options, cases))},
           {"result", result_json(*this)},

@@ -294,7 +294,7 @@ void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const 
   json.begin_object();
   json.member("command", "patterns");
   json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(whole.structure(), problem_, options_.file));
+  json.member("problem", problem_json(whole.structure(), problem_, options_.input.file));
   json.member("options", chosen_json());
   json.member("status", status_text(verdict()));
   json.key("result");

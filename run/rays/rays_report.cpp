@@ -168,7 +168,7 @@ void RaysReport::begin(JsonWriter& json) const {
   json.begin_object();
   json.member("command", "rays");
   json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(whole_.structure(), problem_, options_.file));
+  json.member("problem", problem_json(whole_.structure(), problem_, options_.input.file));
   json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
   json.member("status", status_name(found_.status));
   json.key("result");

@@ -68,6 +68,11 @@ std::string problem_line(const problems::WedgedProblem& problem) {
   return line;
 }
 
+std::string friction_text(const problems::WedgedProblem& problem, double coefficient) {
+  return fmt::format("{}{}", coefficient,
+                     problems::uniform_friction(problem) ? "" : " times that of each candidate");
+}
+
 ordered_json problem_json(const problems::Structure& structure,
                           const problems::WedgedProblem& problem, const std::string& file) {
   ordered_json json{
