@@ -10,8 +10,10 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/report/problem_page.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/show/structure_summary.hpp"
+#include "run/show/unsolved_result.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -28,6 +30,7 @@ class Show final : public Subcommand {
     table.further_output(
         "--vtu",
         "VTU picture of the structure for ParaView, with supports, normals, candidates and loads");
+    table.further_output("--html", "HTML page of the structure, before anything is solved");
     table.quiet();
     table.serial();
   }
@@ -46,6 +49,11 @@ class Show final : public Subcommand {
                        grid.remark = fmt::format("{}; {} and {}", structure_.name,
                                                  structure_.units.length, structure_.units.force);
                        write_vtu(out, grid);
+                     }),
+            run.file("--html",
+                     [this](std::ostream& out) {
+                       out << problem_page(unsolved_result(structure_, file_),
+                                           structure_summary(structure_), structure_.warnings);
                      }),
             run.answer([this] { return structure_summary(structure_); })};
   }
