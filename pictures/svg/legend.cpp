@@ -186,7 +186,10 @@ void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Sc
   add_count(ContactState::contact, "contact", "in contact");
   add_count(ContactState::separated, "separated", "separated");
   add_count(ContactState::at_rest, "idle", "neither a reaction nor a gap");
-  add_count(ContactState::none, "other", "candidate of another block");
+  const bool solved = std::ranges::any_of(
+      scene.candidates, [](const auto& each) { return each.state != ContactState::none; });
+  add_count(ContactState::none, "other",
+            solved ? "candidate of another block" : "contact candidate");
   if (count_of(scene, ContactState::contact) > 0)
     entries.push_back({cone_sample, friction_text(scene)});
   if (scales.largest_reaction > 0)

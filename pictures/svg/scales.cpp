@@ -77,15 +77,21 @@ double sense_of(const Scene& scene, const DrawnCandidate& candidate) {
   return scene.dimension == 3 && !scene.faces.empty() && candidate.rigid ? -1 : 1;
 }
 
+Eigen::Vector3d contact_place(const Scene& scene, const Scales& scales,
+                              const DrawnCandidate& candidate) {
+  return sense_of(scene, candidate) < 0 ? moved(scene, scales, candidate.node)
+                                        : Eigen::Vector3d(scene.positions.col(candidate.node));
+}
+
 Eigen::Vector3d reaction_end(const Scene& scene, const Scales& scales,
                              const DrawnCandidate& candidate) {
-  return scene.positions.col(candidate.node) +
+  return contact_place(scene, scales, candidate) +
          sense_of(scene, candidate) * scales.force * candidate.reaction;
 }
 
 std::vector<Eigen::Vector3d> friction_cone(const Scene& scene, const Scales& scales,
                                            const DrawnCandidate& candidate) {
-  const Eigen::Vector3d apex = scene.positions.col(candidate.node);
+  const Eigen::Vector3d apex = contact_place(scene, scales, candidate);
   const double angle = std::atan(candidate.friction);
   const Eigen::Vector3d along =
       sense_of(scene, candidate) * scales.cone * std::cos(angle) * candidate.normal;

@@ -31,6 +31,11 @@ double scale_of(const DrawnLoad& load, const Scales& scales);
 /// obstacle: bodies in space hide their inside.
 double sense_of(const Scene& scene, const DrawnCandidate& candidate);
 
+/// Drawn position of a candidate: that of its displaced node if its forces are on the side of the
+/// obstacle, else that of the node at rest.
+Eigen::Vector3d contact_place(const Scene& scene, const Scales& scales,
+                              const DrawnCandidate& candidate);
+
 /// Drawn reaction of a candidate: the end away from its node.
 Eigen::Vector3d reaction_end(const Scene& scene, const Scales& scales,
                              const DrawnCandidate& candidate);

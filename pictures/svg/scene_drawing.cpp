@@ -62,6 +62,9 @@ class SceneDrawing {
 
  private:
   [[nodiscard]] PixelPoint at(int node) const { return view_(scene_.positions.col(node)); }
+  [[nodiscard]] PixelPoint at(const DrawnCandidate& candidate) const {
+    return view_(contact_place(scene_, scales_, candidate));
+  }
   [[nodiscard]] PixelPoint moved_at(int node) const { return view_(moved(scene_, scales_, node)); }
 
   template <class Place>
@@ -174,7 +177,7 @@ class SceneDrawing {
   }
 
   void surface_piece(const DrawnCandidate& candidate) {
-    const PixelPoint middle = at(candidate.node);
+    const PixelPoint middle = at(candidate);
     const PixelPoint out(candidate.normal.x(), -candidate.normal.y());
     const PixelPoint along(-out.y(), out.x());
     const double half = 4.8 * detail_.mark;
@@ -236,7 +239,7 @@ class SceneDrawing {
 
   void reactions(const std::vector<const DrawnCandidate*>& chosen) {
     for (const auto* const candidate : chosen) {
-      const PixelPoint node = at(candidate->node);
+      const PixelPoint node = at(*candidate);
       const PixelPoint end = view_(reaction_end(scene_, scales_, *candidate));
       if (!((end - node).norm() > visible)) continue;
       if (sense_of(scene_, *candidate) > 0) {
@@ -250,7 +253,7 @@ class SceneDrawing {
   void candidates(const std::vector<const DrawnCandidate*>& chosen, bool with_names) {
     const bool names = with_names && detail_.names && scene_.candidates.size() <= most_names;
     for (const auto* const candidate : chosen) {
-      const PixelPoint place = at(candidate->node);
+      const PixelPoint place = at(*candidate);
       canvas_.begin_group("candidate", candidate->name);
       canvas_.circle(state_class(candidate->state), place, mark_of(*candidate));
       canvas_.end_group();

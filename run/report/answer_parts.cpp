@@ -26,13 +26,14 @@ void open_answer(Markup& page, std::string_view tag, std::string_view kind, cons
                   {"data-contact", ResultJson(answer.contact).dump()}});
 }
 
-std::string meaning(std::string_view key) {
+std::string meaning(const AnswerList& list, std::string_view key) {
+  const bool loaded = list.things == "states";
   if (key == "margin") return "margin t*";
   if (key == "margin_upper") return "t* is at most";
-  if (key == "lower") return "cannot stick at μ";
+  if (key == "lower") return loaded ? "cannot be held at μ" : "cannot stick at μ";
   if (key == "low") return "held from factor";
   if (key == "high") return "held to factor";
-  return "sticks at μ";
+  return loaded ? "can be held at μ" : "sticks at μ";
 }
 
 // Largest distance of lower and upper bound that are displayed as one number.
@@ -50,7 +51,7 @@ void add_terms(Markup& page, const AnswerList& list, const Answer& answer) {
   if (!answer.at_rest.empty()) names("inactive", answer.at_rest);
   if (!answer.state.empty()) page.element("dt", "remark").element("dd", answer.state);
   for (const auto& [key, value] : answer.numbers) {
-    page.element("dt", meaning(key)).open("dd", {{"class", key}});
+    page.element("dt", meaning(list, key)).open("dd", {{"class", key}});
     add_number(page, value, digits_of(key));
     page.close();
   }

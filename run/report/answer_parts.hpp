@@ -19,7 +19,7 @@ void open_answer(pictures::Markup& page, std::string_view tag, std::string_view 
                  const Answer& answer, std::size_t rank);
 
 /// Meaning of a number of an answer.
-std::string meaning(std::string_view key);
+std::string meaning(const AnswerList& list, std::string_view key);
 
 /// Digits with which it is shown.
 int digits_of(std::string_view key);

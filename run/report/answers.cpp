@@ -109,8 +109,8 @@ std::pair<std::vector<const char*>, std::string_view> keys_of(const std::string&
 std::vector<Answer> answers(const ResultReader& reader) {
   std::vector<Answer> all;
   const auto command = reader.text(reader.all(), "command");
-  if (command == "limit" || command == "sweep") return all;
   if (command == "hold") return states(reader);
+  if (command != "patterns" && command != "rays" && command != "critical") return all;
   const bool rays = command == "rays";
   const auto [keys, order] = keys_of(command);
   const auto& list = reader.list(reader.at(reader.all(), "result"), rays ? "rays" : "patterns");

@@ -128,7 +128,7 @@ class Gallery {
       page_.element("th", name, {{"scope", "col"}});
     };
     column("number"), column("in contact"), column("separated");
-    for (const auto& [key, value] : list_.answers.front().numbers) column(meaning(key));
+    for (const auto& [key, value] : list_.answers.front().numbers) column(meaning(list_, key));
     column("needs μ");
     page_.close().close().open("tbody", {{"class", "sorted"}});
     for (const auto i : list_.order) row(i);
@@ -168,6 +168,7 @@ class Gallery {
 }  // namespace
 
 AnswerList answer_list(const ResultReader& reader) {
+  static_cast<void>(reader.at(reader.all(), "problem"));  // the first that another file lacks
   const auto command = reader.text(reader.all(), "command");
   AnswerList list{.things = command == "rays"   ? "rays"
                             : command == "hold" ? "states"

@@ -56,7 +56,7 @@ std::string problem_page(const ResultReader& problem, const std::string& summary
   page.verbatim(
       inline_legend({"legend", "Legend", "Legend of the picture."},
                     legend(scene, {problem.text(units, "length"), problem.text(units, "force")})));
-  page.close().close().open("section", {{"id", "problem"}}).element("h2", "Problem");
+  page.close().close().open("section", {{"id", "facts"}}).element("h2", "Problem");
   add_problem(page, problem);
   page.close().close();
   page.open("script").verbatim(turning_script).close();

@@ -46,7 +46,7 @@ std::string flat_shape(const Structure& structure, const Candidates& candidates)
     least = std::min(least, place);
     most = std::max(most, place);
   }
-  return fmt::format("one normal ({:.4g}){}", fmt::join(normal, ", "),
+  return fmt::format("one normal ({:.4g}){}", fmt::join((normal.array() + 0.0).eval(), ", "),
                      within(structure, most - least));
 }
 
@@ -67,7 +67,8 @@ std::string round_shape(const Structure& structure, const Candidates& candidates
   const Eigen::Vector3d axis = spread.eigenvectors().col(0);
   const double angle =
       std::asin(std::min(1.0, std::abs(axis.dot(normals.col(0))))) * 180 / std::numbers::pi;
-  const auto along = fmt::format("about an axis ({:.4g})", fmt::join(axis, ", "));
+  const auto along =
+      fmt::format("about an axis ({:.4g})", fmt::join((axis.array() + 0.0).eval(), ", "));
   if (angle < alike * 180) return "normals of a cylinder " + along;
   return fmt::format("normals of a cone of half angle {:.6g}° {}", angle, along);
 }

@@ -97,7 +97,7 @@ const look = () => {
   for (const each of document.querySelectorAll("details")) each.open = true;
   return { ...seen, open: width(), turning: turned_view(), contrast: worst_contrast(), reach: out_of_reach(), gallery: work_with_the_gallery() };
 };
-addEventListener("load", () => setTimeout(() => requestAnimationFrame(() => {
+addEventListener("load", () => setTimeout(() => {
   let found;
   try {
     found = look();
@@ -105,4 +105,4 @@ addEventListener("load", () => setTimeout(() => requestAnimationFrame(() => {
     found = { title: document.title, faults: [...faults, String(error)] };
   }
   parent.postMessage(found, "*");
-})));
+}, 100));
