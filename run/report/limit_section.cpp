@@ -1,7 +1,6 @@
 // Nominal and worst case side by side, if both exist.
 #include "run/report/limit_section.hpp"
 
-#include <ranges>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -29,7 +28,8 @@ class LimitSection {
   void add() {
     page_.open("section", {{"id", "factors"}}).element("h2", "Load factors");
     // The worst case, which is the answer if it is known, comes last in the file.
-    for (const auto& scene : scenes_.scenes | std::views::reverse) collapse(scene);
+    for (auto scene = scenes_.scenes.rbegin(); scene != scenes_.scenes.rend(); ++scene)
+      collapse(*scene);
     if (ResultReader::find(result_, "collapse_mode") == nullptr) critical_load();
     factors();
     utilisation();

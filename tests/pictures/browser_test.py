@@ -62,6 +62,7 @@ class Pages(unittest.TestCase):
             (cls.folder / f"{name}.html").write_text(page)
             # Print styles, applied on the screen.
             (cls.folder / f"{name}-printed.html").write_text(page.replace("@media print", "@media screen"))
+        # The first frames are in view, where a view that turns is drawn again.
         cls.light = cls.visit(["taper", "patterns", "body", "limit", "sweep", "taper-printed", "patterns-printed", "limit-printed", "many-250",
                                "many-10000"], ["--force-prefers-reduced-motion"])
         cls.dark = cls.visit(["patterns", "body", "limit", "sweep", "taper"], ["--blink-settings=preferredColorScheme=0"])
