@@ -81,11 +81,11 @@ struct HoldQuestion {
   Precision precision = Precision::escalating;
 };
 
-/// Every rank makes the same call and gets the same.
+/// Every rank makes the same call and gets the same result.
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldQuestion& question = {});
 
-/// Every rank makes the same call and gets the same.
+/// Every rank makes the same call and gets the same result.
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                                  const HoldQuestion& question = {});
 

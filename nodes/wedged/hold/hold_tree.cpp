@@ -25,7 +25,7 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
       rule_(loaded.problem, friction_with_loads(loaded.problem, mu, 0), Branching::relative),
       solver_(problem_, friction_with_loads(loaded.problem, mu, shares.size()), hold_tolerances,
               precision, static_cast<int>(shares.size())) {
-  // Without the dead part a combination of loads is no state of the file, unless there is none.
+  // If the file has a dead part, only combinations with it are states of the file.
   const bool dead = std::ranges::any_of(shares, [](const auto& share) { return share.dead != 0; });
   for (const LoadShare& share : shares) {
     const int number = all_.size() + static_cast<int>(scales_.size());
@@ -49,7 +49,7 @@ HoldSign HoldNodes::sign(const LoadedPattern& node) {
   return conic::is_resolved_tie(answer, hold_tolerances) ? tie(node, answer.upper) : HoldSign::open;
 }
 
-// Candidates of U without a reaction leave all states of the node to the one with them in R.
+// Some candidate of U has no reaction: all states are also those of the node with it in R.
 HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
   const auto inside = solver_.relative_interior(node.contact, node.separated);
   if (!inside) return HoldSign::open;
