@@ -8,7 +8,8 @@
 namespace kusabi::run {
 
 /// JSON: positions as integers in ten-thousandths of half the size, faces, bars, supports, loads
-/// and candidates; only nodes that are drawn. Empty if the scene is in the plane.
+/// and candidates; only nodes that are drawn. Empty if the scene is in the plane,
+/// or has too many faces to be drawn at each step.
 std::string turning_data(const pictures::Scene& scene);
 
 }  // namespace kusabi::run
