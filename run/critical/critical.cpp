@@ -149,8 +149,9 @@ void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
     if (entry.reaction.empty()) continue;
     series.add(
         numbered_vtu("pattern", i + 1, count),
-        grids.grid(fmt::format("configuration that becomes feasible at friction coefficient {}",
-                               entry.upper.value_or(entry.lower)),
+        grids.grid({fmt::format("configuration that becomes feasible at friction coefficient {}",
+                                entry.upper.value_or(entry.lower)),
+                    entry.upper.value_or(entry.lower)},
                    entry.block, entry.pattern, {}, entry.reaction, entry.displacement));
   }
   series.finish("critical.pvd", problem_line(contact_.problem));

@@ -157,7 +157,8 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
     const auto ray = cone_->ray(found_.rays[i], health);
     series.add(
         numbered_vtu("ray", i + 1, count),
-        grids.grid(fmt::format("ray {} at friction coefficient {}", i + 1, options_.friction),
+        grids.grid({fmt::format("ray {} at friction coefficient {}", i + 1, options_.friction),
+                    options_.friction},
                    numbers(ray.reaction), numbers(ray.displacement),
                    contact_states_of({found_.rays[i], cone_->all()}, cone_->candidates())));
   }

@@ -8,7 +8,9 @@
 #include "run/command/command_run.hpp"
 #include "run/command/problem_input.hpp"
 #include "run/command/registrations.hpp"
+#include "run/report/problem_page.hpp"
 #include "run/show/structure_summary.hpp"
+#include "run/show/unsolved_result.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -20,6 +22,7 @@ class Show final : public Subcommand {
     table.further_output(
         "--vtu",
         "VTU picture of the structure for ParaView, with supports, normals, candidates and loads");
+    table.further_output("--html", "HTML page of the structure, before anything is solved");
     table.quiet_and_serial();
   }
   void read(CommandRun& run) override { input_.read(run); }
@@ -32,6 +35,11 @@ class Show final : public Subcommand {
                        grid.remark = fmt::format("{}; {} and {}", structure_->name,
                                                  structure_->units.length, structure_->units.force);
                        write_vtu(out, grid);
+                     }),
+            run.file("--html",
+                     [this](std::ostream& out) {
+                       out << problem_page(unsolved_result(structure_, input_.file),
+                                           structure_summary(structure_), structure_->warnings);
                      }),
             run.answer([this] { return structure_summary(structure_); })};
   }

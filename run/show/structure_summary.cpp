@@ -17,6 +17,8 @@
 #include "problems/structure/model/element_shape.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
+#include "run/show/contact_checks.hpp"
+#include "run/show/expectation.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -121,6 +123,22 @@ std::string candidates(const Structure& structure) {
   return text;
 }
 
+// Surfaces of the candidates, a line each.
+std::string touching(const Structure& structure) {
+  constexpr std::size_t most = 12;
+  const auto lines = touching_surfaces(structure);
+  std::string text;
+  for (const auto& line : std::span(lines).first(std::min(lines.size(), most)))
+    text += fmt::format("              {}\n", line);
+  if (lines.size() > most) text += fmt::format("              and {} more\n", lines.size() - most);
+  return text;
+}
+
+std::string expected(const Structure& structure) {
+  const auto text = expectation(structure.dimension, structure.contact.size());
+  return text.empty() ? text : fmt::format("  expect      {}\n", text);
+}
+
 std::string loads(const Structure& structure) {
   std::vector<std::string> parts;
   for (const auto& [kind, name] : {std::pair{problems::Load::Kind::dead, "dead load"},
@@ -145,11 +163,11 @@ std::string loads(const Structure& structure) {
 
 std::string structure_summary(const problems::CheckedStructure& structure) {
   return fmt::format(
-      "{}: {}\n  consists of {}\n{}  extent      {}\n  supports    {}\n  candidates  {}\n"
-      "  loads       {}\n",
+      "{}: {}\n  consists of {}\n{}  extent      {}\n  coincident  {}\n  supports    {}\n"
+      "  candidates  {}\n{}  loads       {}\n{}",
       structure->name, structure->dimension == 2 ? "in the plane" : "in space", bodies(structure),
-      connected(structure), extent(structure), supports(structure), candidates(structure),
-      loads(structure));
+      connected(structure), extent(structure), coincident_nodes(structure), supports(structure),
+      candidates(structure), touching(structure), loads(structure), expected(structure));
 }
 
 }  // namespace kusabi::run
