@@ -12,6 +12,7 @@
 
 #include "engine/together.hpp"
 #include "nodes/limit/limit_loads.hpp"
+#include "problems/files/sections/residual_strength.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
@@ -31,6 +32,7 @@
 #include "run/session/kept_state.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/loss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -49,6 +51,7 @@ class Limit final : public Subcommand {
  private:
   void take_cases(const problems::CheckedStructure& whole);
   void settle_half_widths();
+  void refuse_with_losses() const;
   void refuse_without_worst_case() const;
   [[nodiscard]] const char* why_no_certificate() const;
 
@@ -106,9 +109,7 @@ void Limit::describe(OptionTable& table) {
 
 void Limit::check() const {
   group_half_widths(group_alpha_);
-  if (options_.loss.most > 0 && !certificate_.empty()) {
-    throw WrongInput("--certificate: not available with --lose; expected one of them");
-  }
+  if (options_.loss.most > 0) refuse_with_losses();
   if (options_.question.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: requires --curve or --curve-load");
@@ -116,6 +117,17 @@ void Limit::check() const {
   if (options_.question.curve_to != limit::LimitQuestion{}.curve_to) {
     throw WrongInput("--curve-to: requires --curve or --curve-load");
   }
+}
+
+// Options on a worst case without losses.
+void Limit::refuse_with_losses() const {
+  const auto& question = options_.question;
+  const char* option = nullptr;
+  if (question.method != limit::LimitMethod::static_cuts) option = "--cuts";
+  if (question.samples > 0) option = "--samples";
+  if (question.curve) option = "--curve";
+  if (option == nullptr) return;
+  throw WrongInput(fmt::format("{}: not available with --lose; expected one of them", option));
 }
 
 // Options that require a worst case.
@@ -143,12 +155,7 @@ void Limit::settle_half_widths() {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (options_.question.alpha) {
-    if (options_.loss.most == 0) return;
-    throw WrongInput(
-        "--lose: requires a dead load without uncertainty; expected no --alpha, no --group-alpha "
-        "and no alpha in the file");
-  }
+  if (options_.question.alpha || options_.loss.most > 0) return;
   refuse_without_worst_case();
   // The dead load exactly as given: a certificate of the case without uncertainty.
   if (!certificate_.empty()) options_.question.alpha = 0;
@@ -175,7 +182,10 @@ void Limit::take_cases(const problems::CheckedStructure& whole) {
 }
 
 void Limit::prepare(CommandRun& run) {
-  take_cases(options_.input.structure(run));
+  const auto structure = options_.input.structure(run);
+  options_.question.residual =
+      problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
+  take_cases(structure);
   settle_half_widths();
   options_.question.loss = options_.loss.question(cases_.front().problem);
   engine::Facts facts;
@@ -183,6 +193,11 @@ void Limit::prepare(CommandRun& run) {
     engine::agree(run.session().transport(), problem.fingerprint);
     facts.emplace_back(name.empty() ? "the problem" : "the problem, case " + name,
                        hexadecimal(problem.fingerprint));
+  }
+  if (options_.question.residual.size() > 0) {
+    support::Fingerprint strengths;
+    for (const double strength : options_.question.residual) strengths.add(strength);
+    facts.emplace_back("the residual strengths", hexadecimal(strengths.value()));
   }
   if (!options_.curve_load.empty()) {
     options_.question.curve_load =
@@ -235,7 +250,11 @@ std::vector<Step> Limit::results(CommandRun& run) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (have_statements(cases_)) {
+  if (options_.loss.most > 0 && have_loss_statements(cases_)) {
+    steps.push_back(run.file("--certificate", [this](std::ostream& out) {
+      out << loss_certificate_text(all_loss_statements(cases_));
+    }));
+  } else if (have_statements(cases_)) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << limit_certificate_text(all_statements(cases_));
     }));
@@ -252,7 +271,8 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
-  if (!certificate_.empty() && !have_statements(cases_)) {
+  const bool any = options_.loss.most > 0 ? have_loss_statements(cases_) : have_statements(cases_);
+  if (!certificate_.empty() && !any) {
     verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
                                           certificate_, why_no_certificate()));
   }

@@ -198,6 +198,8 @@ class WrittenVerdict {
                      .reached = {},
                      .cases = count(answer, "cases")};
     if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
+    if (ResultReader::find(answer, "uncertain") != nullptr)
+      found.uncertain = truth(answer, "uncertain");
     return found;
   }
   [[nodiscard]] LoadSteps load_steps(const ResultJson& answer) const {

@@ -20,9 +20,11 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/verify_limit.hpp"
+#include "run/verify/verify_loss.hpp"
 #include "run/verify/verify_patterns.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/loss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -102,9 +104,13 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
-  findings_ = text_.starts_with(verify::limit_first_words)
-                  ? verify_limit(run, options_, structure_, text_)
-                  : verify_patterns(run, options_, structure_, text_);
+  if (text_.starts_with(verify::loss_first_words)) {
+    findings_ = verify_loss(run, options_, structure_, text_);
+  } else if (text_.starts_with(verify::limit_first_words)) {
+    findings_ = verify_limit(run, options_, structure_, text_);
+  } else {
+    findings_ = verify_patterns(run, options_, structure_, text_);
+  }
 }
 
 std::vector<Step> Verify::results(CommandRun& run) {
