@@ -58,8 +58,8 @@ std::vector<Result> share_work(Transport& transport, std::uint64_t pieces,
     return results;
   }
   // One search, compiled once, serves all types of results.
-  const auto packed = share_packed_work(
-      transport, pieces, [&](std::uint64_t number) { return pack(piece(number)); });
+  const auto packed = share_packed_work(transport, pieces,
+                                        [&](std::uint64_t number) { return pack(piece(number)); });
   for (const auto& bytes : packed) results.push_back(unpack<Result>(bytes));
   return results;
 }

@@ -17,7 +17,8 @@ ContactProblem contact_problem(CommandRun& run, const ProblemInput& input,
   return {std::move(structure), std::move(facets), std::move(problem)};
 }
 
-problems::WedgedProblem agreed_problem(CommandRun& run, const problems::CheckedStructure& structure) {
+problems::WedgedProblem agreed_problem(CommandRun& run,
+                                       const problems::CheckedStructure& structure) {
   auto problem = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure, work); });
   agree(run.session(), problem);

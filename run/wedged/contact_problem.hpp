@@ -27,7 +27,8 @@ ContactProblem contact_problem(CommandRun& run, const ProblemInput& input,
                                std::optional<double> friction = {});
 
 /// The problem of a structure, the same on all ranks.
-problems::WedgedProblem agreed_problem(CommandRun& run, const problems::CheckedStructure& structure);
+problems::WedgedProblem agreed_problem(CommandRun& run,
+                                       const problems::CheckedStructure& structure);
 
 /// Warnings on normals of faceted surfaces.
 void warn_of_facets(CommandRun& run, const ProblemInput& input,
