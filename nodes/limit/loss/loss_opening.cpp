@@ -55,15 +55,26 @@ struct LossOpener::Opening {
   IndexSet branches{};               // members to branch on; empty: closed
 };
 
-// If a state is not proved, one with a larger margin is looked for, then one of any members.
+// If a state is not proved, one with a larger margin is looked for, then one of any members, from
+// the first basis: the simplex method may also find none by mistake.
 LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
                                          const IndexSet& avoided) {
   if (std::ranges::find(known_.undecided, lost) != known_.undecided.end()) return Found::undecided;
-  const std::pair<IndexSet, double> attempts[] = {
-      {avoided, yield_margins[0]}, {avoided, yield_margins[1]}, {{}, yield_margins[0]}};
-  for (const auto& [members, margin] : attempts) {
+  struct Attempt {
+    const IndexSet& avoided;
+    const IndexSet& free;
+    double margin;
+  };
+  const IndexSet none;
+  const auto& kept = here.node.kept;
+  const Attempt attempts[] = {{avoided, kept, yield_margins[0]},
+                              {avoided, kept, yield_margins[1]},
+                              {none, none, yield_margins[0]},
+                              {none, none, yield_margins[1]}};
+  for (const auto& [members, free, margin] : attempts) {
     ++piece_.programs;
-    if (program_.solve(lost, members, here.node.kept, margin) != StateProgram::Result::found) break;
+    if (&members == &none) program_.restart(known_.target / factor_unit_ + factor_room);
+    if (program_.solve(lost, members, free, margin) != StateProgram::Result::found) continue;
     if (auto state = proof_.proved(program_.state(), known_.target, lost)) {
       here.supports.push_back(state->support);
       piece_.states.push_back(*std::move(state));
