@@ -57,7 +57,7 @@ const char* kind_name(wedged::Evidence::Kind kind) {
 std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction,
                                std::span<const wedged::ProvedBound> bounds) {
-  const auto& motions = problem.motions;
+  const auto& motions = problem.modes.matrix;
   auto text = fmt::format("kusabi certificate 4\ndimension {}\ncandidates {}\n", problem.dimension,
                           problem.contact_names.size());
   for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));

@@ -3,18 +3,17 @@
 // can be held in addition.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/problem_input.hpp"
 
 namespace kusabi::run {
 
 struct HoldOptions {
-  std::string file;          ///< problem file
+  ProblemInput input;
   std::optional<double> mu;  ///< absent: the smallest coefficient is requested
   std::string load_case;
   wedged::HoldQuestion question;
@@ -33,7 +32,5 @@ struct HoldFindings {
     return friction ? friction->costs : factors->costs;
   }
 };
-
-std::unique_ptr<Subcommand> hold_subcommand();
 
 }  // namespace kusabi::run

@@ -218,7 +218,7 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
                        const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
   return {{"command", "hold"},
           {"version", KUSABI_VERSION},
-          {"problem", problem_json(structure, loaded.problem, options.file)},
+          {"problem", problem_json(structure, loaded.problem, options.input.file)},
           {"options",
            {{"mu", number_or_null(options.mu)},
             {"mu_max", options.question.most},

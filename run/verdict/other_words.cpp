@@ -1,5 +1,6 @@
 // Sentences about zero-one programs and certificates.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "run/output/values.hpp"
 #include "run/verdict/answer_words.hpp"
@@ -54,6 +55,22 @@ std::string of_factor(const CertificateCheck::Factor& factor) {
                     "; every load factor from {:.17g} on up to there is carried under every "
                     "admissible load, and none below {:.17g} is",
                     upper, lower);
+}
+
+std::string of_loss(const CertificateCheck::Loss& loss) {
+  const auto lost = loss.lost.empty()
+                        ? std::string("without any loss")
+                        : fmt::format("after the loss of {}", fmt::join(loss.lost, " and "));
+  if (loss.fatal)
+    return fmt::format("PROVED: {} {} dead load is carried at no load factor", lost,
+                       loss.uncertain ? "some admissible" : "the");
+  const auto upper = fmt::format("{} it is at most {:.17g}", lost, loss.upper);
+  if (!loss.lower) return fmt::format("PROVED, for the load factor: {}", upper);
+  return fmt::format(
+      "PROVED: after the loss of any {}{}{} the load factor is at least {:.17g}; {}",
+      loss.most == 1 ? std::string("member") : fmt::format("{} members", loss.most),
+      loss.kept == 0 ? std::string() : fmt::format(" except {} that are kept", loss.kept),
+      loss.uncertain ? " and under every admissible load" : "", *loss.lower, upper);
 }
 
 }  // namespace
@@ -114,6 +131,8 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
   }
   if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
     return of_factor(*factor);
+  if (const auto* const loss = std::get_if<CertificateCheck::Loss>(&found.claim))
+    return of_loss(*loss);
   return "NOT PROVED";
 }
 

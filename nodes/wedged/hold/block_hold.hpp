@@ -21,7 +21,7 @@ struct HoldOutcome {
   HoldTally tally{};
 
   /// True if there is no state below the root, proved.
-  [[nodiscard]] bool dead() const {
+  [[nodiscard]] bool is_infeasible() const {
     return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
            tally.undecided == 0 && tally.limits.empty();
   }
@@ -55,10 +55,10 @@ class BlockHold {
                                                double factor, double mu) const;
 
  private:
-  /// Bracket of the point on a line at which a monotone answer changes: feasible at `alive`,
-  /// infeasible at `dead`.
+  /// Bracket of the point on a line at which a monotone answer changes: from `feasible`, where it
+  /// is feasible, to `infeasible`.
   struct Ends {
-    double alive, dead;
+    double feasible, infeasible;
     bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
   };
   struct Gap {
@@ -81,7 +81,7 @@ class BlockHold {
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu) const;
   void narrow(HoldingFriction& found);
-  bool prove_lower(HoldingFriction& found, double most_dead);
+  bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
 
   engine::Analysis& analysis_;

@@ -97,7 +97,7 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldQuestion& question) {
   HeldFactors found;
-  found.any_by_supports = loaded.problem.motions.cols() == 0;
+  found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (loaded.has_reference && unseen_work(loaded, {0, 1}) > negligible_work)
     return at_one_factor(analysis, loaded, mu, question);
   if (unseen_work(loaded, {1, 0}) > negligible_work) {
@@ -111,7 +111,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
   const auto blocks = problems::blocks_of(loaded.problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    if (block.problem.motions.cols() == 0) continue;
+    if (block.problem.modes.matrix.cols() == 0) continue;
     const bool reference = is_under_reference(block);
     if (!reference && !is_under_dead(block)) continue;
     BlockHold hold(analysis, block, question, found.costs);
@@ -134,7 +134,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   HoldingFriction found;
   found.upper = 0;
   found.most = question.most;
-  found.any_by_supports = loaded.problem.motions.cols() == 0;
+  found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (unseen_work(loaded, {1, 0}) > negligible_work) {
     found.not_in_equilibrium = true;
     found.upper.reset();
@@ -144,7 +144,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   const auto blocks = problems::blocks_of(loaded.problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    if (block.problem.motions.cols() == 0 || !is_under_dead(block)) continue;
+    if (block.problem.modes.matrix.cols() == 0 || !is_under_dead(block)) continue;
     auto costs = std::move(found.costs);
     BlockHold hold(analysis, block, question, costs);
     auto own = hold.friction();
