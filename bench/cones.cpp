@@ -4,11 +4,14 @@
 //   bench_cones INSTANCE...                  table, one row per instance
 //   bench_cones --json INSTANCE...           table, and data for bench/cones.py
 //   bench_cones --walk ROWS DEPTH BAYS MU    writes an instance
+//   bench_cones --equations                  normal equations of random columns: GFlop/s by size
 //
 // An instance is a space truss (problems/families/space_truss) with nodes of its tree from random
 // walks: 200, or 24 with more than 60 candidates. The best of several rounds counts; run it on an
 // idle machine.
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -17,12 +20,15 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
+#include "solvers/conic/normal_equations.hpp"
+#include "solvers/conic/pack.hpp"
 #include "support/index_set.hpp"
 
 namespace {
@@ -186,12 +192,45 @@ void walk(const problems::SpaceTrussSize& size, double friction) {
              size.rows, size.depth, size.bays, friction, nodes.dump());
 }
 
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Assembly and factorisation of m rows with as many cones: 3 m^3 and m^3 / 3 operations.
+void show_equations(int m) {
+  const int height = conic::padded(m);
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(height, dimension * height);
+  for (int d = 0; d < dimension; ++d) columns.block(0, d * height, m, m).setRandom();
+  conic::NormalEquations<> equations(m);
+  const double cube = std::pow(m, 3);
+  double assembly = 1e300, factorisation = 1e300;
+  for (int round = 0; round < std::max(3.0, 1e8 / cube); ++round) {
+    assembly = std::min(assembly, seconds_of([&] {
+                          equations.assemble({columns.data(), height, dimension, m, height});
+                        }));
+    for (int i = 0; i < m; ++i) equations.add_to_diagonal(i, 1);
+    Eigen::VectorXd first = Eigen::VectorXd::Zero(height), second = first;
+    factorisation = std::min(factorisation,
+                             seconds_of([&] { equations.factorise(first.data(), second.data()); }));
+  }
+  fmt::print("{:>5} | {:>10.0f} {:>8.1f} | {:>10.0f} {:>8.1f}\n", m, assembly * 1e6,
+             3e-9 * cube / assembly, factorisation * 1e6, 1e-9 / 3 * cube / factorisation);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   const std::vector<std::string> call(words + 1, words + count);
   if (call.size() == 5 && call[0] == "--walk") {
     walk({std::stoi(call[1]), std::stoi(call[2]), std::stoi(call[3])}, std::stod(call[4]));
+    return EXIT_SUCCESS;
+  }
+  if (call.size() == 1 && call[0] == "--equations") {
+    fmt::print("    m | assembly: us GFlop/s | factor: us  GFlop/s\n");
+    for (const int m : {30, 64, 128, 233, 512, 800, 1000}) show_equations(m);
     return EXIT_SUCCESS;
   }
   if (call.empty()) {

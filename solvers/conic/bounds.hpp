@@ -53,16 +53,17 @@ struct NodeSets {
 };
 
 /// Excess of r_n over x_0 of the standard form per unit of t: 1 / mu, or 1 without friction.
-inline double level_weight(double friction) {
-  return friction == 0 ? 1 : 1 / friction;
+template <class Real = double>
+Real level_weight(double friction) {
+  return friction == 0 ? Real(1) : Real(1) / Real(friction);
 }
 
 /// Bounds for one F.
 template <int D, class Real>
 class Bounds {
  public:
-  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = VectorOf<Real>;
+  using Matrix = MatrixOf<Real>;
 
   /// @param compliance F~, over the cones, D rows each  @param error e
   /// @param owners candidate of each cone, in order  @param motions of an unconstrained body

@@ -36,25 +36,25 @@ namespace kusabi::conic {
 
 /// Elimination at one point of the iteration, on storage for the largest node. Call in this order:
 /// start() for a node; begin(), share() and border() at a point; then the others.
-template <int D>
+template <int D, class Real = double>
 class CutElimination {
  public:
   /// Scaling matrix of a cone, D x D.
-  using Square = Eigen::Matrix<double, D, D>;
-  using Vector = Eigen::Matrix<double, D, 1>;
+  using Square = Eigen::Matrix<Real, D, D>;
+  using Vector = Eigen::Matrix<Real, D, 1>;
 
   /// @param most_rows m + p
   CutElimination(int most_rows, int most_cuts, int most_cones);
 
   /// Sets the cuts of a node.
-  void start(const NodeProgram<D>& program);
+  void start(const NodeProgram<D, Real>& program);
   /// True if there are cuts.
   [[nodiscard]] bool is_needed() const { return !cuts_.empty(); }
   /// Number of equations of the reduced system: one more than without cuts.
   [[nodiscard]] int rows() const { return rows_; }
 
   /// @param w by row, sqrt(v / y); 0 without a slack
-  void begin(const Eigen::VectorXd& w);
+  void begin(const VectorOf<Real>& w);
 
   /// Factor of a cone's columns of A^ in place of W, and the addend to them.
   struct Share {
@@ -66,48 +66,45 @@ class CutElimination {
 
   /// Computes the border, when share() was called for all cones.
   /// @return false if rounding has used up the digits
-  [[nodiscard]] bool border(const NodeProgram<D>& program);
+  [[nodiscard]] bool border(const NodeProgram<D, Real>& program);
 
   /// Sets the diagonal contribution of the slacks in the reduced system, from w^2, and adds the
   /// border to `equations`.
-  void complete(Eigen::VectorXd& weights, NormalEquations& equations) const;
+  void complete(VectorOf<Real>& weights, NormalEquations<Real>& equations) const;
 
   /// Reduces the right side (r, rho) to the rows() equations.
-  void reduce(const Eigen::VectorXd& whole, Eigen::VectorXd& reduced) const;
+  void reduce(const VectorOf<Real>& whole, VectorOf<Real>& reduced) const;
   /// Replaces (r, rho) by the solution (y, eta), from (y^, nu).
-  void expand(const Eigen::VectorXd& solution, Eigen::VectorXd& whole) const;
+  void expand(const VectorOf<Real>& solution, VectorOf<Real>& whole) const;
 
   /// Contribution of a cut to b'M^-1 b for the columns b of its candidate in [A; C] W, and for that
   /// of its slack: b'M^-1 b = g'(reduced system)^-1 g + weight h^2.
   struct Part {
     Vector cone = Vector::Zero();  ///< f: g = A^ W e_d - f_d along, h = f_d
-    double slack = 0;              ///< a w: g = w e_i + a w along, h = a w
-    double weight = 0;
+    Real slack = 0;                ///< a w: g = w e_i + a w along, h = a w
+    Real weight = 0;
   };
   /// @param candidate with or without a cut  @param along rows() numbers, padded
-  [[nodiscard]] Part part_of(int candidate, Eigen::VectorXd& along) const;
+  [[nodiscard]] Part part_of(int candidate, VectorOf<Real>& along) const;
 
  private:
   // A cut, in the symbols of the header; f = c W e_0, `first` = W f.
   struct Own {
-    CutRow row;
-    double cut_weight = 0, gap_weight = 0;  // w_cut^2, w_i^2
+    CutRow<Real> row;
+    Real cut_weight = 0, gap_weight = 0;  // w_cut^2, w_i^2
     Vector f = Vector::Zero(), first = Vector::Zero();
-    double delta = 0;
+    Real delta = 0;
   };
 
-  [[nodiscard]] PackedColumns outer() const;
+  [[nodiscard]] PackedColumns<Real> outer() const;
 
   int rows_ = 0, first_cut_ = 0;
   std::vector<Own> cuts_;
   std::vector<int> cut_of_cone_;  // -1: no cut
-  Eigen::VectorXd outer_;         // p_i, by columns
-  Eigen::VectorXd border_;        // q
-  double kappa_ = 0;
-  mutable Eigen::VectorXd shares_;  // one number per cut
+  VectorOf<Real> outer_;          // p_i, by columns
+  VectorOf<Real> border_;         // q
+  Real kappa_ = 0;
+  mutable VectorOf<Real> shares_;  // one number per cut
 };
-
-extern template class CutElimination<2>;
-extern template class CutElimination<3>;
 
 }  // namespace kusabi::conic

@@ -11,23 +11,17 @@ namespace kusabi::conic {
 
 namespace {
 
-// Shift of the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
-// in it): of the order of its rounding. A candidate in contact whose normal and tangents are
-// decoupled has a zero row in A, and u_n = 0 then has no solution; with the shift, y grows along
-// that row and proves the node infeasible.
-constexpr double diagonal_shift = 1e-15;
-
 // Product of the columns of one cone of A with a matrix, by columns. `rows` and `distance` are
 // those of A, from one component to the next, and the same for the product.
-template <int D>
-KUSABI_INLINE void multiply_columns(const double* a, int distance, int rows,
-                                    const Eigen::Matrix<double, D, D>& matrix, double* product,
+template <int D, class Real>
+KUSABI_INLINE void multiply_columns(const Real* a, int distance, int rows,
+                                    const Eigen::Matrix<Real, D, D>& matrix, Real* product,
                                     int product_distance) {
-  for (int row = 0; row < rows; row += lanes) {
-    ConePoint<D, Pack> entries;
+  for (int row = 0; row < rows; row += lanes<Real>) {
+    ConePoint<D, Packed<Real>> entries;
     for (int d = 0; d < D; ++d) entries[static_cast<std::size_t>(d)] = load(a + d * distance + row);
     for (int d = 0; d < D; ++d) {
-      ConePoint<D, Pack> column;
+      ConePoint<D, Packed<Real>> column;
       for (int e = 0; e < D; ++e) column[static_cast<std::size_t>(e)] = matrix(e, d);
       store(product + d * product_distance + row, dot(entries, column));
     }
@@ -36,110 +30,110 @@ KUSABI_INLINE void multiply_columns(const double* a, int distance, int rows,
 
 }  // namespace
 
-template <int D>
-InteriorPoint<D>::InteriorPoint(const NodeProgram<D>& program)
+template <int D, class Real>
+InteriorPoint<D, Real>::InteriorPoint(const Program& program)
     : elimination_(program.first_cut(), program.most_cuts(), program.most_cones()),
       normal_equations_(program.first_cut() + (program.most_cuts() > 0 ? 1 : 0)) {
-  const Eigen::Index rows = padded(program.most_rows());
+  const Eigen::Index rows = padded<Real>(program.most_rows());
   const int motions = program.motions().lifting;
   moved_.setZero(rows, motions);
   motion_.setZero(motions);
   // the constructor allocates; solvers are copied with their state
-  schur_.compute(Eigen::MatrixXd::Identity(motions, motions));
-  const Eigen::Index cones = padded(program.most_cones());
-  for (ConePoints<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
+  schur_.compute(MatrixOf<Real>::Identity(motions, motions));
+  const Eigen::Index cones = padded<Real>(program.most_cones());
+  for (Points* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
     points->setZero(cones, D);
-  for (Eigen::VectorXd* numbers : {&v_, &y_, &w_, &weights_, &lambda_, &predictor_, &correction_,
-                                   &dy_, &trial_, &step_v_, &step_y_})
+  for (Vector* numbers : {&v_, &y_, &w_, &weights_, &lambda_, &predictor_, &correction_, &dy_,
+                          &trial_, &step_v_, &step_y_})
     numbers->setZero(rows);
   present_.setZero(cones);
-  scaling_.resize(static_cast<std::size_t>(cones / lanes));
-  const Eigen::Index left = padded(program.first_cut() + 1);
-  for (Eigen::VectorXd* numbers : {&reduced_first_, &reduced_second_, &along_})
-    numbers->setZero(left);
+  scaling_.resize(static_cast<std::size_t>(cones / width));
+  const Eigen::Index left = padded<Real>(program.first_cut() + 1);
+  for (Vector* numbers : {&reduced_first_, &reduced_second_, &along_}) numbers->setZero(left);
   scaled_matrix_.setZero(left * D * cones);
-  faces_.setZero((D + 1) * lanes, left);
+  faces_.setZero((D + 1) * width, left);
 }
 
-template <int D>
-KUSABI_INLINE auto InteriorPoint<D>::load_cones(const ConePoints<D>& points, int cone) -> Cones {
+template <int D, class Real>
+KUSABI_INLINE auto InteriorPoint<D, Real>::load_cones(const Points& points, int cone) -> Cones {
   Cones values;
   for (std::size_t d = 0; d < values.size(); ++d)
     values[d] = load(points.data() + static_cast<Eigen::Index>(d) * points.rows() + cone);
   return values;
 }
 
-template <int D>
-KUSABI_INLINE void InteriorPoint<D>::store_cones(ConePoints<D>& points, int cone,
-                                                 const Cones& values) {
+template <int D, class Real>
+KUSABI_INLINE void InteriorPoint<D, Real>::store_cones(Points& points, int cone,
+                                                       const Cones& values) {
   for (std::size_t d = 0; d < values.size(); ++d)
     store(points.data() + static_cast<Eigen::Index>(d) * points.rows() + cone, values[d]);
 }
 
-template <int D>
-void InteriorPoint<D>::start(const NodeProgram<D>& program) {
+template <int D, class Real>
+void InteriorPoint<D, Real>::start(const Program& program) {
   const auto count = static_cast<int>(program.cones().size());
   elimination_.start(program);
   normal_equations_.resize(elimination_.is_needed() ? elimination_.rows() : program.rows());
-  for (Eigen::VectorXd* numbers : {&predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
+  for (Vector* numbers : {&predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
     numbers->setZero();  // rows not used by this node
   y_ = program.slack();
   program.multiply_transposed(y_, products_);
   double size = start_limit;
   for (int c = 0; c < count; ++c) {
-    ConePoint<D> push;
+    ConePoint<D, Real> push;
     for (std::size_t d = 0; d < push.size(); ++d)
       push[d] = products_(c, static_cast<Eigen::Index>(d));
-    const double outward = push[0] + radius(push);
+    const double outward = numbers::rounded(Real(push[0] + radius(push)));
     if (outward * size > start_share) size = start_share / outward;
   }
-  y_ *= size;
+  y_ *= Real(size);
   x_.setZero();
-  x_.col(0).setConstant(start_point / static_cast<double>(count));
-  v_ = start_slack / static_cast<double>(count) * program.slack();
+  x_.col(0).setConstant(Real(start_point / static_cast<double>(count)));
+  v_ = Real(start_slack / static_cast<double>(count)) * program.slack();
+  motion_.setZero(program.free_columns().cols());
   present_.setZero();
   present_.head(count).setOnes();
   refresh_dual(program, y_);
 }
 
-template <int D>
-bool InteriorPoint<D>::refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y) {
+template <int D, class Real>
+bool InteriorPoint<D, Real>::refresh_dual(const Program& program, const Vector& y) {
   const auto count = static_cast<int>(program.cones().size());
   program.multiply_transposed(y, products_);
-  Answers inside = Pack(1.0) > 0.0;
-  for (int c = 0; c < count; c += lanes) {
+  auto inside = Packed<Real>(1.0) > Packed<Real>(0.0);
+  for (int c = 0; c < count; c += width) {
     Cones z = load_cones(products_, c);
     z[0] = 1.0 - z[0];
     for (std::size_t d = 1; d < z.size(); ++d) z[d] = -z[d];
     store_cones(z_, c, z);
-    inside &= margin(z) > 0.0;
+    inside &= margin(z) > Packed<Real>(0.0);
   }
-  for (int i = 0; i < program.rows(); i += lanes)
-    inside &= where(program.slack().data() + i, load(y.data() + i), 1.0) > 0.0;
+  for (int i = 0; i < program.rows(); i += width)
+    inside &= where(program.slack().data() + i, load(y.data() + i), 1.0) > Packed<Real>(0.0);
   return all(inside);
 }
 
-template <int D>
-double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
+template <int D, class Real>
+Real InteriorPoint<D, Real>::scale(const Program& program) {
   const auto count = static_cast<int>(program.cones().size());
-  Pack widest = {}, product_sum = {};
-  for (int c = 0; c < count; c += lanes) {
-    const NesterovToddScaling<D, Pack> scaling(load_cones(x_, c), load_cones(z_, c));
-    scaling_[static_cast<std::size_t>(c / lanes)] = scaling;
+  Packed<Real> widest = {}, product_sum = {};
+  for (int c = 0; c < count; c += width) {
+    const Scaling scaling(load_cones(x_, c), load_cones(z_, c));
+    scaling_[static_cast<std::size_t>(c / width)] = scaling;
     const Cones lambda = scaling.lambda();
-    const Pack present = load(present_.data() + c);
+    const Packed<Real> present = load(present_.data() + c);
     widest = larger(widest, scaling.entry(0, 0) * present);
     product_sum += dot(lambda, lambda) * present;
   }
   program.multiply(x_, trial_);
-  for (int i = 0; i < program.rows(); i += lanes) {
-    const Pack v = load(v_.data() + i), y = load(y_.data() + i);
-    const double* slack = program.slack().data() + i;
-    const Pack point = where(slack, root(v * y), 1.0);
+  for (int i = 0; i < program.rows(); i += width) {
+    const Packed<Real> v = load(v_.data() + i), y = load(y_.data() + i);
+    const Real* slack = program.slack().data() + i;
+    const Packed<Real> point = where(slack, root(v * y), 1.0);
     product_sum += where(slack, v * y, 0.0);
     store(w_.data() + i, where(slack, root(v / y), 0.0));
     store(lambda_.data() + i, point);
-    const Pack b = load(program.right_side().data() + i);
+    const Packed<Real> b = load(program.right_side().data() + i);
     store(predictor_.data() + i, b);
     store(correction_.data() + i, b + v - load(trial_.data() + i));
   }
@@ -147,52 +141,53 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
   return largest(widest);
 }
 
-template <int D>
-PackedColumns InteriorPoint<D>::scaled_columns(const NodeProgram<D>& program) const {
-  PackedColumns columns = program.matrix();
+template <int D, class Real>
+PackedColumns<Real> InteriorPoint<D, Real>::scaled_columns(const Program& program) const {
+  PackedColumns<Real> columns = program.matrix();
   columns.data = scaled_matrix_.data();
-  if (elimination_.is_needed()) columns.rows = padded(elimination_.rows());
+  if (elimination_.is_needed()) columns.rows = padded<Real>(elimination_.rows());
   return columns;
 }
 
-template <int D>
-auto InteriorPoint<D>::matrix_of(int cone) const -> Square {
+template <int D, class Real>
+auto InteriorPoint<D, Real>::matrix_of(int cone) const -> Square {
   const auto& scaling = this->scaling(cone);
   Square matrix;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)
-      matrix(i, j) =
-          scaling.entry(static_cast<std::size_t>(i), static_cast<std::size_t>(j))[cone % lanes];
+      matrix(i, j) = in_lane(
+          scaling.entry(static_cast<std::size_t>(i), static_cast<std::size_t>(j)), cone % width);
   return matrix;
 }
 
-template <int D>
-void InteriorPoint<D>::scale_matrix(const NodeProgram<D>& program) {
-  const PackedColumns from = program.matrix();
-  const PackedColumns to = scaled_columns(program);
+template <int D, class Real>
+void InteriorPoint<D, Real>::scale_matrix(const Program& program) {
+  const PackedColumns<Real> from = program.matrix();
+  const PackedColumns<Real> to = scaled_columns(program);
   const int distance = from.stride * from.rows;
   const int scaled_distance = to.stride * to.rows;
   for (int c = 0; c < from.count; ++c) {
-    double* const scaled = scaled_matrix_.data() + Eigen::Index{c} * to.rows;
-    const double* const columns = from.data + Eigen::Index{c} * from.rows;
+    Real* const scaled = scaled_matrix_.data() + Eigen::Index{c} * to.rows;
+    const Real* const columns = from.data + Eigen::Index{c} * from.rows;
     if (!elimination_.is_needed()) {
-      multiply_columns<D>(columns, distance, from.rows, matrix_of(c), scaled, scaled_distance);
+      multiply_columns<D, Real>(columns, distance, from.rows, matrix_of(c), scaled,
+                                scaled_distance);
       continue;
     }
     const auto share = elimination_.share(c, matrix_of(c));
-    multiply_columns<D>(columns, distance, from.rows, share.root, scaled, scaled_distance);
+    multiply_columns<D, Real>(columns, distance, from.rows, share.root, scaled, scaled_distance);
     for (int d = 0; d < D; ++d) {
-      double* const column = scaled + Eigen::Index{d} * scaled_distance;
-      if (to.rows > from.rows) store(column + from.rows, 0.0);
+      Real* const column = scaled + Eigen::Index{d} * scaled_distance;
+      if (to.rows > from.rows) store(column + from.rows, Packed<Real>(0.0));
       column[elimination_.rows() - 1] = share.root(0, d);
       column[share.row] += share.in_row[d];
     }
   }
 }
 
-template <int D>
-bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
-  const double widest = scale(program);
+template <int D, class Real>
+bool InteriorPoint<D, Real>::factorise(const Program& program) {
+  const Real widest = scale(program);
   if (elimination_.is_needed()) elimination_.begin(w_);
   scale_matrix(program);
   normal_equations_.assemble(scaled_columns(program));
@@ -201,21 +196,27 @@ bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
     if (!elimination_.border(program)) return false;
     elimination_.complete(weights_, normal_equations_);
   }
+  const double shift = shift_of_diagonal<Real>(program.rows());
   // The shift is relative per row, since rows of stiff candidates are small.
   for (int i = 0; i < program.first_cut(); ++i) {
-    const double b = program.right_side()[i];
-    const double size = normal_equations_.diagonal(i) + widest * widest * b * b;
-    normal_equations_.add_to_diagonal(i, diagonal_shift * size + weights_[i]);
+    const Real b = program.right_side()[i];
+    const Real size = normal_equations_.diagonal(i) + widest * widest * b * b;
+    normal_equations_.add_to_diagonal(i, shift * size + weights_[i]);
   }
-  // Rows of ignored candidates have no entries, like the padding.
-  for (const int i : program.ignored()) normal_equations_.add_to_diagonal(i, 1);
-  if (motion_.size() == 0) return factorise_and_solve();
-  const Eigen::VectorXd unbalanced = hold_motions(program);
-  return factorise_and_solve() && free_motions(program, unbalanced);
+  // Empty rows are like the padding.
+  for (const int i : program.empty_rows()) normal_equations_.add_to_diagonal(i, Real(1));
+  if (motion_.size() == 0) {
+    if (!factorise_and_solve()) return false;
+  } else {
+    const Vector unbalanced = hold_motions(program);
+    if (!factorise_and_solve() || !free_motions(program, unbalanced)) return false;
+  }
+  return !extended<Real> ||
+         std::isfinite(numbers::rounded(Real(predictor_.sum() + correction_.sum())));
 }
 
-template <int D>
-bool InteriorPoint<D>::factorise_and_solve() {
+template <int D, class Real>
+bool InteriorPoint<D, Real>::factorise_and_solve() {
   if (!elimination_.is_needed())
     return normal_equations_.factorise(predictor_.data(), correction_.data());
   elimination_.reduce(predictor_, reduced_first_);
@@ -226,21 +227,21 @@ bool InteriorPoint<D>::factorise_and_solve() {
   return true;
 }
 
-template <int D>
-void InteriorPoint<D>::solve(Eigen::VectorXd& whole) {
+template <int D, class Real>
+void InteriorPoint<D, Real>::solve(Vector& whole) {
   if (!elimination_.is_needed()) return normal_equations_.solve(whole.data());
   elimination_.reduce(whole, reduced_first_);
   normal_equations_.solve(reduced_first_.data());
   elimination_.expand(reduced_first_, whole);
 }
 
-template <int D>
-Eigen::VectorXd InteriorPoint<D>::hold_motions(const NodeProgram<D>& program) {
-  const Eigen::MatrixXd& columns = program.free_columns();
+template <int D, class Real>
+auto InteriorPoint<D, Real>::hold_motions(const Program& program) -> Vector {
+  const MatrixOf<Real>& columns = program.free_columns();
   // Size of the rows of U; rows with a slack only grow.
-  double size = 0;
+  Real size = 0;
   for (int i = 0; i < program.first_cut(); ++i) size += normal_equations_.diagonal(i) - weights_[i];
-  const double weight = size / columns.squaredNorm();
+  const Real weight = size / columns.squaredNorm();
   // The contribution of the cuts' rows to the columns is eliminated.
   const auto count = program.first_cut();
   along_.setZero();
@@ -248,15 +249,14 @@ Eigen::VectorXd InteriorPoint<D>::hold_motions(const NodeProgram<D>& program) {
     along_.head(count) = columns.col(l).head(count);
     normal_equations_.add_square(along_.data(), weight);
   }
-  const Eigen::VectorXd unbalanced = columns.transpose() * y_.head(columns.rows());
+  const Vector unbalanced = columns.transpose() * y_.head(columns.rows());
   predictor_.head(columns.rows()) -= weight * (columns * unbalanced);
   return unbalanced;
 }
 
-template <int D>
-bool InteriorPoint<D>::free_motions(const NodeProgram<D>& program,
-                                    const Eigen::VectorXd& unbalanced) {
-  const Eigen::MatrixXd& columns = program.free_columns();
+template <int D, class Real>
+bool InteriorPoint<D, Real>::free_motions(const Program& program, const Vector& unbalanced) {
+  const MatrixOf<Real>& columns = program.free_columns();
   moved_.resize(columns.rows(), columns.cols());
   trial_.setZero();
   for (Eigen::Index l = 0; l < moved_.cols(); ++l) {
@@ -272,25 +272,24 @@ bool InteriorPoint<D>::free_motions(const NodeProgram<D>& program,
   return true;
 }
 
-template <int D>
-Eigen::VectorXd InteriorPoint<D>::balance(const NodeProgram<D>& program,
-                                          Eigen::VectorXd& solution) const {
+template <int D, class Real>
+auto InteriorPoint<D, Real>::balance(const Program& program, Vector& solution) const -> Vector {
   auto rows = solution.head(moved_.rows());
-  const Eigen::VectorXd motion = schur_.solve(program.free_columns().transpose() * rows);
+  const Vector motion = schur_.solve(program.free_columns().transpose() * rows);
   rows -= moved_ * motion;
   return motion;
 }
 
-template <int D>
-const ConePoints<D>& InteriorPoint<D>::project(const NodeProgram<D>& program) {
+template <int D, class Real>
+auto InteriorPoint<D, Real>::project(const Program& program) -> const Points& {
   projected_ = x_;
   shift_projected(program, correction_);
   return projected_;
 }
 
-template <int D>
-const ConePoints<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepancy,
-                                                     const NodeProgram<D>& program) {
+template <int D, class Real>
+auto InteriorPoint<D, Real>::project_again(const Vector& discrepancy, const Program& program)
+    -> const Points& {
   trial_ = discrepancy;
   solve(trial_);
   if (motion_.size() > 0) motion_ += balance(program, trial_);
@@ -298,12 +297,11 @@ const ConePoints<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& disc
   return projected_;
 }
 
-template <int D>
-void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
-                                       const Eigen::VectorXd& weights) {
+template <int D, class Real>
+void InteriorPoint<D, Real>::shift_projected(const Program& program, const Vector& weights) {
   const auto count = static_cast<int>(program.cones().size());
   program.multiply_transposed(weights, products_);
-  for (int c = 0; c < count; c += lanes) {
+  for (int c = 0; c < count; c += width) {
     const Cones shift = scaling(c).times(scaling(c).times(load_cones(products_, c)));
     Cones point = load_cones(projected_, c);
     for (std::size_t d = 0; d < point.size(); ++d) point[d] += shift[d];
@@ -311,16 +309,16 @@ void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
   }
 }
 
-template <int D>
-auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy)
+template <int D, class Real>
+auto InteriorPoint<D, Real>::directions(const Program& program, const Vector& dy)
     -> InverseStepLengths {
   const auto count = static_cast<int>(program.cones().size());
   program.multiply_transposed(dy, products_);
-  Pack dual = {}, primal = {};
-  for (int c = 0; c < count; c += lanes) {
-    const NesterovToddScaling<D, Pack>& scaling = this->scaling(c);
+  Packed<Real> dual = {}, primal = {};
+  for (int c = 0; c < count; c += width) {
+    const Scaling& scaling = this->scaling(c);
     const Cones lambda = scaling.lambda();
-    const Pack present = load(present_.data() + c);
+    const Packed<Real> present = load(present_.data() + c);
     Cones dz = scaling.times(load_cones(products_, c));
     Cones dx = load_cones(step_x_, c);
     for (std::size_t d = 0; d < dz.size(); ++d) {
@@ -332,12 +330,12 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
     dual = larger(dual, scaling.inverse_step_length(dz));
     primal = larger(primal, scaling.inverse_step_length(dx));
   }
-  for (int i = 0; i < program.rows(); i += lanes) {
-    const double* slack = program.slack().data() + i;
-    const Pack change = load(dy.data() + i);
-    const Pack point = load(lambda_.data() + i);
-    const Pack step_y = load(w_.data() + i) * change;
-    const Pack step_v = where(slack, load(step_v_.data() + i) - point - step_y, 0.0);
+  for (int i = 0; i < program.rows(); i += width) {
+    const Real* slack = program.slack().data() + i;
+    const Packed<Real> change = load(dy.data() + i);
+    const Packed<Real> point = load(lambda_.data() + i);
+    const Packed<Real> step_y = load(w_.data() + i) * change;
+    const Packed<Real> step_v = where(slack, load(step_v_.data() + i) - point - step_y, 0.0);
     store(step_y_.data() + i, step_y);
     store(step_v_.data() + i, step_v);
     dual = larger(dual, -step_y / point);
@@ -346,21 +344,20 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
   return {largest(dual), largest(primal)};
 }
 
-template <int D>
-void InteriorPoint<D>::correct(const NodeProgram<D>& program, double sigma_mu,
-                               double affine_length) {
+template <int D, class Real>
+void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_mu, Real affine_length) {
   const auto count = static_cast<int>(program.cones().size());
-  for (int c = 0; c < count; c += lanes) {
+  for (int c = 0; c < count; c += width) {
     Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
-    for (Pack& component : right_side) component *= -affine_length;
+    for (Packed<Real>& component : right_side) component *= -affine_length;
     right_side[0] += sigma_mu;
     const Cones q = scaling(c).jordan_divide(right_side);
     store_cones(step_x_, c, q);
     store_cones(products_, c, scaling(c).times(q));
   }
   program.multiply(products_, trial_);
-  for (int i = 0; i < program.rows(); i += lanes) {
-    const Pack q =
+  for (int i = 0; i < program.rows(); i += width) {
+    const Packed<Real> q =
         (sigma_mu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
         load(lambda_.data() + i);
     store(step_v_.data() + i, q);
@@ -368,47 +365,47 @@ void InteriorPoint<D>::correct(const NodeProgram<D>& program, double sigma_mu,
   }
 }
 
-template <int D>
-bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
+template <int D, class Real>
+bool InteriorPoint<D, Real>::advance(const Program& program) {
   // Predictor: W^-1 dx + W dz = -lambda and A dx = b - A x reduce to M dy = b.
   step_x_.setZero();
   step_v_.setZero();
   const InverseStepLengths predicted = directions(program, predictor_);
-  const double affine_length = 1 / std::max({1.0, predicted.dual, predicted.primal});
+  const Real affine_length = 1.0 / std::max({Real(1), predicted.dual, predicted.primal});
 
   // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma mu e - alpha dx~ o dz~, alpha
   // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence M dy = b - sigma (b
   // - A x) - B q. Mehrotra's method has the second-order term without the factor alpha; after a
   // short predictor step that term is too large, and the iteration can cycle.
   const auto degree = static_cast<double>(program.cones().size() + program.slacks());
-  const double sigma = (1 - affine_length) * (1 - affine_length) * (1 - affine_length);
+  const Real rest = 1.0 - affine_length;
+  const Real sigma = rest * rest * rest;
   correct(program, sigma * complementarity_ / degree, affine_length);
   solve(trial_);
   if (motion_.size() > 0) balance(program, trial_);
   dy_ = predictor_ - trial_ - sigma * correction_;
   const InverseStepLengths corrected = directions(program, dy_);
-  const double dual_length = boundary_fraction / std::max(boundary_fraction, corrected.dual);
-  const double primal_length = boundary_fraction / std::max(boundary_fraction, corrected.primal);
+  const Real dual_length = step_length(boundary_fraction, corrected.dual);
+  const Real primal_length = step_length(boundary_fraction, corrected.primal);
   return std::max(primal_length, dual_length) > least_step_length &&
          move_primal(program, primal_length) && move_dual(program, dual_length);
 }
 
-template <int D>
-auto InteriorPoint<D>::centring_step(const NodeProgram<D>& program, double complementarity)
-    -> Step {
-  for (ConePoints<D>* points : {&step_x_, &step_z_}) points->setZero();
-  correct(program, complementarity, 0);
+template <int D, class Real>
+auto InteriorPoint<D, Real>::centring_step(const Program& program, Real complementarity) -> Step {
+  for (Points* points : {&step_x_, &step_z_}) points->setZero();
+  correct(program, complementarity, Real(0));
   solve(trial_);
   dy_ = predictor_ - trial_;
   const InverseStepLengths lengths = directions(program, dy_);
-  const double dual_length = centring_fraction / std::max(centring_fraction, lengths.dual);
-  const double primal_length = centring_fraction / std::max(centring_fraction, lengths.primal);
+  const Real dual_length = step_length(centring_fraction, lengths.dual);
+  const Real primal_length = step_length(centring_fraction, lengths.primal);
   if (!move_primal(program, primal_length) || !move_dual(program, dual_length)) return Step::failed;
   return std::min(primal_length, dual_length) < 1 ? Step::shortened : Step::full;
 }
 
-template <int D>
-bool InteriorPoint<D>::centre(const NodeProgram<D>& program, double complementarity) {
+template <int D, class Real>
+bool InteriorPoint<D, Real>::centre(const Program& program, Real complementarity) {
   int full = 0;  // a second full step is accurate enough
   for (int step = 0; step < most_centring_steps && full < 2; ++step) {
     const Step made = centring_step(program, complementarity);
@@ -418,23 +415,23 @@ bool InteriorPoint<D>::centre(const NodeProgram<D>& program, double complementar
   return true;
 }
 
-template <int D>
-auto InteriorPoint<D>::lay_out(const NodeProgram<D>& program, int cone, int first_row) ->
-    typename CutElimination<D>::Part {
+template <int D, class Real>
+auto InteriorPoint<D, Real>::lay_out(const Program& program, int cone, int first_row) ->
+    typename CutElimination<D, Real>::Part {
   const int candidate = program.cones()[static_cast<std::size_t>(cone)];
-  const PackedColumns matrix = program.matrix();
+  const PackedColumns<Real> matrix = program.matrix();
   const Square scaling = matrix_of(cone);
   auto rows = faces_.middleRows(first_row, D + 1);
   rows.setZero();
   for (int e = 0; e < D; ++e) {
-    const Eigen::Map<const Eigen::RowVectorXd> column(
+    const Eigen::Map<const Eigen::Matrix<Real, 1, Eigen::Dynamic>> column(
         matrix.data + Eigen::Index{e * matrix.stride + cone} * matrix.rows, matrix.rows);
     for (int d = 0; d < D; ++d) rows.row(d).head(matrix.rows) += scaling(e, d) * column;
   }
   rows(D, candidate) = w_[candidate];
   if (!elimination_.is_needed()) return {};
   const auto part = elimination_.part_of(candidate, along_);
-  const Eigen::Index height = padded(elimination_.rows());
+  const Eigen::Index height = padded<Real>(elimination_.rows());
   for (int d = 0; d < D; ++d) {
     rows(d, elimination_.rows() - 1) = scaling(0, d);
     rows.row(d).head(height) -= part.cone[d] * along_.head(height).transpose();
@@ -447,19 +444,19 @@ auto InteriorPoint<D>::lay_out(const NodeProgram<D>& program, int cone, int firs
 // the second derivative of the barrier. Among those with A dx = dv, the shortest with dx_i = -x_i
 // has the length lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and the shortest with dv_i = -v_i has the
 // length lambda_i^2 / (1 - w_i^2 (M^-1)_ii).
-template <int D>
-void InteriorPoint<D>::measure(const NodeProgram<D>& program,
-                               std::vector<FaceDistances>& distances) {
+template <int D, class Real>
+void InteriorPoint<D, Real>::measure(const Program& program,
+                                     std::vector<FaceDistances>& distances) {
   // Below this, the distance of a face is limited by rounding only.
   constexpr double least = 1e-14;
   constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
   const int rows = scaled_columns(program).rows;
-  std::array<typename CutElimination<D>::Part, lanes> parts;
+  std::array<typename CutElimination<D, Real>::Part, static_cast<std::size_t>(width)> parts;
   const auto& cones = program.cones();
   const auto count = static_cast<int>(cones.size());
   for (auto& distance : distances) distance = {};
-  for (int first = 0; first < count; first += lanes) {
-    const int present = std::min(lanes, count - first);
+  for (int first = 0; first < count; first += width) {
+    const int present = std::min(width, count - first);
     faces_.leftCols(rows).setZero();
     for (int lane = 0; lane < present; ++lane)
       parts[static_cast<std::size_t>(lane)] = lay_out(program, first + lane, lane * height);
@@ -473,40 +470,41 @@ void InteriorPoint<D>::measure(const NodeProgram<D>& program,
       Square rest = -own * own.transpose() - part.weight * part.cone * part.cone.transpose();
       Eigen::Matrix<double, D, 1> lambda;
       for (int d = 0; d < D; ++d) {
-        rest(d, d) += 1 + least;
-        lambda[d] = lambdas[static_cast<std::size_t>(d)][lane];
+        rest(d, d) += Real(1 + least);
+        lambda[d] = numbers::rounded(in_lane(lambdas[static_cast<std::size_t>(d)], lane));
       }
-      const double slack = 1 - faces_.row(lane * height + D).head(rows).squaredNorm() -
-                           part.weight * part.slack * part.slack;
+      const Real slack = 1.0 - faces_.row(lane * height + D).head(rows).squaredNorm() -
+                         part.weight * part.slack * part.slack;
       distances[static_cast<std::size_t>(row)] = {
-          .separation = lambda.dot(rest.ldlt().solve(lambda)),
-          .contact = lambda_[row] * lambda_[row] / std::max(slack, least)};
+          .separation = lambda.dot(rest.template cast<double>().ldlt().solve(lambda)),
+          .contact =
+              numbers::rounded(Real(lambda_[row] * lambda_[row] / std::max(slack, Real(least))))};
     }
   }
 }
 
-template <int D>
-bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step_length) {
+template <int D, class Real>
+bool InteriorPoint<D, Real>::move_primal(const Program& program, Real step_length) {
   const auto count = static_cast<int>(program.cones().size());
-  Answers inside = Pack(1.0) > 0.0;
-  for (int c = 0; c < count; c += lanes) {
+  auto inside = Packed<Real>(1.0) > Packed<Real>(0.0);
+  for (int c = 0; c < count; c += width) {
     const Cones change = scaling(c).times(load_cones(step_x_, c));
     Cones x = load_cones(x_, c);
     for (std::size_t d = 0; d < x.size(); ++d) x[d] += step_length * change[d];
     store_cones(x_, c, x);
-    inside &= margin(x) > 0.0;
+    inside &= margin(x) > Packed<Real>(0.0);
   }
-  for (int i = 0; i < program.rows(); i += lanes) {
-    const Pack change = load(w_.data() + i) * load(step_v_.data() + i);
-    const Pack v = load(v_.data() + i) + step_length * change;
+  for (int i = 0; i < program.rows(); i += width) {
+    const Packed<Real> change = load(w_.data() + i) * load(step_v_.data() + i);
+    const Packed<Real> v = load(v_.data() + i) + step_length * change;
     store(v_.data() + i, v);
-    inside &= where(program.slack().data() + i, v, 1.0) > 0.0;
+    inside &= where(program.slack().data() + i, v, 1.0) > Packed<Real>(0.0);
   }
   return all(inside);
 }
 
-template <int D>
-bool InteriorPoint<D>::move_dual(const NodeProgram<D>& program, double step_length) {
+template <int D, class Real>
+bool InteriorPoint<D, Real>::move_dual(const Program& program, Real step_length) {
   for (int halving = 0; halving <= most_halvings; ++halving, step_length /= 2) {
     trial_ = y_ + step_length * dy_;
     if (refresh_dual(program, trial_)) {
@@ -517,7 +515,11 @@ bool InteriorPoint<D>::move_dual(const NodeProgram<D>& program, double step_leng
   return false;
 }
 
-template class InteriorPoint<2>;
-template class InteriorPoint<3>;
+template class InteriorPoint<2, double>;
+template class InteriorPoint<3, double>;
+template class InteriorPoint<2, long double>;
+template class InteriorPoint<3, long double>;
+template class InteriorPoint<2, numbers::Precise>;
+template class InteriorPoint<3, numbers::Precise>;
 
 }  // namespace kusabi::conic

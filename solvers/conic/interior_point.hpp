@@ -43,135 +43,138 @@ struct FaceDistances {
 /// One run of the iteration at a time, on storage allocated once for the largest node. Per
 /// iteration call dual_value(), factorise(), optionally project(), then advance().
 ///
-/// Cones and rows are processed in packs of four. The last pack is padded by cones and rows without
+/// Cones and rows are processed in packs. The last pack is padded by cones and rows without
 /// coefficients, whose z stays at the identity and whose x and y do not change.
-template <int D>
+template <int D, class Real = double>
 class InteriorPoint {
  public:
+  using Vector = VectorOf<Real>;
+  using Points = ConePoints<D, Real>;
+  using Program = NodeProgram<D, Real>;
+
   /// Allocates for any node of this program.
-  explicit InteriorPoint(const NodeProgram<D>& program);
+  explicit InteriorPoint(const Program& program);
 
   /// Sets the start: x and v multiples of the identity, y on the rows with a slack so small that z
   /// is well inside the cones. It depends on the node only.
-  void start(const NodeProgram<D>& program);
+  void start(const Program& program);
 
   /// b'y, a lower bound of the optimal value, since y is dual feasible.
-  double dual_value(const NodeProgram<D>& program) const { return program.right_side().dot(y_); }
+  Real dual_value(const Program& program) const { return program.right_side().dot(y_); }
   /// y, m + p numbers, padded.
-  const Eigen::VectorXd& multipliers() const { return y_; }
+  const Vector& multipliers() const { return y_; }
 
   /// Computes the scaling at the current point and factorises the normal equations.
   /// @return false if rounding has used up the digits of M
-  bool factorise(const NodeProgram<D>& program);
+  bool factorise(const Program& program);
 
   /// x + W^2 A' M^-1 (b - A x + v): the point that satisfies the equations and is nearest to x in
   /// the norm of the scaling. It may lie outside the cones. Call after factorise().
-  const ConePoints<D>& project(const NodeProgram<D>& program);
+  const Points& project(const Program& program);
   /// Projects an already projected point again, whose equations still have the residual
   /// `discrepancy` (m, padded): near the end M is ill-conditioned and one projection leaves a
   /// visible error.
-  const ConePoints<D>& project_again(const Eigen::VectorXd& discrepancy,
-                                     const NodeProgram<D>& program);
+  const Points& project_again(const Vector& discrepancy, const Program& program);
 
-  /// alpha of the projected point: one number for each mode with a normal part.
-  const Eigen::VectorXd& motion() const { return motion_; }
+  /// x'z + v'y, at the last factorise().
+  const Real& complementarity() const { return complementarity_; }
+
+  /// alpha of the projected point: one number for each free column.
+  const Vector& motion() const { return motion_; }
 
   /// Moves to the point of the central path with this complementarity, as near as a few steps
   /// allow, and factorises there. Call after factorise().
   /// @return false if rounding has used up the digits
-  bool centre(const NodeProgram<D>& program, double complementarity);
+  bool centre(const Program& program, Real complementarity);
 
   /// Computes the face distances of the candidates that have both a cone and a slack. Call after
   /// centre().
   /// @pre one cone per candidate, and no rigid-body modes
   /// @param distances m
-  void measure(const NodeProgram<D>& program, std::vector<FaceDistances>& distances);
+  void measure(const Program& program, std::vector<FaceDistances>& distances);
 
   /// One predictor-corrector step. Call after factorise().
   /// @return false if the step is too short to change the bracket
-  bool advance(const NodeProgram<D>& program);
+  bool advance(const Program& program);
 
  private:
-  using Cones = ConePoint<D, Pack>;  // points of four cones
+  using Cones = ConePoint<D, Packed<Real>>;  // points of as many cones as there are lanes
 
-  using Square = Eigen::Matrix<double, D, D>;
+  using Square = Eigen::Matrix<Real, D, D>;
+  using Scaling = NesterovToddScaling<D, Packed<Real>>;
+
+  static constexpr int width = lanes<Real>;
 
   // Reciprocals of the largest step lengths that stay inside, or zero if every length does.
   struct InverseStepLengths {
-    double dual, primal;
+    Real dual, primal;
   };
 
-  static Cones load_cones(const ConePoints<D>& points, int cone);
-  static void store_cones(ConePoints<D>& points, int cone, const Cones& values);
-  const NesterovToddScaling<D, Pack>& scaling(int cone) const {
-    return scaling_[static_cast<std::size_t>(cone / lanes)];
+  static Cones load_cones(const Points& points, int cone);
+  static void store_cones(Points& points, int cone, const Cones& values);
+  const Scaling& scaling(int cone) const {
+    return scaling_[static_cast<std::size_t>(cone / width)];
   }
 
   // W of a cone.
   Square matrix_of(int cone) const;
 
   // Adds rho H H' to M; returns H'y, the residual of the equations of the modes.
-  Eigen::VectorXd hold_motions(const NodeProgram<D>& program);
+  Vector hold_motions(const Program& program);
   // Computes M^-1 H and S, and corrects the two solutions of factorise() for the modes.
-  bool free_motions(const NodeProgram<D>& program, const Eigen::VectorXd& unbalanced);
+  bool free_motions(const Program& program, const Vector& unbalanced);
   // Corrects a solution M^-1 g such that H'y = 0; returns alpha.
-  Eigen::VectorXd balance(const NodeProgram<D>& program, Eigen::VectorXd& solution) const;
+  Vector balance(const Program& program, Vector& solution) const;
 
   // One step towards complementarity_ = complementarity in all pairs; returns its kind.
   enum class Step { full, shortened, failed };
-  Step centring_step(const NodeProgram<D>& program, double complementarity);
+  Step centring_step(const Program& program, Real complementarity);
 
   // Adds W^2 A' weights to the projected point.
-  KUSABI_ALSO_FOR_AVX2 void shift_projected(const NodeProgram<D>& program,
-                                            const Eigen::VectorXd& weights);
+  KUSABI_ALSO_FOR_AVX2 void shift_projected(const Program& program, const Vector& weights);
   // z = c - A'y; returns true if it is inside the cones and y > 0 on the rows with a slack.
-  KUSABI_ALSO_FOR_AVX2 bool refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y);
+  KUSABI_ALSO_FOR_AVX2 bool refresh_dual(const Program& program, const Vector& y);
   // Scales x, z and A in all cones, v and y in all rows; sets the residual b - A x + v. Returns the
   // largest entry on the diagonals of W.
-  KUSABI_ALSO_FOR_AVX2 double scale(const NodeProgram<D>& program);
+  KUSABI_ALSO_FOR_AVX2 Real scale(const Program& program);
   // B = A W, or its replacement if there are cuts.
-  KUSABI_ALSO_FOR_AVX2 void scale_matrix(const NodeProgram<D>& program);
-  PackedColumns scaled_columns(const NodeProgram<D>& program) const;
+  KUSABI_ALSO_FOR_AVX2 void scale_matrix(const Program& program);
+  PackedColumns<Real> scaled_columns(const Program& program) const;
   // Replaces g by M^-1 g. @pre M has been factorised
-  void solve(Eigen::VectorXd& whole);
+  void solve(Vector& whole);
   // Factorises M and solves for predictor_ and correction_.
   bool factorise_and_solve();
   // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
   // step_v_ hold q.
-  KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const NodeProgram<D>& program,
-                                                     const Eigen::VectorXd& dy);
+  KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const Program& program, const Vector& dy);
   // The q of the corrector, with lambda o q = sigma mu e - alpha dx~ o dz~ (alpha the length of the
   // predictor's step), into step_x_ and step_v_, and the right side A W q into trial_.
-  KUSABI_ALSO_FOR_AVX2 void correct(const NodeProgram<D>& program, double sigma_mu,
-                                    double affine_length);
-  KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step_length);
-  bool move_dual(const NodeProgram<D>& program, double step_length);
+  KUSABI_ALSO_FOR_AVX2 void correct(const Program& program, Real sigma_mu, Real affine_length);
+  KUSABI_ALSO_FOR_AVX2 bool move_primal(const Program& program, Real step_length);
+  bool move_dual(const Program& program, Real step_length);
   // Columns of a cone, and that of its slack, as rows of faces_, for measure().
-  typename CutElimination<D>::Part lay_out(const NodeProgram<D>& program, int cone, int first_row);
+  typename CutElimination<D, Real>::Part lay_out(const Program& program, int cone, int first_row);
 
-  ConePoints<D> x_, z_, projected_;
-  Eigen::VectorXd v_, y_;  // by row; v is used on the rows with a slack only
-  std::vector<NesterovToddScaling<D, Pack>> scaling_;  // of the cones
-  Eigen::VectorXd present_;                            // one for each cone, zero for the padding
-  Eigen::VectorXd w_, lambda_;                         // of the rows: sqrt(v / y) and sqrt(v y)
-  Eigen::VectorXd weights_;                            // diagonal contribution of the slacks to M
-  Eigen::VectorXd scaled_matrix_;                      // B = A W
-  CutElimination<D> elimination_;
-  Eigen::VectorXd along_;                           // addend to faces_ by a cut
-  Eigen::VectorXd reduced_first_, reduced_second_;  // right sides without the rows of cuts
-  NormalEquations normal_equations_;                // M = B B' + diag(w^2)
-  Eigen::MatrixXd moved_;                           // M^-1 H
-  Eigen::MatrixXd faces_;              // rows of B' and of diag(w), then these times L^-T
-  Eigen::LLT<Eigen::MatrixXd> schur_;  // of S
-  Eigen::VectorXd motion_;             // alpha
-  Eigen::VectorXd predictor_, correction_, dy_, trial_;  // m
-  ConePoints<D> step_x_, step_z_;                        // scaled: W^-1 dx, W dz
-  ConePoints<D> products_;                               // A' dy, W q and similar products
-  Eigen::VectorXd step_v_, step_y_;                      // scaled, by row
-  double complementarity_ = 0;                           // x'z + v'y
+  Points x_, z_, projected_;
+  Vector v_, y_;                  // by row; v is used on the rows with a slack only
+  std::vector<Scaling> scaling_;  // of the cones
+  Vector present_;                // one for each cone, zero for the padding
+  Vector w_, lambda_;             // of the rows: sqrt(v / y) and sqrt(v y)
+  Vector weights_;                // diagonal contribution of the slacks to M
+  Vector scaled_matrix_;          // B = A W
+  CutElimination<D, Real> elimination_;
+  Vector along_;                                // addend to faces_ by a cut
+  Vector reduced_first_, reduced_second_;       // right sides without the rows of cuts
+  NormalEquations<Real> normal_equations_;      // M = B B' + diag(w^2)
+  MatrixOf<Real> moved_;                        // M^-1 H
+  MatrixOf<Real> faces_;                        // rows of B' and of diag(w), then these times L^-T
+  Eigen::LLT<MatrixOf<Real>> schur_;            // of S
+  Vector motion_;                               // alpha
+  Vector predictor_, correction_, dy_, trial_;  // m
+  Points step_x_, step_z_;                      // scaled: W^-1 dx, W dz
+  Points products_;                             // A' dy, W q and similar products
+  Vector step_v_, step_y_;                      // scaled, by row
+  Real complementarity_ = 0;                    // x'z + v'y
 };
-
-extern template class InteriorPoint<2>;
-extern template class InteriorPoint<3>;
 
 }  // namespace kusabi::conic

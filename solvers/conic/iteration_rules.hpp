@@ -1,8 +1,36 @@
-// Parameters of the interior-point iteration shared by both solvers of node programs, the one in
-// doubles and the one in extended precision.
+// Parameters of the interior-point iterations, and their differences by precision.
 #pragma once
 
+#include <algorithm>
+#include <type_traits>
+
+#include "support/numbers/precise.hpp"
+
 namespace kusabi::conic {
+
+/// True for the precision levels above doubles. These are for the few nodes that doubles leave
+/// undecided: they examine each bound, and treat the degenerate nodes of unconstrained bodies.
+template <class Real>
+inline constexpr bool extended = !std::is_same_v<Real, double>;
+
+/// Extended precision takes more iterations than Tolerances::iterations.
+inline constexpr int most_extended_iterations = 150;
+
+/// Programs with fewer rows take microseconds an iteration in doubles.
+inline constexpr int rows_that_take_long = 64;
+
+/// Shift of the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
+/// in it): of the order of its rounding. A candidate in contact whose normal and tangents are
+/// decoupled has a zero row in A, and u_n = 0 then has no solution; with the shift, y grows along
+/// that row and proves the node infeasible.
+inline constexpr double diagonal_shift = 1e-15;
+
+/// The same for any precision; extended ones take the bound of rounding in a linearly dependent row
+/// (Higham, theorem 10.3).
+template <class Real>
+constexpr double shift_of_diagonal(int rows) {
+  return extended<Real> ? 4 * rows * numbers::unit_roundoff<Real> : diagonal_shift;
+}
 
 /// The dual start keeps at least this share of the distance of each z_i from the boundary at y = 0.
 inline constexpr double start_share = 0.5;
@@ -20,6 +48,13 @@ inline constexpr double start_slack = 0.5;
 /// Share of the distance to the boundary that a step covers; the rest keeps the next scaling
 /// computable.
 inline constexpr double boundary_fraction = 0.99;
+
+/// Length of the step that covers `share` of the distance to the boundary, at most 1.
+/// @param inverse of the largest length inside
+template <class Real>
+Real step_length(double share, const Real& inverse) {
+  return share / std::max(Real(share), inverse);
+}
 
 /// Shorter steps no longer change the bracket.
 inline constexpr double least_step_length = 1e-6;

@@ -17,13 +17,22 @@
 
 namespace kusabi::conic {
 
+template <class Real>
+using VectorOf = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+template <class Real>
+using MatrixOf = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
 /// Threshold of the normal part, relative to the largest component, below which a mode slides along
 /// all surfaces: directions are written with sixteen digits, and positions are rounded to them.
 inline constexpr double sliding = 1e-12;
 
+/// Threshold, relative to the largest mode, below which a mode does not displace the cones or rows
+/// of a node, up to the rounding of positions and directions in the file.
+inline constexpr double not_felt = 1e-10;
+
 template <class Real>
 struct Motions {
-  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = MatrixOf<Real>;
 
   /// G T: the displacements of the cones, D rows each, for each of p modes.
   Matrix at_cones;

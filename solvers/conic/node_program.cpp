@@ -72,26 +72,27 @@ void check(const Eigen::MatrixXd& compliance, std::span<const double> friction,
 
 }  // namespace
 
-template <int D>
-NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction)
+template <int D, class Real>
+NodeProgram<D, Real>::NodeProgram(const Matrix& compliance, std::span<const double> friction)
     : NodeProgram(compliance, friction, one_each(friction.size())) {}
 
-template <int D>
-NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                            std::vector<int> owners, Motions<double> motions, int loads)
+template <int D, class Real>
+NodeProgram<D, Real>::NodeProgram(const Matrix& compliance, std::span<const double> friction,
+                                  std::vector<int> owners, Motions<Real> motions, int loads)
     : motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
       owners_(std::move(owners)),
-      padded_cones_(padded(this->most_cones())),
+      padded_cones_(padded<Real>(this->most_cones())),
       loads_(loads) {
-  check(compliance, friction, owners_, D);
+  check(compliance.template cast<double>(), friction, owners_, D);
   if (motions_.count() > 0 && motions_.at_cones.rows() != compliance.rows())
     throw std::invalid_argument("the motions must have as many rows as the compliance");
   const int m = owners_.back() + 1;
   const int all_rows = m + motions_.count();
   compliance_ = compliance;
-  normal_compliance_.setZero(padded(all_rows), padded(static_cast<int>(compliance.cols())));
-  normal_motions_.setZero(padded(all_rows), motions_.lifting);
+  normal_compliance_.setZero(padded<Real>(all_rows),
+                             padded<Real>(static_cast<int>(compliance.cols())));
+  normal_motions_.setZero(padded<Real>(all_rows), motions_.lifting);
   for (std::size_t k = 0; k < owners_.size(); ++k)
     normal_compliance_.row(owners_[k]).head(compliance.cols()) =
         compliance.row(D * static_cast<Eigen::Index>(k));
@@ -109,29 +110,30 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
   contact_rows_.reserve(static_cast<std::size_t>(m));
 }
 
-template <int D>
-void NodeProgram<D>::make_room(int most_cuts) {
+template <int D, class Real>
+void NodeProgram<D, Real>::make_room(int most_cuts) {
   most_cuts_ = most_cuts;
   cuts_.reserve(static_cast<std::size_t>(most_cuts));
   cut_rows_.reserve(static_cast<std::size_t>(most_cuts));
-  const Eigen::Index room = padded(most_rows());
-  matrix_.setZero(padded(first_cut()) * D * padded_cones_);
+  const Eigen::Index room = padded<Real>(most_rows());
+  matrix_.setZero(padded<Real>(first_cut()) * D * padded_cones_);
   right_side_.setZero(room);
   slack_.setZero(room);
   gap_.setZero(room);
 }
 
-template <int D>
-void NodeProgram<D>::set_friction(std::span<const double> friction) {
+template <int D, class Real>
+void NodeProgram<D, Real>::set_friction(std::span<const double> friction) {
   if (friction.size() != friction_.size())
     throw std::invalid_argument("every cone needs a friction coefficient");
   check(friction);
   std::copy(friction.begin(), friction.end(), friction_.begin());
 }
 
-template <int D>
-void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
-                            const IndexSet& ignored, std::span<const Cut> cuts) {
+template <int D, class Real>
+void NodeProgram<D, Real>::select(const IndexSet& contact, const IndexSet& separated,
+                                  const IndexSet& ignored, std::span<const Cut> cuts,
+                                  const IndexSet& lifted) {
   const int m = candidates();
   const IndexSet without_reaction = separated | ignored;
   if (contact.meets(separated))
@@ -149,16 +151,18 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   contact_ = contact;
   ignored_ = loads_ == 0 ? ignored : ignored | (IndexSet::below(m) - IndexSet::below(m - loads_));
   cuts_.assign(cuts.begin(), cuts.end());
-  omega_ = 0;
+  omega_ = Real(0);
   for (std::size_t k = 0; k < friction_.size(); ++k) {
     if (without_reaction.contains(owners_[k])) continue;
     cones_.push_back(static_cast<int>(k));
-    omega_ += level_weight(friction_[k]);
+    omega_ += level_weight<Real>(friction_[k]);
   }
   for (int i = 0; i < m; ++i) {
     if (!ignored_.contains(i)) (contact.contains(i) ? contact_rows_ : gap_rows_).push_back(i);
   }
+  empty_rows_ = ignored_ | lifted;
   if (cones_.empty()) return;  // the standard form is empty, since no r sums to one
+  if (is_reduced()) reduce_modes();
 
   // Row i of the node program, with r_n = x_0 + t / mu and r_t = mu x_1, and t eliminated:
   //   sum_C [F_nn, mu F_nt] x + g t - v = 0,  g = sum_C F_nn / mu - [i not in U],
@@ -166,37 +170,83 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   right_side_.setZero();
   auto whole = right_side_.head(normal_compliance_.rows());
   for (const int k : cones_)
-    whole += level_weight(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
+    whole +=
+        level_weight<Real>(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
+  if (is_reduced()) of_modes(right_side_) = equation_basis_.transpose() * of_modes(right_side_);
   slack_.setZero();
-  for (const int j : gap_rows_) slack_[j] = 1;
+  slacks_ = cuts_.size();
+  for (const int j : gap_rows_) {
+    if (empty_rows_.contains(j)) continue;
+    slack_[j] = Real(1);
+    ++slacks_;
+  }
   whole -= slack_.head(whole.size());
   right_side_ /= -omega_;
-  for (const int i : ignored_) right_side_[i] = 0;
+  for (const int i : empty_rows_) right_side_[i] = Real(0);
   fill_columns();
   fill_cuts();
 }
 
-template <int D>
-void NodeProgram<D>::fill_columns() {
+template <int D, class Real>
+std::vector<int> NodeProgram<D, Real>::candidates_with_row() const {
+  std::vector<int> with;
+  for (int i = 0; i < candidates(); ++i)
+    if (!empty_rows_.contains(i)) with.push_back(i);
+  return with;
+}
+
+// Modes invisible in the rows would give zero columns, and redundant equations, which on few cones
+// read 0 = 0, multipliers that drift.
+template <int D, class Real>
+void NodeProgram<D, Real>::reduce_modes() {
+  Matrix seen = normal_motions_(candidates_with_row(), Eigen::all);
+  motion_basis_ = Matrix::Identity(seen.cols(), seen.cols());
+  const Eigen::Index visible = eliminate(seen, motion_basis_, 1, not_felt).pivots;
+  motion_basis_.conservativeResize(Eigen::NoChange, visible);
+
+  const Eigen::Index p = motions_.count();
+  Matrix felt(D * static_cast<Eigen::Index>(cones_.size()), p);
+  Eigen::Index row = 0;
+  for (const int k : cones_) {
+    felt.template middleRows<D>(row) = motions_.at_cones.template middleRows<D>(D * k);
+    felt.template middleRows<D - 1>(row + 1) *= Real(friction_[static_cast<std::size_t>(k)]);
+    row += D;
+  }
+  equation_basis_ = Matrix::Identity(p, p);
+  const Eigen::Index independent = eliminate(felt, equation_basis_, 1, not_felt).pivots;
+  equation_basis_.rightCols(p - independent).setZero();
+  for (Eigen::Index l = independent; l < p; ++l)
+    empty_rows_.insert(candidates() + static_cast<int>(l));
+}
+
+template <int D, class Real>
+void NodeProgram<D, Real>::fill_columns() {
   const auto height = normal_compliance_.rows();
   Eigen::Index c = 0;
   for (const int k : cones_) {
     for (Eigen::Index d = 0; d < D; ++d) {
       auto own = column(d, c);
       own = normal_compliance_.col(D * k + d);
-      if (d > 0) own *= friction_[static_cast<std::size_t>(k)];
+      if (d > 0) own *= Real(friction_[static_cast<std::size_t>(k)]);
+      if (!is_reduced()) continue;
+      auto equations = own.segment(candidates(), motions_.count());
+      equations = equation_basis_.transpose() * equations;
     }
     ++c;
   }
-  const Eigen::Index absent = padded(static_cast<int>(c)) - c;
+  const Eigen::Index absent = padded<Real>(static_cast<int>(c)) - c;
   for (Eigen::Index d = 0; d < D; ++d)
     for (Eigen::Index more = 0; more < absent; ++more) column(d, c + more).setZero();
   for (Eigen::Index each = 0; each < c; ++each) column(0, each) += right_side_.head(height);
-  free_columns_.setZero(padded(rows()), motions_.lifting);
-  free_columns_.topRows(first_cut()) = normal_motions_.topRows(first_cut());
-  for (const int i : ignored_) {
+  free_columns_.setZero(padded<Real>(rows()),
+                        is_reduced() ? motion_basis_.cols() : motions_.lifting);
+  if (is_reduced())
+    free_columns_.topRows(first_cut()) = normal_motions_.topRows(first_cut()) * motion_basis_;
+  else
+    free_columns_.topRows(first_cut()) = normal_motions_.topRows(first_cut());
+  for (const int i : empty_rows_) {
     for (Eigen::Index d = 0; d < D; ++d)
-      for (Eigen::Index each = 0; each < c; ++each) column(d, each)[i] = 0;
+      for (Eigen::Index each = 0; each < c; ++each) column(d, each)[i] = Real(0);
     free_columns_.row(i).setZero();
   }
 }
@@ -206,32 +256,32 @@ void NodeProgram<D>::fill_columns() {
 //   share - displacement (A_i x - b_i) - reaction x_i0 - omega gamma t - v = 0,
 //
 // omega gamma = displacement slack_i + reaction / mu_i + level, where omega t = 1 - 1'x.
-template <int D>
-void NodeProgram<D>::fill_cuts() {
+template <int D, class Real>
+void NodeProgram<D, Real>::fill_cuts() {
   cut_rows_.clear();
   for (const auto& [i, share, displacement, reaction, level] : cuts_) {
-    CutRow row{.candidate = i, .displacement = displacement, .reaction = reaction};
-    double own = 0;
+    CutRow<Real> row{.candidate = i, .displacement = displacement, .reaction = reaction};
+    Real own = 0;
     for (std::size_t c = 0; c < cones_.size(); ++c) {
       const auto k = static_cast<std::size_t>(cones_[c]);
       if (owners_[k] != i) continue;
       row.cone = static_cast<int>(c);
-      own = level_weight(friction_[k]);
+      own = level_weight<Real>(friction_[k]);
     }
     row.gamma = (displacement * slack_[i] + reaction * own + level) / omega_;
     const auto place = first_cut() + static_cast<Eigen::Index>(cut_rows_.size());
     right_side_[place] = row.gamma - displacement * right_side_[i] - share;
-    slack_[place] = 1;
-    free_columns_.row(place) = -displacement * free_columns_.row(i);
+    slack_[place] = Real(1);
+    free_columns_.row(place) = Real(-displacement) * free_columns_.row(i);
     cut_rows_.push_back(row);
   }
 }
 
-template <int D>
-void NodeProgram<D>::multiply(const ConePoints<D>& x, Eigen::VectorXd& sum) const {
+template <int D, class Real>
+void NodeProgram<D, Real>::multiply(const ConePoints<D, Real>& x, Vector& sum) const {
   product(matrix(), x.data(), sum.data());
   if (cut_rows_.empty()) return;
-  const double whole = x.col(0).head(static_cast<Eigen::Index>(cones_.size())).sum();
+  const Real whole = x.col(0).head(static_cast<Eigen::Index>(cones_.size())).sum();
   Eigen::Index place = first_cut();
   for (const auto& [i, cone, displacement, reaction, gamma] : cut_rows_) {
     sum[place] = gamma * whole - displacement * sum[i];
@@ -240,16 +290,16 @@ void NodeProgram<D>::multiply(const ConePoints<D>& x, Eigen::VectorXd& sum) cons
   }
 }
 
-template <int D>
-void NodeProgram<D>::multiply_transposed(const Eigen::VectorXd& weights,
-                                         ConePoints<D>& products) const {
+template <int D, class Real>
+void NodeProgram<D, Real>::multiply_transposed(const Vector& weights,
+                                               ConePoints<D, Real>& products) const {
   if (cut_rows_.empty()) return transposed_product(matrix(), weights.data(), products.data());
   forces_ = weights.head(forces_.size());
   forces_.tail(forces_.size() - first_cut()).setZero();
-  double whole = 0;
+  Real whole = 0;
   Eigen::Index place = first_cut();
   for (const auto& row : cut_rows_) {
-    const double weight = weights[place++];
+    const Real weight = weights[place++];
     forces_[row.candidate] -= row.displacement * weight;
     whole += row.gamma * weight;
   }
@@ -262,67 +312,70 @@ void NodeProgram<D>::multiply_transposed(const Eigen::VectorXd& weights,
   }
 }
 
-template <int D>
-void NodeProgram<D>::reaction(const ConePoints<D>& x, Eigen::VectorXd& r) const {
+template <int D, class Real>
+void NodeProgram<D, Real>::reaction(const ConePoints<D, Real>& x, Vector& r) const {
   r.setZero();
   const auto count = static_cast<Eigen::Index>(cones_.size());
-  const double t = level(x.col(0).head(count).sum());
+  const Real t = level(x.col(0).head(count).sum());
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto k = static_cast<std::size_t>(cones_[static_cast<std::size_t>(c)]);
     const auto at = D * static_cast<Eigen::Index>(k);
-    r[at] = x(c, 0) + t * level_weight(friction_[k]);
+    r[at] = x(c, 0) + t * level_weight<Real>(friction_[k]);
     for (Eigen::Index d = 1; d < D; ++d) r[at + d] = friction_[k] * x(c, d);
   }
 }
 
-template <int D>
-double NodeProgram<D>::friction_level(const Eigen::VectorXd& r) const {
+template <int D, class Real>
+double NodeProgram<D, Real>::friction_level(const Vector& r) const {
   double t = std::numeric_limits<double>::infinity();
   for (const int k : cones_) {
     const auto part = r.template segment<D>(D * k);
     const double mu = friction_[static_cast<std::size_t>(k)];
-    t = std::min(t, mu == 0 ? part[0] : mu * part[0] - part.template tail<D - 1>().norm());
+    const Real own = mu == 0 ? part[0] : Real(mu * part[0] - part.template tail<D - 1>().norm());
+    t = std::min(t, numbers::rounded(own));
   }
   return t;
 }
 
-template <int D>
-const Eigen::VectorXd& NodeProgram<D>::normal_displacements(const Eigen::VectorXd& r,
-                                                            const Eigen::VectorXd& motion) {
+template <int D, class Real>
+auto NodeProgram<D, Real>::normal_displacements(const Vector& r, const Vector& motion)
+    -> const Vector& {
   const auto size = static_cast<int>(r.size());
   gap_.setZero();
-  product({normal_compliance_.data(), static_cast<int>(normal_compliance_.rows()), 1, size, size},
-          r.data(), gap_.data());
+  product<Real>(
+      {normal_compliance_.data(), static_cast<int>(normal_compliance_.rows()), 1, size, size},
+      r.data(), gap_.data());
   if (motion.size() > 0) gap_.head(normal_motions_.rows()) += normal_motions_ * motion;
   return gap_;
 }
 
-template <int D>
-const Eigen::VectorXd& NodeProgram<D>::discrepancy() {
-  for (const int j : gap_rows_) gap_[j] = 0;
-  for (const int i : ignored_) gap_[i] = 0;
+template <int D, class Real>
+auto NodeProgram<D, Real>::discrepancy() -> const Vector& {
+  for (const int j : gap_rows_) gap_[j] = Real(0);
+  for (const int i : ignored_) gap_[i] = Real(0);
+  if (is_reduced()) of_modes(gap_) = equation_basis_.transpose() * of_modes(gap_);
   gap_ = -gap_;
   return gap_;
 }
 
-template <int D>
-const Eigen::VectorXd& NodeProgram<D>::pull(const Eigen::VectorXd& y) {
+template <int D, class Real>
+auto NodeProgram<D, Real>::pull(const Vector& y) -> const Vector& {
   const auto columns = static_cast<int>(pull_.size());
   const auto all = static_cast<int>(normal_compliance_.rows());
   forces_.setZero();
   forces_.head(first_cut()) = y.head(first_cut());
-  double shares = 0;
+  Real shares = 0;
   for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
-    const double force = y[first_cut() + static_cast<Eigen::Index>(cut)];
+    const Real force = y[first_cut() + static_cast<Eigen::Index>(cut)];
     forces_[cuts_[cut].candidate] -= force * cuts_[cut].displacement;
     shares += force * cuts_[cut].share;
   }
-  transposed_product({normal_compliance_.data(), all, 1, columns, columns}, forces_.data(),
-                     pull_.data());
+  transposed_product<Real>({normal_compliance_.data(), all, 1, columns, columns}, forces_.data(),
+                           pull_.data());
   if (cuts_.empty()) return pull_;
   for (const int k : cones_) pull_[D * k] += shares;
   for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
-    const double force = y[first_cut() + static_cast<Eigen::Index>(cut)];
+    const Real force = y[first_cut() + static_cast<Eigen::Index>(cut)];
     for (const int k : cones_)
       if (owners_[static_cast<std::size_t>(k)] == cuts_[cut].candidate)
         pull_[D * k] -= force * cuts_[cut].reaction;
@@ -330,7 +383,11 @@ const Eigen::VectorXd& NodeProgram<D>::pull(const Eigen::VectorXd& y) {
   return pull_;
 }
 
-template class NodeProgram<2>;
-template class NodeProgram<3>;
+template class NodeProgram<2, double>;
+template class NodeProgram<3, double>;
+template class NodeProgram<2, long double>;
+template class NodeProgram<3, long double>;
+template class NodeProgram<2, numbers::Precise>;
+template class NodeProgram<3, numbers::Precise>;
 
 }  // namespace kusabi::conic

@@ -18,7 +18,9 @@
 //
 // An unconstrained body adds its p rigid-body modes G: u_n = F_n r + H alpha with alpha free, H the
 // normal rows of G, and p rows G'r = 0 without a slack. There are then m + p rows and free columns
-// H (docs/theory/wedged.md, "Unconstrained bodies").
+// H (docs/theory/wedged.md, "Unconstrained bodies"). In extended precision, modes that do not
+// displace the rows of the node and redundant equations are omitted (docs/theory/wedged.md,
+// "Precision levels"); an elimination for each node would take doubles longer than an iteration.
 //
 // Cuts (cut.hpp) are rows with a slack after all of these. They are not stored: with row i of A in
 // the place of F_i and of t, that of a cut of candidate i is
@@ -43,41 +45,47 @@
 #include "solvers/conic/bounds.hpp"
 #include "solvers/conic/columns.hpp"
 #include "solvers/conic/cut.hpp"
+#include "solvers/conic/iteration_rules.hpp"
 #include "solvers/conic/motions.hpp"
+#include "solvers/conic/pack.hpp"
 #include "support/index_set.hpp"
 
 namespace kusabi::conic {
 
-/// Points of the cones: component d of cone c at (c, d). The rows are padded to a multiple of four;
+/// Points of the cones: component d of cone c at (c, d). The rows are padded to whole packs;
 /// padding is not part of the point.
-template <int D>
-using ConePoints = Eigen::Matrix<double, Eigen::Dynamic, D>;
+template <int D, class Real = double>
+using ConePoints = Eigen::Matrix<Real, Eigen::Dynamic, D>;
 
 /// The part of a cut's row besides the row of its candidate in A.
+template <class Real>
 struct CutRow {
   int candidate = 0;
   int cone = -1;  ///< of the standard form; -1: the candidate has none
-  double displacement = 0, reaction = 0;
-  double gamma = 0;
+  Real displacement = 0, reaction = 0;
+  Real gamma = 0;
 };
 
 /// Data of the node programs of one contact problem, and the standard form of the last selected
 /// node. Owns all its storage: select() allocates only for cuts of an unconstrained body.
-template <int D>
+template <int D, class Real = double>
 class NodeProgram {
  public:
+  using Vector = VectorOf<Real>;
+  using Matrix = MatrixOf<Real>;
+
   /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and within it
   ///        (n, t1[, t2]); scaled so that reactions and displacements are comparable
   /// @param friction mu, m numbers: 0, where r_t = 0, or 1e-6 to 1e6
   /// @throws std::invalid_argument if the sizes disagree or a number is out of range
-  NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction);
+  NodeProgram(const Matrix& compliance, std::span<const double> friction);
 
   /// With several cones per candidate: all sizes above except m count cones.
   /// @param owners candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
   /// @param motions of an unconstrained body  @param loads number of the last candidates that are
   /// loads
-  NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-              std::vector<int> owners, Motions<double> motions = {}, int loads = 0);
+  NodeProgram(const Matrix& compliance, std::span<const double> friction, std::vector<int> owners,
+              Motions<Real> motions = {}, int loads = 0);
 
   /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);
@@ -90,11 +98,13 @@ class NodeProgram {
   /// `separated` in R. The candidates of `ignored` have neither a reaction nor a row: r = 0, and
   /// u_n is free.
   /// @param cuts at most one per candidate, which is not ignored and has one cone
+  /// @param lifted candidates that are omitted from the rows, since a motion opens them
   /// @throws std::invalid_argument if the sets overlap or contain a candidate that does not exist,
   ///     or
   ///   there is no room for the cuts
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
-              const support::IndexSet& ignored = {}, std::span<const Cut> cuts = {});
+              const support::IndexSet& ignored = {}, std::span<const Cut> cuts = {},
+              const support::IndexSet& lifted = {});
 
   int candidates() const { return owners_.back() + 1; }
   /// Number of rows: m + p and the cuts.
@@ -104,10 +114,10 @@ class NodeProgram {
   /// Maximum of rows() over all nodes.
   int most_rows() const { return first_cut() + most_cuts_; }
   int most_cuts() const { return most_cuts_; }
-  const Motions<double>& motions() const { return motions_; }
+  const Motions<Real>& motions() const { return motions_; }
   /// H of the node, with the rows of cuts: rows() numbers padded with zeros, one column for each
   /// mode with a normal part.
-  const Eigen::MatrixXd& free_columns() const { return free_columns_; }
+  const Matrix& free_columns() const { return free_columns_; }
   /// Number of cones of all candidates: m unless a candidate has several.
   int most_cones() const { return static_cast<int>(friction_.size()); }
 
@@ -119,94 +129,110 @@ class NodeProgram {
   /// The sets of the node.
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_, cuts_}; }
   /// Number of rows with a slack.
-  std::size_t slacks() const { return gap_rows_.size() + cuts_.size(); }
-  /// The candidates without a row: those ignored, and the loads.
-  const support::IndexSet& ignored() const { return ignored_; }
+  std::size_t slacks() const { return slacks_; }
+  /// Rows without entries: of the candidates that are ignored or lifted, of the loads, and of
+  /// redundant equations of equilibrium.
+  const support::IndexSet& empty_rows() const { return empty_rows_; }
+  /// Candidates with a row that is not empty, in order.
+  std::vector<int> candidates_with_row() const;
   int loads() const { return loads_; }
 
   /// By cone.
   const std::vector<double>& friction() const { return friction_; }
   const std::vector<int>& owners() const { return owners_; }
-  const Eigen::MatrixXd& compliance() const { return compliance_; }
+  const Matrix& compliance() const { return compliance_; }
 
   /// Cone columns of A, first_cut() x D|C|, rows and cones padded with zeros.
-  PackedColumns matrix() const {
+  PackedColumns<Real> matrix() const {
     const auto height = static_cast<int>(normal_compliance_.rows());
     return {matrix_.data(), height, D, static_cast<int>(cones_.size()), stride()};
   }
   /// Rows of the cuts.
-  const std::vector<CutRow>& cut_rows() const { return cut_rows_; }
+  const std::vector<CutRow<Real>>& cut_rows() const { return cut_rows_; }
   /// sum = [A; C] x: rows() numbers, padded with zeros.
-  void multiply(const ConePoints<D>& x, Eigen::VectorXd& sum) const;
+  void multiply(const ConePoints<D, Real>& x, Vector& sum) const;
   /// products = A'y + C'eta of the rows() numbers (y, eta), padded with zeros.
-  void multiply_transposed(const Eigen::VectorXd& weights, ConePoints<D>& products) const;
+  void multiply_transposed(const Vector& weights, ConePoints<D, Real>& products) const;
   /// b, rows() numbers padded with zeros to most_rows(), as is slack().
-  const Eigen::VectorXd& right_side() const { return right_side_; }
+  const Vector& right_side() const { return right_side_; }
   /// 1 for each row with a slack, 0 for the others and the padding.
-  const Eigen::VectorXd& slack() const { return slack_; }
+  const Vector& slack() const { return slack_; }
 
   /// t = (1 - value) / omega: the value t of an objective value c'x or b'y.
-  double level(double value) const { return (1 - value) / omega_; }
+  Real level(const Real& value) const { return (1.0 - value) / omega_; }
 
   /// Reaction r (Dm, zero on R) of a point x of the cones.
-  void reaction(const ConePoints<D>& x, Eigen::VectorXd& r) const;
+  void reaction(const ConePoints<D, Real>& x, Vector& r) const;
 
   /// Largest t that the friction cones permit for a reaction: min over C of mu_i r_{n,i} -
   /// ||r_{t,i}||.
-  double friction_level(const Eigen::VectorXd& r) const;
+  double friction_level(const Vector& r) const;
+
+  /// H, one row for each candidate, of all modes with a normal part.
+  const Matrix& normal_motions() const { return normal_motions_; }
+  /// alpha of these modes, from that of the free columns.
+  Vector motion(const Vector& alpha) const {
+    return is_reduced() ? Vector(motion_basis_ * alpha) : alpha;
+  }
+  /// Replaces y of the rows by the multipliers of pull().
+  void to_multipliers(Vector& y) const {
+    if (is_reduced()) of_modes(y) = equation_basis_ * of_modes(y);
+  }
 
   /// u_n = F_n r + H alpha, then G'r: m + p numbers, padded; valid until the next call.
   /// @param motion alpha of an unconstrained body
-  const Eigen::VectorXd& normal_displacements(const Eigen::VectorXd& r,
-                                              const Eigen::VectorXd& motion = {});
+  const Vector& normal_displacements(const Vector& r, const Vector& motion = {});
   /// Residual of the equations at the last normal_displacements(): rows() numbers padded with
   /// zeros, zero at rows with a slack. Overwrites them.
-  const Eigen::VectorXd& discrepancy();
+  const Vector& discrepancy();
 
   /// w = sum_i y_i (row (n, i) of F) + G beta, and the contribution of the cuts' multipliers: Dm
   /// numbers, valid until the next call.
   /// @param y m + p numbers, beta last, then one per cut
-  const Eigen::VectorXd& pull(const Eigen::VectorXd& y);
+  const Vector& pull(const Vector& y);
 
   /// u = F r + G alpha, Dm.
-  void displacement(const Eigen::VectorXd& r, const Eigen::VectorXd& motion,
-                    Eigen::VectorXd& u) const {
+  void displacement(const Vector& r, const Vector& motion, Vector& u) const {
     u.noalias() = compliance_ * r;
     if (motion.size() > 0) u += motions_.at_cones.leftCols(motion.size()) * motion;
   }
 
  private:
+  // True if redundant modes and equations are omitted.
+  bool is_reduced() const { return extended<Real> && motions_.count() > 0; }
+  void reduce_modes();
+  auto of_modes(Vector& by_row) const { return by_row.segment(candidates(), motions_.count()); }
   int stride() const { return padded_cones_; }
   // Column of component d of the cone c of the standard form.
   auto column(Eigen::Index d, Eigen::Index c) {
     const Eigen::Index height = normal_compliance_.rows();
-    return Eigen::Map<Eigen::VectorXd>(matrix_.data() + (d * stride() + c) * height, height);
+    return Eigen::Map<Vector>(matrix_.data() + (d * stride() + c) * height, height);
   }
   void fill_columns();
   void fill_cuts();
 
-  Eigen::MatrixXd compliance_;         // F
-  Motions<double> motions_;            // G
-  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, then G': both padded with zeros
-  Eigen::MatrixXd normal_motions_;     // H, padded
-  Eigen::MatrixXd free_columns_;       // H without the ignored candidates, with the cuts
-  std::vector<double> friction_;       // by cone, as the next
+  Matrix compliance_;             // F
+  Motions<Real> motions_;         // G
+  Matrix normal_compliance_;      // rows (n, i) of F, then G': both padded with zeros
+  Matrix normal_motions_;         // H, padded
+  Matrix free_columns_;           // H without the empty rows, with the cuts
+  Matrix motion_basis_;           // of the modes that displace a row, if is_reduced()
+  Matrix equation_basis_;         // T, p x p: the last rows are T'G'r = 0, of which some are empty
+  std::vector<double> friction_;  // by cone, as the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // U: the rows without a slack
   std::vector<Cut> cuts_;
-  std::vector<CutRow> cut_rows_;
+  std::vector<CutRow<Real>> cut_rows_;
   int most_cuts_ = 0, padded_cones_, loads_;
-  Eigen::VectorXd matrix_;      // A, room for all cones and rows
-  Eigen::VectorXd right_side_;  // b
-  Eigen::VectorXd slack_;
-  Eigen::VectorXd gap_;             // normal displacements, then the discrepancy
-  Eigen::VectorXd pull_;            // w
-  mutable Eigen::VectorXd forces_;  // coefficients of the rows of F, or of A, including the cuts
-  support::IndexSet contact_, ignored_;
-  double omega_ = 0;  // sum_C 1 / mu
+  Vector matrix_;      // A, room for all cones and rows
+  Vector right_side_;  // b
+  Vector slack_;
+  Vector gap_;             // normal displacements, then the discrepancy
+  Vector pull_;            // w
+  mutable Vector forces_;  // coefficients of the rows of F, or of A, including the cuts
+  support::IndexSet contact_, ignored_, empty_rows_;
+  std::size_t slacks_ = 0;
+  Real omega_ = 0;  // sum_C 1 / mu
 };
-
-extern template class NodeProgram<2>;
-extern template class NodeProgram<3>;
 
 }  // namespace kusabi::conic

@@ -6,87 +6,111 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/QR>
+
 #include "solvers/conic/iteration_rules.hpp"
 
 namespace kusabi::conic {
+
+using support::IndexSet;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Each repetition of the projection gains several digits; more repetitions only change rounding.
-constexpr int most_projections = 4;
+template <class Real>
+constexpr int most_projections = extended<Real> ? 3 : 4;
 
 // Ratio of a residual to its rounding level above which another projection is made, if it costs a
 // noticeable part of the level.
 constexpr double visible_residual = 4;
 constexpr double visible_cost = 1e-2;
 
-// Programs with fewer rows take microseconds an iteration.
-constexpr int rows_that_take_long = 64;
-
 // Normal forces below this part of the largest one are treated as tending to zero.
 constexpr double least_force = 1e-6;
 
+// Limit of the modes' coefficients, where displacements are of the order of one: above it they are
+// taken as unbounded, and a candidate that moves by this part of the largest normal displacement is
+// certainly separated.
+constexpr double runs_away = 1e4;
+constexpr double clear_lift = 1e-3;
+
 }  // namespace
 
-template <int D>
-NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                          Tolerances tolerances, double error)
-    : NodeSolver(NodeProgram<D>(compliance, friction), tolerances, error) {}
+template <int D, class Real>
+NodeSolver<D, Real>::NodeSolver(const Matrix& compliance, std::span<const double> friction,
+                                Tolerances tolerances, double error)
+    : NodeSolver(NodeProgram<D, Real>(compliance, friction), tolerances, error) {}
 
-template <int D>
-NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                          std::vector<int> owners, Tolerances tolerances, double error,
-                          const Motions<double>& motions, int loads)
-    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions, loads),
+template <int D, class Real>
+NodeSolver<D, Real>::NodeSolver(const Matrix& compliance, std::span<const double> friction,
+                                std::vector<int> owners, Tolerances tolerances, double error,
+                                const Motions<Real>& motions, int loads)
+    : NodeSolver(NodeProgram<D, Real>(compliance, friction, std::move(owners), motions, loads),
                  tolerances, error) {}
 
-template <int D>
-NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error)
+template <int D, class Real>
+NodeSolver<D, Real>::NodeSolver(NodeProgram<D, Real> program, Tolerances tolerances, double error)
     : program_(std::move(program)),
       iteration_(program_),
       bounds_(program_.compliance(), error, program_.owners(), program_.motions(),
               program_.loads()),
       tolerances_(tolerances),
-      reaction_(Eigen::VectorXd::Zero(D * program_.most_cones())),
+      reaction_(Vector::Zero(D * program_.most_cones())),
       displacement_(reaction_),
-      motion_(Eigen::VectorXd::Zero(program_.motions().lifting)),
-      multipliers_(Eigen::VectorXd::Zero(program_.first_cut())),
+      motion_(Vector::Zero(program_.motions().lifting)),
+      multipliers_(Vector::Zero(program_.first_cut())),
       trial_(reaction_),
+      trial_motion_(motion_),
       face_distances_(static_cast<std::size_t>(program_.candidates())),
-      best_(Eigen::VectorXd::Zero(padded(program_.most_rows()))) {}
+      best_(Vector::Zero(padded<Real>(program_.most_rows()))) {}
 
-template <int D>
-void NodeSolver<D>::make_room(int most_cuts) {
+template <int D, class Real>
+void NodeSolver<D, Real>::make_room(int most_cuts) {
   program_.make_room(most_cuts);
-  iteration_ = InteriorPoint<D>(program_);
-  best_.setZero(padded(program_.most_rows()));
+  iteration_ = InteriorPoint<D, Real>(program_);
+  best_.setZero(padded<Real>(program_.most_rows()));
 }
 
-template <int D>
-ConicResult NodeSolver<D>::solve(const support::IndexSet& contact,
-                                 const support::IndexSet& separated, StopEarly stop,
-                                 const support::IndexSet& ignored, std::span<const Cut> cuts) {
-  program_.select(contact, separated, ignored, cuts);
-  reaction_.setZero();
-  displacement_.setZero();
-  motion_.setZero();
-  multipliers_.setZero();
-  best_.setZero();
+template <int D, class Real>
+ConicResult NodeSolver<D, Real>::nothing_known() {
+  for (Vector* part : {&reaction_, &displacement_, &motion_, &multipliers_, &best_})
+    part->setZero();
+  lifted_ = {};
   ConicResult answer;
   answer.lower = -infinity;
-  if (program_.cones().empty()) {  // no r has sum_i r_n = 1: the maximum over the empty set
-    answer.sign = Sign::infeasible;
-    answer.upper = -infinity;
-    return answer;
-  }
   answer.upper = infinity;
-  best_value_ = infinity;
-  proved_ = true;
+  return answer;
+}
+
+template <int D, class Real>
+bool NodeSolver<D, Real>::begin(const IndexSet& contact, const IndexSet& separated,
+                                const IndexSet& ignored, std::span<const Cut> cuts) {
+  program_.select(contact, separated, ignored, cuts, lifted_);
+  if (program_.cones().empty()) return false;
   motion_cost_ = bounds_.motion_cost(program_.sets(), program_.friction());
-  iterate(answer, stop);
-  prove_upper(answer);
+  best_value_ = Real(infinity);
+  proved_ = true;
+  iteration_.start(program_);
+  return true;
+}
+
+template <int D, class Real>
+ConicResult NodeSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& separated,
+                                       StopEarly stop, const IndexSet& ignored,
+                                       std::span<const Cut> cuts) {
+  ConicResult answer = nothing_known();
+  const auto settled = [&](Side) { return is_settled(answer, stop, tolerances_); };
+  do {
+    if (!begin(contact, separated, ignored, cuts)) {  // the maximum over the empty set
+      answer.sign = Sign::infeasible;
+      answer.upper = -infinity;
+      return answer;
+    }
+    if (!iterate(answer, Keep::best, settled) && extended<Real>) prove_contradiction(answer);
+    prove_upper(answer);
+  } while (extended<Real> && !settled(Side::upper) && lift_off());
   multipliers_ = best_.head(multipliers_.size());
   answer.sign = sign_of(answer, tolerances_);
   answer.gap = answer.upper - answer.lower;
@@ -94,69 +118,59 @@ ConicResult NodeSolver<D>::solve(const support::IndexSet& contact,
   return answer;
 }
 
-template <int D>
-void NodeSolver<D>::iterate(ConicResult& answer, StopEarly stop) {
-  iteration_.start(program_);
-  for (;;) {
-    sink_upper(answer);
-    if (is_settled(answer, stop, tolerances_) || answer.iterations == tolerances_.iterations)
-      return;
-    ++answer.iterations;
-    if (program_.rows() >= rows_that_take_long) support::leave_if(stop_);
-    if (!iteration_.factorise(program_)) return;
-    raise_lower(answer);
-    if (is_settled(answer, stop, tolerances_) || !iteration_.advance(program_)) return;
-  }
-}
-
 // Both bounds improve monotonically, so an early stop and a full run cannot disagree on a sign.
-template <int D>
-void NodeSolver<D>::sink_upper(ConicResult& answer) {
-  if (program_.motions().count() > 0) return prove_upper_unconstrained(answer);
-  const double upper = program_.level(iteration_.dual_value(program_));
-  if (!(upper < best_value_)) return;
-  best_value_ = upper;
+template <int D, class Real>
+void NodeSolver<D, Real>::sink_upper(ConicResult& answer) {
+  if (program_.motions().count() > 0) return take_equilibrated(answer, iteration_.multipliers());
+  const Real value = program_.level(iteration_.dual_value(program_));
+  if (!(value < best_value_)) return;
+  best_value_ = value;
+  if (extended<Real>) return take_multipliers(answer, iteration_.multipliers());
   best_ = iteration_.multipliers();
   proved_ = false;
   // The proof takes a product, and is postponed while the bracket is wide.
+  const double upper = numbers::rounded(value);
   if (upper <= tolerances_.sign || upper - answer.lower <= 2 * sharp * std::abs(upper))
     prove_upper(answer);
 }
 
-template <int D>
-void NodeSolver<D>::prove_upper(ConicResult& answer) {
+template <int D, class Real>
+void NodeSolver<D, Real>::prove_upper(ConicResult& answer) {
   if (proved_) return;
   proved_ = true;
   answer.upper = std::min(answer.upper, bounds_.above(program_.sets(), program_.friction(), best_,
                                                       program_.pull(best_)));
 }
 
+template <int D, class Real>
+void NodeSolver<D, Real>::take_multipliers(ConicResult& answer, const Vector& y) {
+  const double upper = bounds_.above(program_.sets(), program_.friction(), y, program_.pull(y));
+  if (!(upper < answer.upper)) return;
+  answer.upper = upper;
+  best_ = y;
+}
+
 // The multipliers of an unconstrained body prove nothing unless they are in equilibrium. Forces
 // that tend to zero can prevent this; without them, or with the modes alone, the multipliers may
 // prove the rest.
-template <int D>
-void NodeSolver<D>::prove_upper_unconstrained(ConicResult& answer) {
-  const Eigen::VectorXd& y = iteration_.multipliers();
+template <int D, class Real>
+void NodeSolver<D, Real>::take_equilibrated(ConicResult& answer, const Vector& y) {
   const auto m = static_cast<Eigen::Index>(program_.candidates());
-  const double largest = y.head(m).cwiseAbs().maxCoeff();
+  const double largest = numbers::rounded(Real(y.head(m).cwiseAbs().maxCoeff()));
   for (const double least : {0.0, least_force * largest, infinity}) {
-    Eigen::VectorXd forces = y;
+    Vector forces = y;
     for (Eigen::Index i = 0; i < m; ++i)
-      if (std::abs(y[i]) < least) forces[i] = 0;
+      if (std::abs(numbers::rounded(y[i])) < least) forces[i] = Real(0);
     if (least == infinity) forces.tail(forces.size() - program_.first_cut()).setZero();
-    const double upper =
-        bounds_.above(program_.sets(), program_.friction(), forces, program_.pull(forces));
-    if (upper < answer.upper) {
-      answer.upper = upper;
-      best_ = forces;
-    }
+    program_.to_multipliers(forces);
+    take_multipliers(answer, forces);
     if (answer.upper < -tolerances_.least_resolved()) return;
   }
 }
 
-template <int D>
-double NodeSolver<D>::most_of(std::size_t cut) {
-  const double force = best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
+template <int D, class Real>
+double NodeSolver<D, Real>::most_of(std::size_t cut) {
+  const double force = numbers::rounded(cut_multiplier(cut));
   const double reach =
       bounds_.reach(program_.sets(), program_.friction(), best_, program_.pull(best_));
   if (!(force > 0)) return reach < 0 ? -infinity : infinity;
@@ -164,46 +178,128 @@ double NodeSolver<D>::most_of(std::size_t cut) {
   return most + 0x1p-51 * std::abs(most);
 }
 
-template <int D>
-void NodeSolver<D>::raise_lower(ConicResult& answer) {
+template <int D, class Real>
+void NodeSolver<D, Real>::raise_lower(ConicResult& answer, Keep keep) {
   program_.reaction(iteration_.project(program_), trial_);
-  if (answer.has_point && program_.friction_level(trial_) <= answer.lower) return;
-  const auto examine = [&] {
-    return bounds_.below(program_.sets(), program_.friction(), trial_,
-                         program_.normal_displacements(trial_, iteration_.motion()),
-                         iteration_.motion(), motion_cost_);
-  };
-  auto proof = examine();
-  for (int more = 1; more < most_projections; ++more) {
-    if (proof.residual <= visible_residual * proof.noise ||
-        proof.cost <= visible_cost * std::abs(proof.level))
-      break;
+  if (!extended<Real> && answer.has_point && program_.friction_level(trial_) <= answer.lower)
+    return;
+  for (int projection = 1;; ++projection) {
+    trial_motion_ = program_.motion(iteration_.motion());
+    if (!lifted_.empty()) trial_motion_ = lifting_motion(trial_, trial_motion_);
+    const auto proof = bounds_.below(program_.sets(), program_.friction(), trial_,
+                                     program_.normal_displacements(trial_, trial_motion_),
+                                     trial_motion_, motion_cost_);
+    const bool last = projection == most_projections<Real> ||
+                      proof.residual <= visible_residual * proof.noise ||
+                      (!extended<Real> && proof.cost <= visible_cost * std::abs(proof.level));
+    const bool proves = proof.level > answer.lower;
+    if ((last || extended<Real>)&&(proves || keep == Keep::latest || !answer.has_point)) {
+      reaction_ = trial_;
+      motion_ = trial_motion_;
+      answer.primal_residual = proof.residual;
+      if (proves) answer.lower = proof.level;
+      answer.has_point = answer.has_point || proves;
+    }
+    if (last) return;
     program_.reaction(iteration_.project_again(program_.discrepancy(), program_), trial_);
-    proof = examine();
   }
-  const bool proves = proof.level > answer.lower;
-  if (!proves && answer.has_point) return;
-  reaction_.swap(trial_);
-  motion_ = iteration_.motion();
-  answer.primal_residual = proof.residual;
-  if (!proves) return;
-  answer.lower = proof.level;
-  answer.has_point = true;
+}
+
+// Certificate of equations that no reaction with a sum of one satisfies. M is singular then, and
+// the modes cannot be solved for, but some multipliers of the equations have A'y = 0, H'y = 0 and
+// b'y = 1.
+template <int D, class Real>
+void NodeSolver<D, Real>::prove_contradiction(ConicResult& answer) {
+  std::vector<Eigen::Index> equations;
+  for (int i = 0; i < program_.first_cut(); ++i)
+    if (program_.slack()[i] == Real(0) && !program_.empty_rows().contains(i))
+      equations.push_back(i);
+  const auto& [data, rows, components, count, stride] = program_.matrix();
+  const Eigen::Index width = Eigen::Index{components} * count;
+  const Eigen::Index modes = program_.free_columns().cols();
+  Eigen::MatrixXd pulls(width + modes + 1, static_cast<Eigen::Index>(equations.size()));
+  for (Eigen::Index e = 0; e < pulls.cols(); ++e) {
+    const auto i = equations[static_cast<std::size_t>(e)];
+    for (Eigen::Index k = 0; k < width; ++k)
+      pulls(k, e) = numbers::rounded(data[(k / count * stride + k % count) * rows + i]);
+    for (Eigen::Index l = 0; l < modes; ++l)
+      pulls(width + l, e) = numbers::rounded(program_.free_columns()(i, l));
+    pulls(width + modes, e) = numbers::rounded(program_.right_side()[i]);
+  }
+  const Eigen::VectorXd wanted = Eigen::VectorXd::Unit(pulls.rows(), pulls.rows() - 1);
+  Vector y = Vector::Zero(best_.size());
+  const Eigen::VectorXd found = pulls.completeOrthogonalDecomposition().solve(wanted);
+  for (Eigen::Index e = 0; e < found.size(); ++e)
+    y[equations[static_cast<std::size_t>(e)]] = Real(found[e]);
+  if (program_.motions().count() > 0) return take_equilibrated(answer, y);
+  take_multipliers(answer, y);
+}
+
+// Candidates without a row are displaced by as much as t can be at most.
+template <int D, class Real>
+auto NodeSolver<D, Real>::lifting_motion(const Vector& r, Vector motion) -> Vector {
+  const Vector& normal = program_.normal_displacements(r, motion);
+  const Vector each = lifts(lift_);
+  Real times = 0;
+  for (const int j : lifted_) {
+    const Real wanted = (program_.level(Real(0)) - normal[j]) / each[j];
+    if (wanted > times) times = wanted;
+  }
+  return motion + times * lift_;
+}
+
+template <int D, class Real>
+bool NodeSolver<D, Real>::lift_off() {
+  if (program_.free_columns().cols() == 0) return false;
+  const Vector motion = program_.motion(iteration_.motion());
+  const Vector normal = lifts(motion);
+  const std::vector<int> rows = program_.candidates_with_row();
+  double largest = 0;
+  for (const int i : rows) largest = std::max(largest, std::abs(numbers::rounded(normal[i])));
+  if (!(largest > runs_away)) return false;
+  std::vector<int> held;
+  IndexSet lifted;
+  for (const int i : rows) {
+    const bool leaves =
+        program_.slack()[i] > 0 && numbers::rounded(normal[i]) > clear_lift * largest;
+    if (leaves)
+      lifted.insert(i);
+    else
+      held.push_back(i);
+  }
+  Matrix seen = program_.normal_motions()(held, Eigen::all);
+  Matrix combination = Matrix::Identity(seen.cols(), seen.cols());
+  const Eigen::Index fixed = eliminate(seen, combination, 1, not_felt).pivots;
+  const Matrix unseen = combination.rightCols(combination.cols() - fixed);
+  if (lifted.empty() || unseen.cols() == 0) return false;
+  const Matrix squares = unseen.transpose() * unseen;
+  Vector lift = unseen * squares.llt().solve(unseen.transpose() * motion);
+  lift /= Real(largest);
+  const Vector each = lifts(lift);
+  for (const int j : lifted)
+    if (!(numbers::rounded(each[j]) > clear_lift / 2)) return false;
+  lift_ = lifted_.empty() ? lift : Vector(lift_ + lift);
+  lifted_ |= lifted;
+  return true;
 }
 
 // On the central path the width of the bracket of t is the sum of all complementarities, over
 // omega.
-template <int D>
-std::span<const FaceDistances> NodeSolver<D>::face_distances() {
+template <int D, class Real>
+std::span<const FaceDistances> NodeSolver<D, Real>::face_distances() {
   const auto pairs = static_cast<double>(program_.cones().size() + program_.slacks());
-  const double width = centring_depth * program_.level(iteration_.dual_value(program_));
-  const double per_unit = program_.level(0) - program_.level(1);
+  const Real width = centring_depth * program_.level(iteration_.dual_value(program_));
+  const Real per_unit = program_.level(Real(0));
   if (!iteration_.centre(program_, width / per_unit / pairs)) return {};
   iteration_.measure(program_, face_distances_);
   return face_distances_;
 }
 
-template class NodeSolver<2>;
-template class NodeSolver<3>;
+template class NodeSolver<2, double>;
+template class NodeSolver<3, double>;
+template class NodeSolver<2, long double>;
+template class NodeSolver<3, long double>;
+template class NodeSolver<2, numbers::Precise>;
+template class NodeSolver<3, numbers::Precise>;
 
 }  // namespace kusabi::conic

@@ -3,9 +3,11 @@
 //
 // The tree needs only the sign of t*, so the iteration stops as soon as one side proves it. Both
 // bounds include rounding errors (solvers/conic/bounds.hpp). Nodes that are numerically undecided
-// in doubles escalate to extended precision (solvers/conic/plain_solver.hpp).
+// in doubles are solved again with longer numbers (nodes/wedged/tree/contact_solver.hpp).
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,32 +15,47 @@
 #include <Eigen/Core>
 
 #include "solvers/conic/answer.hpp"
+#include "solvers/conic/bounds.hpp"
 #include "solvers/conic/interior_point.hpp"
+#include "solvers/conic/iteration_rules.hpp"
 #include "solvers/conic/node_program.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::conic {
 
-/// Solves the node programs of one contact problem in sequence. Owns its workspace and allocates
-/// nothing after construction; each rank has one. A result depends on the arguments of solve()
-/// only, to the last bit. The references below are valid until the next solve().
-template <int D>
+/// Candidates with a reaction, and those with a gap, at a point of the relative interior of the
+/// solutions of a degenerate node,
+///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}. No
+///   candidate has a reaction if and only if X is empty: t* < 0, though within the tolerance.
+struct RelativeInterior {
+  support::IndexSet loaded;  ///< r_i != 0 somewhere on X
+  support::IndexSet moved;   ///< u_ni > 0 somewhere on X
+};
+
+/// Solves the node programs of one contact problem in sequence, in doubles, long doubles or numbers
+/// of 104 bits. Owns its workspace, and in doubles allocates nothing after construction; each rank
+/// has one. A result depends on the arguments of solve() only, to the last bit. The references
+/// below are valid until the next solve().
+template <int D, class Real = double>
 class NodeSolver {
  public:
+  using Vector = VectorOf<Real>;
+  using Matrix = MatrixOf<Real>;
+
   /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and within it
   ///        (n, t1[, t2]), scaled to mean diagonal 1 of its normal block
   /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6
   /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the true F*; 0 if F is exact
   /// @throws std::invalid_argument if the sizes disagree or a number is out of range
-  NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-             Tolerances tolerances = {}, double error = 0);
+  NodeSolver(const Matrix& compliance, std::span<const double> friction, Tolerances tolerances = {},
+             double error = 0);
 
   /// With several cones per candidate (NodeProgram): reactions and displacements are those of the
   /// cones.
   /// @param motions of an unconstrained body  @param loads number of loads, the last candidates
-  NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-             std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
-             const Motions<double>& motions = {}, int loads = 0);
+  NodeSolver(const Matrix& compliance, std::span<const double> friction, std::vector<int> owners,
+             Tolerances tolerances = {}, double error = 0, const Motions<Real>& motions = {},
+             int loads = 0);
 
   /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);
@@ -58,14 +75,23 @@ class NodeSolver {
                     StopEarly stop = {}, const support::IndexSet& ignored = {},
                     std::span<const Cut> cuts = {});
 
+  /// Candidates with a reaction or a gap at a point of the relative interior of X. The points of
+  /// the iteration tend to such a point as the bracket closes: reactions and gaps that vanish there
+  /// decrease with the width of the bracket or its root, others stay. Nothing if this is
+  /// numerically undecided for some candidate, or if t* is not zero up to the tolerance. reaction()
+  /// is the point. With 104 bits only.
+  std::optional<RelativeInterior> relative_interior(const support::IndexSet& contact,
+                                                    const support::IndexSet& separated,
+                                                    const support::IndexSet& ignored = {});
+
   /// r, Dm: zero on R, sum of the normal parts 1, u_n = 0 on U. The point that proves `lower`; if
   /// there is none, the last projection, which may serve for branching; zero if R contains all
   /// candidates.
-  const Eigen::VectorXd& reaction() const { return reaction_; }
+  const Vector& reaction() const { return reaction_; }
   /// u = F r + G alpha of reaction() and motion(), Dm.
-  const Eigen::VectorXd& displacement() const { return displacement_; }
+  const Vector& displacement() const { return displacement_; }
   /// alpha of an unconstrained body: one number for each mode with a normal part.
-  const Eigen::VectorXd& motion() const { return motion_; }
+  const Vector& motion() const { return motion_; }
   /// Distances from the centre of the relaxation to its faces, by candidate; zero for candidates
   /// with a sign. Empty if the centre is not found. Call at most once, after a solve() with an
   /// early stop at a positive sign.
@@ -73,41 +99,87 @@ class NodeSolver {
   std::span<const FaceDistances> face_distances();
   /// y, m, and beta of the p modes of an unconstrained body: proves `upper`
   /// (solvers/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R contains all candidates.
-  const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  const Vector& multipliers() const { return multipliers_; }
   /// Multiplier of a cut of the last node, >= 0.
-  double cut_multiplier(std::size_t cut) const {
+  Real cut_multiplier(std::size_t cut) const {
     return best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
   }
   /// w of the last node: product of multipliers() with F at each cone, with the contribution of the
   /// cuts.
-  const Eigen::VectorXd& pull() { return program_.pull(best_); }
+  const Vector& pull() { return program_.pull(best_); }
   /// Upper bound of the left side of a cut of the last node, for sum_k r_nk = 1 and t >= 0, proved
   /// by the same multipliers. Infinity if they prove nothing, minus infinity if they exclude t >= 0
   /// for any cut.
   double most_of(std::size_t cut);
 
  private:
-  NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error);
-  void iterate(ConicResult& answer, StopEarly stop);
-  void raise_lower(ConicResult& answer);
+  NodeSolver(NodeProgram<D, Real> program, Tolerances tolerances, double error);
+  // Selects the node and prepares its bounds; false if no reaction has a sum of one.
+  bool begin(const support::IndexSet& contact, const support::IndexSet& separated,
+             const support::IndexSet& ignored, std::span<const Cut> cuts);
+  ConicResult nothing_known();
+  // Bound that has just been examined.
+  enum class Side { upper, lower };
+  // Point stored as reaction(): the one that proves the best bound, or that of the last iteration.
+  enum class Keep { best, latest };
+  // Iterates until `ends(side)`. Returns false if the normal equations are singular.
+  template <class Ends>
+  bool iterate(ConicResult& answer, Keep keep, Ends ends);
+  void raise_lower(ConicResult& answer, Keep keep);
   void sink_upper(ConicResult& answer);
   void prove_upper(ConicResult& answer);
-  void prove_upper_unconstrained(ConicResult& answer);
+  void take_multipliers(ConicResult& answer, const Vector& y);
+  void take_equilibrated(ConicResult& answer, const Vector& y);
+  void prove_contradiction(ConicResult& answer);
+  // True if the motion of the last iterate grows without bound because it displaces candidates that
+  // are not pressed back. These have no row from now on, since u_nj >= t does not constrain them.
+  bool lift_off();
+  Vector lifting_motion(const Vector& r, Vector motion);
+  [[nodiscard]] Vector lifts(const Vector& motion) const {
+    return program_.normal_motions() * motion;
+  }
 
-  NodeProgram<D> program_;
-  InteriorPoint<D> iteration_;
-  Bounds<D, double> bounds_;
+  // Of the search for the relative interior.
+  struct Snapshot {
+    double width;               // of the bracket
+    std::vector<double> sizes;  // of reactions and gaps
+    Vector reaction, motion;
+  };
+  std::vector<double> sizes();
+  double violation();
+  [[nodiscard]] double reaction_size() const;              // Q of docs/theory/wedged.md
+  [[nodiscard]] double own_root(Eigen::Index row) const {  // R
+    return std::sqrt(numbers::rounded(program_.compliance()(row, row)));
+  }
+
+  NodeProgram<D, Real> program_;
+  InteriorPoint<D, Real> iteration_;
+  Bounds<D, Real> bounds_;
   Tolerances tolerances_;
-  Eigen::VectorXd reaction_, displacement_, motion_, multipliers_, trial_;
-  typename Bounds<D, double>::MotionCost motion_cost_;
+  Vector reaction_, displacement_, motion_, multipliers_, trial_, trial_motion_;
+  typename Bounds<D, Real>::MotionCost motion_cost_;
   std::vector<FaceDistances> face_distances_;
   support::Stop stop_;
-  Eigen::VectorXd best_;   // of the best multipliers so far, padded
-  double best_value_ = 0;  // upper bound of t*, as computed
-  bool proved_ = true;     // true if the bound is in the result
+  Vector best_;               // of the best multipliers so far, padded
+  Real best_value_ = 0;       // upper bound of t*, as computed
+  bool proved_ = true;        // true if the bound is in the result
+  support::IndexSet lifted_;  // gap rows that are omitted
+  Vector lift_;               // a motion that displaces these and no row
 };
 
-extern template class NodeSolver<2>;
-extern template class NodeSolver<3>;
+template <int D, class Real>
+template <class Ends>
+bool NodeSolver<D, Real>::iterate(ConicResult& answer, Keep keep, Ends ends) {
+  const int most = extended<Real> ? most_extended_iterations : tolerances_.iterations;
+  for (int iteration = 0;; ++iteration) {
+    sink_upper(answer);
+    if (ends(Side::upper) || iteration == most) return true;
+    ++answer.iterations;
+    if (extended<Real> || program_.rows() >= rows_that_take_long) support::leave_if(stop_);
+    if (!iteration_.factorise(program_)) return false;
+    raise_lower(answer, keep);
+    if (ends(Side::lower) || !iteration_.advance(program_)) return true;
+  }
+}
 
 }  // namespace kusabi::conic

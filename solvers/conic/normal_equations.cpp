@@ -1,8 +1,9 @@
-// Left-looking Cholesky factorisation by panels of four columns; the rank update and the reduction
-// of a panel by the previous ones are the same block product.
+// Left-looking Cholesky factorisation by panels of as many columns as a pack has lanes; the rank
+// update and the reduction of a panel by the previous ones are the same block product.
 #include "solvers/conic/normal_equations.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
 
 #include "solvers/conic/pack.hpp"
 
@@ -10,206 +11,288 @@ namespace kusabi::conic {
 
 namespace {
 
+// Packs in a block of rows: as many as give each block eight products that do not depend on each
+// other, and fit the registers.
+template <class Real>
+constexpr int block_height = lanes<Real> == 1 ? 4 : 2;
+
+// Columns of B that are copied at a time: a block of rows takes a quarter of the first cache.
+constexpr int copied_columns = 128;
+
+// Smaller matrices stay in the cache without copies.
+constexpr int most_direct_rows = 48;
+
+// Right sides appended below M.
+constexpr int sides = 2;
+
 // Matrix by columns, with a distance of `distance` numbers.
+template <class Real>
 struct ColumnView {
-  double* data;
+  Real* data;
   int distance;
 };
 
-// sums += the block of X Y' below `x` and beside `y`, Height packs by four, for `count` columns.
-template <int Height>
-KUSABI_INLINE void add_products(const double* x, int x_distance, const double* y, int y_distance,
-                                int count, Pack (&sums)[lanes][Height]) {
+template <class Real, int Height>
+using Sums = Packed<Real>[lanes<Real>][Height];
+
+// sums += the block of X Y' below `x` and beside `y`, Height packs by one, for `count` columns.
+template <int Height, class Real>
+KUSABI_INLINE void add_products(const Real* x, int x_distance, const Real* y, int y_distance,
+                                int count, Sums<Real, Height>& sums) {
+  constexpr int width = lanes<Real>;
   for (int k = 0; k < count; ++k, x += x_distance, y += y_distance) {
-    Pack left[Height];
-    for (int i = 0; i < Height; ++i) left[i] = load(x + lanes * i);
-    for (int j = 0; j < lanes; ++j) {
-      const Pack right = y[j];
+    Packed<Real> left[Height];
+    for (int i = 0; i < Height; ++i) left[i] = load(x + width * i);
+    for (int j = 0; j < width; ++j) {
+      const Packed<Real> right = y[j];
       for (int i = 0; i < Height; ++i) sums[j][i] += left[i] * right;
     }
   }
 }
 
-template <int Height>
-KUSABI_INLINE void assemble_block(const PackedColumns& b, int row, int column, double* to,
-                                  int distance) {
-  Pack sums[lanes][Height] = {};
+// Adds the block of B B' of the rows at `x` and at `y` to `sum`, or puts it there.
+template <int Height, class Real>
+KUSABI_INLINE void assemble_block(const PackedColumns<Real>& b, const Real* x, const Real* y,
+                                  Real* sum, int distance, bool begins) {
+  constexpr int width = lanes<Real>;
+  Sums<Real, Height> sums = {};
+  if (!begins)
+    for (int j = 0; j < width; ++j)
+      for (int i = 0; i < Height; ++i) sums[j][i] = load(sum + j * distance + width * i);
   for (int d = 0; d < b.components; ++d) {
-    const double* const columns = b.data + d * b.stride * b.rows;
-    add_products<Height>(columns + row, b.rows, columns + column, b.rows, b.count, sums);
+    const auto first = static_cast<std::ptrdiff_t>(d) * b.stride * b.rows;
+    add_products<Height>(x + first, b.rows, y + first, b.rows, b.count, sums);
   }
-  for (int j = 0; j < lanes; ++j)
-    for (int i = 0; i < Height; ++i)
-      store(to + (column + j) * distance + row + lanes * i, sums[j][i]);
+  for (int j = 0; j < width; ++j)
+    for (int i = 0; i < Height; ++i) store(sum + j * distance + width * i, sums[j][i]);
+}
+
+template <class Real>
+KUSABI_INLINE void assemble_rows(const PackedColumns<Real>& b, const Real* x, int rows,
+                                 const Real* y, Real* sum, int distance, bool begins) {
+  constexpr int width = lanes<Real>, height = block_height<Real>;
+  int row = 0;
+  for (; row + height * width <= rows; row += height * width)
+    assemble_block<height>(b, x + row, y, sum + row, distance, begins);
+  for (; row < rows; row += width) assemble_block<1>(b, x + row, y, sum + row, distance, begins);
 }
 
 // Subtracts from a block of X, in the panel that starts at `column`, the contribution of the
 // previous columns by the factor. The rows of X may be those of the factor itself.
-template <int Height>
-KUSABI_INLINE void reduce_block(ColumnView x, int row, const double* factor, int distance,
+template <int Height, class Real>
+KUSABI_INLINE void reduce_block(ColumnView<Real> x, int row, const Real* factor, int distance,
                                 int column) {
-  Pack sums[lanes][Height] = {};
+  constexpr int width = lanes<Real>;
+  Sums<Real, Height> sums = {};
   add_products<Height>(x.data + row, x.distance, factor + column, distance, column, sums);
-  for (int j = 0; j < lanes; ++j)
+  for (int j = 0; j < width; ++j)
     for (int i = 0; i < Height; ++i) {
-      double* place = x.data + (column + j) * x.distance + row + lanes * i;
+      Real* place = x.data + (column + j) * x.distance + row + width * i;
       store(place, load(place) - sums[j][i]);
     }
 }
 
 // Factorises the diagonal block; false if a pivot is not positive. The square roots come last,
 // since each pivot depends on the one before.
-KUSABI_INLINE bool factorise_block(double* block, int distance, double* inverse) {
-  double a[lanes][lanes];
-  for (int j = 0; j < lanes; ++j)
-    for (int i = j; i < lanes; ++i) a[j][i] = block[j * distance + i];
+template <class Real>
+KUSABI_INLINE bool factorise_block(Real* block, int distance, Real* inverse) {
+  constexpr int width = lanes<Real>;
+  Real a[width][width], pivots[width];
+  for (int j = 0; j < width; ++j)
+    for (int i = j; i < width; ++i) a[j][i] = block[j * distance + i];
   bool sound = true;
-  for (int j = 0; j < lanes; ++j) {
+  for (int j = 0; j < width; ++j) {
     sound = sound && a[j][j] > 0;
-    const double reciprocal = 1 / a[j][j];
-    for (int k = j + 1; k < lanes; ++k) {
-      const double share = a[j][k] * reciprocal;
-      for (int i = k; i < lanes; ++i) a[k][i] -= share * a[j][i];
+    pivots[j] = a[j][j];
+    const Real reciprocal = 1.0 / a[j][j];
+    for (int k = j + 1; k < width; ++k) {
+      const Real share = a[j][k] * reciprocal;
+      for (int i = k; i < width; ++i) a[k][i] -= share * a[j][i];
     }
   }
-  store(inverse, 1.0 / root(Pack::Lanes{a[0][0], a[1][1], a[2][2], a[3][3]}));
-  for (int j = 0; j < lanes; ++j)
-    for (int i = j + 1; i < lanes; ++i) block[j * distance + i] = a[j][i] * inverse[j];
+  store(inverse, 1.0 / root(pack_of(pivots)));
+  for (int j = 0; j < width; ++j)
+    for (int i = j + 1; i < width; ++i) block[j * distance + i] = a[j][i] * inverse[j];
   return sound;
 }
 
-// Divides four rows of X in a panel by its diagonal block.
-KUSABI_INLINE void divide_by_block(ColumnView x, int row, const double* factor, int distance,
-                                   int column, const double* inverse) {
-  const double* const block = factor + column * distance + column;
-  double* const panel = x.data + column * x.distance + row;
-  Pack columns[lanes];
-  for (int j = 0; j < lanes; ++j) {
+// Divides a pack of rows of X in a panel by its diagonal block.
+template <class Real>
+KUSABI_INLINE void divide_by_block(ColumnView<Real> x, int row, const Real* factor, int distance,
+                                   int column, const Real* inverse) {
+  constexpr int width = lanes<Real>;
+  const Real* const block = factor + column * distance + column;
+  Real* const panel = x.data + column * x.distance + row;
+  Packed<Real> columns[width];
+  for (int j = 0; j < width; ++j) {
     columns[j] = load(panel + j * x.distance);
     for (int k = 0; k < j; ++k) columns[j] -= columns[k] * block[k * distance + j];
     columns[j] *= inverse[j];
   }
-  for (int j = 0; j < lanes; ++j) store(panel + j * x.distance, columns[j]);
+  for (int j = 0; j < width; ++j) store(panel + j * x.distance, columns[j]);
 }
 
 // Reduces the rows of X from `row` to `end` in one panel of X L^-T. @pre the panels before are done
-KUSABI_INLINE void reduce_rows(ColumnView x, int row, int end, const double* factor, int distance,
-                               int column) {
-  for (; row + 2 * lanes <= end; row += 2 * lanes)
-    reduce_block<2>(x, row, factor, distance, column);
-  if (row < end) reduce_block<1>(x, row, factor, distance, column);
+template <class Real>
+KUSABI_INLINE void reduce_rows(ColumnView<Real> x, int row, int end, const Real* factor,
+                               int distance, int column) {
+  constexpr int width = lanes<Real>, height = block_height<Real>;
+  for (; row + height * width <= end; row += height * width)
+    reduce_block<height>(x, row, factor, distance, column);
+  for (; row < end; row += width) reduce_block<1>(x, row, factor, distance, column);
 }
 
 // Solves with the transpose of the factor, Count right sides in place.
-template <int Count>
-KUSABI_INLINE void substitute_back(const double* factor, int distance, int rows,
-                                   const double* inverse, double* const (&sides)[Count]) {
-  for (int column = rows - lanes; column >= 0; column -= lanes) {
-    const double* panel = factor + column * distance;
-    Pack sums[Count][lanes] = {};
-    for (int i = column + lanes; i < rows; i += lanes)
-      for (int j = 0; j < lanes; ++j) {
-        const Pack entries = load(panel + j * distance + i);
-        for (int n = 0; n < Count; ++n) sums[n][j] += entries * load(sides[n] + i);
+template <int Count, class Real>
+KUSABI_INLINE void substitute_back(const Real* factor, int distance, int rows, const Real* inverse,
+                                   Real* const (&right_sides)[Count]) {
+  constexpr int width = lanes<Real>;
+  for (int column = rows - width; column >= 0; column -= width) {
+    const Real* panel = factor + column * distance;
+    Packed<Real> sums[Count][width] = {};
+    for (int i = column + width; i < rows; i += width)
+      for (int j = 0; j < width; ++j) {
+        const Packed<Real> entries = load(panel + j * distance + i);
+        for (int n = 0; n < Count; ++n) sums[n][j] += entries * load(right_sides[n] + i);
       }
-    const double* block = panel + column;
+    const Real* block = panel + column;
     for (int n = 0; n < Count; ++n) {
-      const Pack rest = load(sides[n] + column) - totals(sums[n]);
-      const double last = rest[3] * inverse[column + 3];
-      const double third = (rest[2] - block[2 * distance + 3] * last) * inverse[column + 2];
-      const double second = (rest[1] - block[distance + 3] * last - block[distance + 2] * third) *
-                            inverse[column + 1];
-      const double first =
-          (rest[0] - block[3] * last - block[2] * third - block[1] * second) * inverse[column];
-      store(sides[n] + column, Pack::Lanes{first, second, third, last});
+      Real rest[width];
+      const Packed<Real> reduced = load(right_sides[n] + column) - totals(sums[n]);
+      for (int j = 0; j < width; ++j) rest[j] = in_lane(reduced, j);
+      for (int j = width - 1; j >= 0; --j) {
+        for (int k = width - 1; k > j; --k) rest[j] -= block[j * distance + k] * rest[k];
+        rest[j] *= inverse[column + j];
+      }
+      store(right_sides[n] + column, pack_of(rest));
     }
   }
 }
 
 }  // namespace
 
-NormalEquations::NormalEquations(int most_rows)
-    : rows_(most_rows),
-      padded_rows_(padded(most_rows)),
-      height_(padded_rows_ + lanes),
-      matrix_(static_cast<std::size_t>(height_ * padded_rows_), 0.0),
-      inverse_(static_cast<std::size_t>(padded_rows_), 0.0) {}
+template <class Real>
+NormalEquations<Real>::NormalEquations(int most_rows) {
+  resize(most_rows);
+  matrix_.assign(static_cast<std::size_t>(height_ * padded_rows_), Real(0));
+  if (padded_rows_ > most_direct_rows)
+    copied_.assign(static_cast<std::size_t>(copied_columns) *
+                       static_cast<std::size_t>(padded_rows_ + block_height<Real> * lanes<Real>),
+                   Real(0));
+  inverse_.assign(static_cast<std::size_t>(padded_rows_), Real(0));
+}
 
-void NormalEquations::resize(int rows) {
+template <class Real>
+void NormalEquations<Real>::resize(int rows) {
   rows_ = rows;
-  padded_rows_ = padded(rows);
-  height_ = padded_rows_ + lanes;
+  padded_rows_ = padded<Real>(rows);
+  height_ = padded_rows_ + padded<Real>(sides);
 }
 
-KUSABI_ALSO_FOR_AVX2
-void NormalEquations::assemble(const PackedColumns& b) {
-  for (int column = 0; column < padded_rows_; column += lanes) {
-    int row = column;
-    for (; row + 2 * lanes <= padded_rows_; row += 2 * lanes)
-      assemble_block<2>(b, row, column, matrix_.data(), height_);
-    if (row < padded_rows_) assemble_block<1>(b, row, column, matrix_.data(), height_);
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::assemble(const PackedColumns<Real>& b) {
+  constexpr int width = lanes<Real>;
+  if (padded_rows_ <= most_direct_rows) {
+    for (int column = 0; column < padded_rows_; column += width)
+      assemble_rows(b, b.data + column, padded_rows_ - column, b.data + column,
+                    &matrix_[place(column, column)], height_, true);
+  } else {
+    for (int d = 0; d < b.components; ++d)
+      for (int first = 0; first < b.count; first += copied_columns) add_copied(b, d, first);
   }
-  for (int row = rows_; row < padded_rows_; ++row) matrix_[place(row, row)] = 1;
+  for (int row = rows_; row < padded_rows_; ++row) matrix_[place(row, row)] = Real(1);
 }
 
-KUSABI_ALSO_FOR_AVX2
-void NormalEquations::add_square(const double* column, double weight) {
+// Each block of rows is copied, so that its columns lie side by side, and multiplied by all those
+// before it while it is in the first cache.
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::add_copied(const PackedColumns<Real>& b,
+                                                            int component, int first) {
+  constexpr int width = lanes<Real>, height = block_height<Real> * width;
+  const int count = std::min(copied_columns, b.count - first);
+  const Real* const columns = b.data + std::ptrdiff_t{component * b.stride + first} * b.rows;
+  const auto copy_of = [&](int row) {
+    return &copied_[static_cast<std::size_t>(row / height * height * copied_columns +
+                                             row % height)];
+  };
+  for (int k = 0; k < count; ++k)
+    for (int row = 0; row < padded_rows_; row += width)
+      store(copy_of(row) + k * height, load(columns + std::ptrdiff_t{k} * b.rows + row));
+  const PackedColumns<Real> block{copied_.data(), height, 1, count, count};
+  const bool begins = component == 0 && first == 0;
+  for (int left = 0; left < padded_rows_; left += height)
+    for (int row = left; row < padded_rows_; row += height)
+      for (int column = left; column < std::min(left + height, padded_rows_); column += width)
+        assemble_rows(block, copy_of(row), std::min(height, padded_rows_ - row), copy_of(column),
+                      &matrix_[place(row, column)], height_, begins);
+}
+
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::add_square(const Real* column,
+                                                            const Real& weight) {
   for (int j = 0; j < rows_; ++j) {
-    const double share = weight * column[j];
+    const Real share = weight * column[j];
     if (share == 0) continue;
     for (int i = j; i < rows_; ++i) matrix_[place(i, j)] += share * column[i];
   }
 }
 
-KUSABI_ALSO_FOR_AVX2
-bool NormalEquations::factorise(double* first, double* second) {
-  double* const matrix = matrix_.data();
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 bool NormalEquations<Real>::factorise(Real* first, Real* second) {
+  constexpr int width = lanes<Real>;
+  Real* const matrix = matrix_.data();
   for (int column = 0; column < padded_rows_; ++column)
-    store(matrix + column * height_ + padded_rows_,
-          Pack::Lanes{first[column], second[column], 0, 0});
-  for (int column = 0; column < padded_rows_; column += lanes) {
-    reduce_rows({matrix, height_}, column, height_, matrix, height_, column);
-    double* const inverse = inverse_.data() + column;
+    store_two(matrix + column * height_ + padded_rows_, first[column], second[column]);
+  for (int column = 0; column < padded_rows_; column += width) {
+    reduce_rows<Real>({matrix, height_}, column, height_, matrix, height_, column);
+    Real* const inverse = inverse_.data() + column;
     if (!factorise_block(matrix + column * height_ + column, height_, inverse)) return false;
-    for (int row = column + lanes; row < height_; row += lanes)
-      divide_by_block({matrix, height_}, row, matrix, height_, column, inverse);
+    for (int row = column + width; row < height_; row += width)
+      divide_by_block<Real>({matrix, height_}, row, matrix, height_, column, inverse);
   }
   for (int column = 0; column < padded_rows_; ++column) {
     first[column] = matrix[column * height_ + padded_rows_];
     second[column] = matrix[column * height_ + padded_rows_ + 1];
   }
-  substitute_back<2>(matrix, height_, padded_rows_, inverse_.data(), {first, second});
+  substitute_back<sides>(matrix, height_, padded_rows_, inverse_.data(), {first, second});
   return true;
 }
 
-KUSABI_ALSO_FOR_AVX2
-void NormalEquations::reduce(double* x, int height) const {
-  for (int column = 0; column < padded_rows_; column += lanes) {
-    reduce_rows({x, height}, 0, height, matrix_.data(), height_, column);
-    for (int row = 0; row < height; row += lanes)
-      divide_by_block({x, height}, row, matrix_.data(), height_, column, inverse_.data() + column);
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::reduce(Real* x, int height) const {
+  constexpr int width = lanes<Real>;
+  for (int column = 0; column < padded_rows_; column += width) {
+    reduce_rows<Real>({x, height}, 0, height, matrix_.data(), height_, column);
+    for (int row = 0; row < height; row += width)
+      divide_by_block<Real>({x, height}, row, matrix_.data(), height_, column,
+                            inverse_.data() + column);
   }
 }
 
-KUSABI_ALSO_FOR_AVX2
-void NormalEquations::solve(double* right_side) const {
-  const double* const matrix = matrix_.data();
-  for (int column = 0; column < padded_rows_; column += lanes) {
-    const double* panel = matrix + column * height_;
-    const double* block = panel + column;
-    const double* inverse = inverse_.data() + column;
-    double* side = right_side + column;
-    for (int j = 0; j < lanes; ++j) {
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::solve(Real* right_side) const {
+  constexpr int width = lanes<Real>;
+  const Real* const matrix = matrix_.data();
+  for (int column = 0; column < padded_rows_; column += width) {
+    const Real* panel = matrix + column * height_;
+    const Real* block = panel + column;
+    const Real* inverse = inverse_.data() + column;
+    Real* side = right_side + column;
+    for (int j = 0; j < width; ++j) {
       for (int k = 0; k < j; ++k) side[j] -= block[k * height_ + j] * side[k];
       side[j] *= inverse[j];
     }
-    for (int i = column + lanes; i < padded_rows_; i += lanes) {
-      Pack rest = load(right_side + i);
-      for (int j = 0; j < lanes; ++j) rest -= load(panel + j * height_ + i) * side[j];
+    for (int i = column + width; i < padded_rows_; i += width) {
+      Packed<Real> rest = load(right_side + i);
+      for (int j = 0; j < width; ++j) rest -= load(panel + j * height_ + i) * side[j];
       store(right_side + i, rest);
     }
   }
   substitute_back<1>(matrix, height_, padded_rows_, inverse_.data(), {right_side});
 }
+
+template class NormalEquations<double>;
+template class NormalEquations<long double>;
+template class NormalEquations<numbers::Precise>;
 
 }  // namespace kusabi::conic

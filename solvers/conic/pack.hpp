@@ -1,5 +1,6 @@
-// Pack: four doubles in one SIMD register. Cones and matrix rows of a node program are processed in
-// packs of four; a node program is so small that operations in registers dominate its time.
+// Pack: four doubles in one SIMD register, and the same operations on a single number of another
+// type. Cones and matrix rows of a node program are processed in packs; a node program is so small
+// that operations in registers dominate its time.
 //
 // Each lane rounds as a single double does, and sums have a fixed order on every machine: an
 // operation is one instruction with AVX2, two otherwise. Multiplications and additions are never
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include "support/numbers/precise.hpp"
 
@@ -23,11 +25,16 @@
 
 namespace kusabi::conic {
 
-constexpr int lanes = 4;
+/// Numbers in a pack: four doubles, or one number of another type.
+template <class Real = double>
+inline constexpr int lanes = 1;
+template <>
+inline constexpr int lanes<double> = 4;
 
-/// The smallest multiple of four that is not below `size`.
+/// The smallest number of whole packs with room for `size` numbers, in numbers.
+template <class Real = double>
 constexpr int padded(int size) {
-  return (size + lanes - 1) / lanes * lanes;
+  return (size + lanes<Real> - 1) / lanes<Real> * lanes<Real>;
 }
 
 /// Four numbers; a single number converts to four equal ones.
@@ -50,6 +57,15 @@ struct alignas(32) Pack {
 
   Lanes values;
 };
+
+/// A pack of numbers of this type.
+template <class Real>
+using Packed = std::conditional_t<std::is_same_v<Real, double>, Pack, Real>;
+
+/// A type of which a single number is a pack.
+template <class Real>
+concept Alone = lanes<Real>
+== 1 && !std::is_same_v<Real, Pack>;
 
 /// Result of a comparison of two packs: in each lane all bits set for true, none for false.
 struct alignas(32) Answers {
@@ -75,6 +91,47 @@ KUSABI_INLINE void store(double* to, const Pack& pack) {
   std::memcpy(to, &pack.values, sizeof pack.values);
 }
 
+template <Alone Real>
+KUSABI_INLINE const Real& load(const Real* from) {
+  return *from;
+}
+
+template <Alone Real>
+KUSABI_INLINE void store(Real* to, const Real& number) {
+  *to = number;
+}
+
+/// A pack of numbers that are in registers, as load() would wait for them to be stored.
+KUSABI_INLINE Pack pack_of(const double* numbers) {
+  return Pack::Lanes{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+template <Alone Real>
+KUSABI_INLINE Real pack_of(const Real* numbers) {
+  return *numbers;
+}
+
+/// Stores two numbers, and zeros up to a whole pack.
+KUSABI_INLINE void store_two(double* to, double first, double second) {
+  store(to, Pack::Lanes{first, second, 0, 0});
+}
+
+template <Alone Real>
+KUSABI_INLINE void store_two(Real* to, const Real& first, const Real& second) {
+  to[0] = first;
+  to[1] = second;
+}
+
+/// The number in a lane.
+KUSABI_INLINE double in_lane(const Pack& pack, int lane) {
+  return pack[lane];
+}
+
+template <Alone Real>
+KUSABI_INLINE Real in_lane(const Real& number, int /*lane*/) {
+  return number;
+}
+
 KUSABI_INLINE double root(double value) {
   return std::sqrt(value);
 }
@@ -98,9 +155,20 @@ KUSABI_INLINE Pack larger(const Pack& a, const Pack& b) {
   return (a > b).bits ? a.values : b.values;
 }
 
+template <Alone Real>
+KUSABI_INLINE Real larger(const Real& a, const Real& b) {
+  return a > b ? a : b;
+}
+
 /// In each lane `yes` where the number at `chosen` is positive and `no` where it is not.
 KUSABI_INLINE Pack where(const double* chosen, const Pack& yes, const Pack& no) {
   return (load(chosen) > 0.0).bits ? yes.values : no.values;
+}
+
+template <Alone Real>
+KUSABI_INLINE Real where(const Real* chosen, const std::type_identity_t<Real>& yes,
+                         const std::type_identity_t<Real>& no) {
+  return *chosen > 0.0 ? yes : no;
 }
 
 /// The largest lane.
@@ -110,13 +178,23 @@ KUSABI_INLINE double largest(const Pack& pack) {
   return even > odd ? even : odd;
 }
 
+template <Alone Real>
+KUSABI_INLINE Real largest(const Real& number) {
+  return number;
+}
+
 /// The sum of the lanes.
 KUSABI_INLINE double total(const Pack& pack) {
   return (pack[0] + pack[2]) + (pack[1] + pack[3]);
 }
 
-/// The sums of four packs, a lane each.
-KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
+template <Alone Real>
+KUSABI_INLINE Real total(const Real& number) {
+  return number;
+}
+
+/// The sums of as many packs as there are lanes, a lane each.
+KUSABI_INLINE Pack totals(const Pack (&packs)[lanes<double>]) {
   const Pack::Lanes a = packs[0].values, b = packs[1].values;
   const Pack::Lanes c = packs[2].values, d = packs[3].values;
   const Pack::Lanes ab =
@@ -126,9 +204,18 @@ KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
+template <Alone Real>
+KUSABI_INLINE Real totals(const Real (&numbers)[1]) {
+  return numbers[0];
+}
+
 /// True if the comparison holds in all lanes.
 KUSABI_INLINE bool all(const Answers& answers) {
   return (answers.bits[0] & answers.bits[1] & answers.bits[2] & answers.bits[3]) != 0;
+}
+
+KUSABI_INLINE bool all(bool answer) {
+  return answer;
 }
 
 }  // namespace kusabi::conic

@@ -17,17 +17,13 @@ constexpr double digits = 1e-8;
 constexpr int most_iterations = 60;
 
 /// Shift of the diagonal of the normal equations, relative to it.
-constexpr double diagonal_shift = 1e-14;
+constexpr double relaxed_shift = 1e-14;
 
 /// Multipliers beyond this belong to an empty relaxation.
 constexpr double without_end = 1e13;
 
 double inverse_length(const Eigen::VectorXd& point, const Eigen::VectorXd& step) {
   return (-step.array() / point.array()).maxCoeff();
-}
-
-double step_length(double inverse) {
-  return boundary_fraction / std::max(boundary_fraction, inverse);
 }
 
 }  // namespace
@@ -57,7 +53,7 @@ WeightedRelaxation<D>::WeightedRelaxation(const Eigen::MatrixXd& compliance,
 }
 
 template <int D>
-PackedColumns WeightedRelaxation<D>::columns(const Eigen::MatrixXd& matrix) const {
+PackedColumns<> WeightedRelaxation<D>::columns(const Eigen::MatrixXd& matrix) const {
   return {matrix.data(), static_cast<int>(matrix.rows()), D, m_, stride_};
 }
 
@@ -142,7 +138,7 @@ bool WeightedRelaxation<D>::factorise() {
   double trace = 0;
   for (int i = 0; i < rows_; ++i) trace += equations_.diagonal(i);
   for (int i = 0; i < rows_; ++i)
-    equations_.add_to_diagonal(i, diagonal_shift * (equations_.diagonal(i) + trace / rows_));
+    equations_.add_to_diagonal(i, relaxed_shift * (equations_.diagonal(i) + trace / rows_));
   for (int i = 0; i < m_; ++i) equations_.add_to_diagonal(i, v_[i] / s_[i]);
   hold_ = free_.cols() == 0 ? 0 : trace / free_.squaredNorm();
   for (Eigen::Index l = 0; l < free_.cols(); ++l) equations_.add_square(free_.col(l).data(), hold_);
@@ -236,7 +232,8 @@ std::optional<RelaxedPoint> WeightedRelaxation<D>::minimise(std::span<const doub
     const double sigma = (1 - length) * (1 - length) * (1 - length);
     direct(1 - sigma, true, sigma * complementarity_, length);
     const Steps inverse = longest_steps();
-    const double primal = step_length(inverse.primal), dual = step_length(inverse.dual);
+    const double primal = step_length(boundary_fraction, inverse.primal);
+    const double dual = step_length(boundary_fraction, inverse.dual);
     for (int c = 0; c < m_; ++c) {
       const auto& scaling = scaling_[static_cast<std::size_t>(c)];
       Point x = at(x_, c);

@@ -63,13 +63,13 @@ class WeightedRelaxation {
   void put(Vector& points, int cone, const Point& point) const;
   [[nodiscard]] Vector times(const Vector& points) const;
   [[nodiscard]] Vector transposed_times(const Vector& weights) const;
-  [[nodiscard]] PackedColumns columns(const Eigen::MatrixXd& matrix) const;
+  [[nodiscard]] PackedColumns<> columns(const Eigen::MatrixXd& matrix) const;
 
   int m_, rows_, stride_;
   Eigen::MatrixXd unit_matrix_;      // A at mu = 1: rows u_n, G'r and sum, padded
   Eigen::MatrixXd matrix_, scaled_;  // A, and A W
   Eigen::MatrixXd free_;             // H: rows of the unit matrix
-  NormalEquations equations_;
+  NormalEquations<> equations_;
   std::vector<NesterovToddScaling<D>> scaling_;
   Vector right_side_, cost_, gap_cost_;
   Vector x_, z_, v_, s_, y_, alpha_;  // cones by component; slacks; rows; motions

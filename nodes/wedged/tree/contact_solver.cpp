@@ -31,6 +31,13 @@ conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem
   return conic::ordered_motions<3, numbers::Precise>(given, error, loads);
 }
 
+/// Owners of the cones, one for each candidate.
+std::vector<int> one_cone_each(std::size_t candidates) {
+  std::vector<int> owners(candidates);
+  std::iota(owners.begin(), owners.end(), 0);
+  return owners;
+}
+
 template <class Real>
 constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>;
 
@@ -53,13 +60,11 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance.matrix / unit_;
         const double error = problem.compliance.error + scaling_error<double>;
-        std::vector<int> owners(friction.size());
-        std::iota(owners.begin(), owners.end(), 0);
         if (problem.dimension == 2)
-          return conic::NodeSolver<2>(scaled, friction, std::move(owners), tolerances, error,
-                                      motions<double>(), loads);
-        return conic::NodeSolver<3>(scaled, friction, std::move(owners), tolerances, error,
-                                    motions<double>(), loads);
+          return conic::NodeSolver<2>(scaled, friction, one_cone_each(friction.size()), tolerances,
+                                      error, motions<double>(), loads);
+        return conic::NodeSolver<3>(scaled, friction, one_cone_each(friction.size()), tolerances,
+                                    error, motions<double>(), loads);
       }()) {}
 
 void ContactSolver::make_room(int most_cuts) {
@@ -115,11 +120,11 @@ template <class Real>
 auto ContactSolver::made(Level<Real>& level) -> Level<Real>& {
   if (!std::holds_alternative<std::monostate>(level)) return level;
   if (dimension_ == 2)
-    level.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
-                              scaled_error<Real>(), motions<Real>(), loads_);
+    level.template emplace<1>(scaled_compliance<Real>(), friction_, one_cone_each(friction_.size()),
+                              tolerances_, scaled_error<Real>(), motions<Real>(), loads_);
   else
-    level.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
-                              scaled_error<Real>(), motions<Real>(), loads_);
+    level.template emplace<2>(scaled_compliance<Real>(), friction_, one_cone_each(friction_.size()),
+                              tolerances_, scaled_error<Real>(), motions<Real>(), loads_);
   return level;
 }
 

@@ -18,7 +18,6 @@
 
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
-#include "solvers/conic/plain_solver.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::wedged {
@@ -32,8 +31,8 @@ inline constexpr double most_friction = 1e6;
 /// for hundreds of candidates.
 enum class Precision { escalating, doubles };
 
-/// conic::NodeSolver of the problem's dimension, with conic::PlainSolver for higher precision
-/// levels. The result for a node depends on the arguments alone, to the last bit. No allocation
+/// conic::NodeSolver of the problem's dimension, with one for each higher precision level. The
+/// result for a node depends on the arguments alone, to the last bit. No allocation
 /// after construction except for escalation. Each rank has its own. The references are valid until
 /// the next solve().
 class ContactSolver {
@@ -127,7 +126,7 @@ class ContactSolver {
  private:
   template <class Real>
   using Level =
-      std::variant<std::monostate, conic::PlainSolver<2, Real>, conic::PlainSolver<3, Real>>;
+      std::variant<std::monostate, conic::NodeSolver<2, Real>, conic::NodeSolver<3, Real>>;
 
   /// G, combined as the solvers require, with the precision of Real.
   template <class Real>

@@ -50,7 +50,7 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
   ContactSolver solver(problem, friction, tolerances);
   const PreciseMatrix scaled = problem.compliance.precise / Precise(solver.unit());
   const double error = problem.compliance.precise_error + 1e-30;
-  conic::PlainSolver<D, Precise> precise(scaled, friction, {.sign = 1e-20, .value = 1e-18}, error);
+  conic::NodeSolver<D, Precise> precise(scaled, friction, {.sign = 1e-20, .value = 1e-18}, error);
   std::vector<int> each(m);
   std::iota(each.begin(), each.end(), 0);
   const conic::Bounds<D, Precise> bounds(scaled, error, each);

@@ -162,17 +162,17 @@ TYPED_TEST(Cone, StepAlongTheConeIsUnbounded) {
 TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
   constexpr int D = TestFixture::dimension;
   ConePoint<D, Pack> x, z;
-  std::array<ConePoint<D>, lanes> each_x, each_z;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
+  std::array<ConePoint<D>, lanes<>> each_x, each_z;
+  for (std::size_t lane = 0; lane < lanes<>; ++lane) {
     each_x[lane] = point<D>(this->interior(depths[lane]));
-    each_z[lane] = point<D>(this->interior(depths[lanes - 1 - lane]));
+    each_z[lane] = point<D>(this->interior(depths[lanes<> - 1 - lane]));
   }
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = Pack::Lanes{each_x[0][i], each_x[1][i], each_x[2][i], each_x[3][i]};
     z[i] = Pack::Lanes{each_z[0][i], each_z[1][i], each_z[2][i], each_z[3][i]};
   }
   const NesterovToddScaling<D, Pack> scaling(x, z);
-  for (int lane = 0; lane < lanes; ++lane) {
+  for (int lane = 0; lane < lanes<>; ++lane) {
     const auto at = static_cast<std::size_t>(lane);
     const NesterovToddScaling<D> alone(each_x[at], each_z[at]);
     EXPECT_EQ(scaling.inverse_step_length(z)[lane], alone.inverse_step_length(each_z[at]));

@@ -64,7 +64,7 @@ struct Eliminated {
         reduced(Eigen::VectorXd::Zero(padded(at.program.first_cut() + 1))) {
     elimination.start(at.program);
     elimination.begin(at.w);
-    const PackedColumns matrix = at.program.matrix();
+    const PackedColumns<> matrix = at.program.matrix();
     const int height = padded(elimination.rows());
     columns.setZero(height, D * matrix.stride);
     for (int c = 0; c < matrix.count; ++c) {
@@ -98,7 +98,7 @@ struct Eliminated {
   }
 
   CutElimination<D> elimination;
-  NormalEquations equations;
+  NormalEquations<> equations;
   Eigen::MatrixXd columns;
   Eigen::VectorXd reduced;
 };

@@ -29,7 +29,7 @@ void expect_same_rows_and_levels() {
     const auto count = static_cast<Eigen::Index>(program.cones().size());
 
     // Any x determines r and t, and row i of A x - b is u_n - t, or u_n on U.
-    const PackedColumns matrix = program.matrix();
+    const PackedColumns<> matrix = program.matrix();
     ConePoints<D> x = ConePoints<D>::Zero(matrix.stride, D);
     x.topRows(count).setRandom();
     Eigen::VectorXd r(D * m);

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "solvers/conic/node_solver.hpp"
-#include "solvers/conic/plain_solver.hpp"
 #include "tests/solvers/conic/contact_problem.hpp"
 #include "tests/solvers/conic/cut_candidate.hpp"
 
