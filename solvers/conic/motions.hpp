@@ -88,11 +88,26 @@ EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index s
 /// @param motions G, D rows per cone; entries of at most about 1
 /// @param error error bound of an entry
 /// @param loads number of loads, whose cones are the last and have no displacement
+/// @param equations number of last columns that are equations for the reactions alone, whose
+///        normal rows are kept
 template <int D, class Real>
-Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error, int loads = 0) {
+Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error, int loads = 0,
+                              int equations = 0) {
+  using Matrix = typename Motions<Real>::Matrix;
+  if (equations > 0) {
+    const Eigen::Index own = motions.cols() - equations;
+    auto result = ordered_motions<D, Real>(Matrix(motions.leftCols(own)), error, loads);
+    Matrix combination = Matrix::Identity(motions.cols(), motions.cols());
+    combination.topLeftCorner(own, own) = result.combination;
+    motions.leftCols(own) = result.at_cones;
+    result.combination = std::move(combination);
+    result.at_cones = std::move(motions);
+    result.error = std::max(result.error, error);
+    return result;
+  }
   const Eigen::Index p = motions.cols();
   Motions<Real> result;
-  result.combination = Motions<Real>::Matrix::Identity(p, p);
+  result.combination = Matrix::Identity(p, p);
   const auto [lifting, growth] =
       eliminate(motions, result.combination, D, sliding, Eigen::Index{D} * loads);
   result.lifting = static_cast<int>(lifting);

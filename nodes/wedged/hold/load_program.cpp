@@ -68,6 +68,14 @@ double root_of(const LoadedProblem& loaded, LoadShare share) {
 
 }  // namespace
 
+bool acts(const LoadedProblem& block, Eigen::Index load) {
+  return !block.loads.motions.row(load).isZero(0) || !block.loads.displacements.col(load).isZero(0);
+}
+
+bool is_under_dead(const LoadedProblem& block) {
+  return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
+}
+
 LoadedProblem loaded_problem(const problems::Structure& structure, const support::LongWork& work) {
   LoadedProblem loaded;
   const Eigen::MatrixXd both = node_forces(structure);
@@ -173,6 +181,52 @@ problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const 
     result.precise_motions = std::move(motions);
   }
   result.blocks = {};
+  return result;
+}
+
+double grip_scale(const LoadedProblem& loaded, std::span<const LoadShare> shares,
+                  const GripRestriction& grip) {
+  double largest = 1;
+  for (const LoadShare& share : shares)
+    largest = std::max(largest, share.dead * grip.total / scale_of(loaded, share));
+  return largest;
+}
+
+problems::WedgedProblem with_grip(const LoadedProblem& loaded, std::span<const LoadShare> shares,
+                                  const GripRestriction& grip) {
+  auto result = with_loads(loaded, shares);
+  const Eigen::Index d = result.dimension;
+  const Eigen::Index own = d * loaded.clearance.size();
+  const bool slack = grip.kind != GripRestriction::Kind::equal;
+  const Eigen::Index all = result.compliance.rows() + (slack ? d : 0);
+  const Eigen::Index modes = result.motions.cols();
+  PreciseMatrix motions = PreciseMatrix::Zero(all, modes + 1);
+  if (modes > 0)
+    motions.topLeftCorner(result.precise_motions.rows(), modes) = result.precise_motions;
+  const Precise scale(grip_scale(loaded, shares, grip));
+  for (Eigen::Index normal = 0; normal < own; normal += d)
+    motions(normal, modes) = Precise(1) / scale;
+  Eigen::Index row = own;
+  for (const LoadShare& share : shares) {
+    motions(row, modes) =
+        -Precise(share.dead) * Precise(grip.total) / Precise(scale_of(loaded, share)) / scale;
+    row += d;
+  }
+  if (slack) {
+    motions(row, modes) = Precise(grip.kind == GripRestriction::Kind::above ? -1 : 1);
+    PreciseMatrix compliance = PreciseMatrix::Zero(all, all);
+    compliance.topLeftCorner(row, row) = result.precise_compliance;
+    for (Eigen::Index axis = 0; axis < d; ++axis)
+      compliance(row + axis, row + axis) = Precise(mean_of(loaded.problem));
+    result.compliance = compliance.cast<double>();
+    result.precise_compliance = std::move(compliance);
+    result.contact_names.emplace_back("sum");
+    result.friction.push_back(0);
+  }
+  result.motions = motions.cast<double>();
+  result.precise_motions = std::move(motions);
+  result.motion_error += share_roundings * numbers::unit_roundoff<double>;
+  result.precise_motion_error += share_roundings * numbers::unit_roundoff<Precise>;
   return result;
 }
 

@@ -20,15 +20,16 @@ constexpr double three_digits = 1e-3;
 constexpr double scaling_roundings = 1.01;
 
 /// G in 104 bits, combined as the solvers require.
-conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads) {
+conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads,
+                                          int equations) {
   const bool precise = problem.precise_motions.size() != 0;
   const numbers::PreciseMatrix given =
       precise ? problem.precise_motions
               : numbers::PreciseMatrix(problem.motions.cast<numbers::Precise>());
   const double error = precise ? problem.precise_motion_error : problem.motion_error;
   if (problem.dimension == 2)
-    return conic::ordered_motions<2, numbers::Precise>(given, error, loads);
-  return conic::ordered_motions<3, numbers::Precise>(given, error, loads);
+    return conic::ordered_motions<2, numbers::Precise>(given, error, loads, equations);
+  return conic::ordered_motions<3, numbers::Precise>(given, error, loads, equations);
 }
 
 template <class Real>
@@ -38,7 +39,7 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                              std::span<const double> friction, conic::Tolerances tolerances,
-                             Precision precision, int loads)
+                             Precision precision, int loads, int equations)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
@@ -49,7 +50,7 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
       precise_compliance_(problem.precise_compliance),
       compliance_error_(problem.compliance_error),
       precise_error_(problem.precise_error),
-      motions_(combined(problem, loads)),
+      motions_(combined(problem, loads, equations)),
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
         const double error = problem.compliance_error + scaling_error<double>;
