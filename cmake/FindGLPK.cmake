@@ -1,4 +1,4 @@
-# GLPK comes without a CMake package: finds glpk.h and the library, and gives the target GLPK::GLPK.
+# Finds GLPK, which has no CMake package: header, library, version. Defines the target GLPK::GLPK.
 find_path(GLPK_INCLUDE_DIR glpk.h PATH_SUFFIXES glpk)
 find_library(GLPK_LIBRARY glpk)
 if(GLPK_INCLUDE_DIR)

@@ -1,5 +1,5 @@
-# The QD library of David Bailey and others (double-double numbers) comes without a CMake package:
-# finds its header and the library, and gives the target QD::QD.
+# Finds the QD library of double-double numbers, which has no CMake package: header and library.
+# Defines the target QD::QD.
 find_path(QD_INCLUDE_DIR qd/dd_real.h)
 find_library(QD_LIBRARY qd)
 

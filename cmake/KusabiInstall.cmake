@@ -1,20 +1,20 @@
-# Files that `cmake --install` adds to the targets: the CMake package `kusabi`, what a user reads, and a
-# project to start one's own from.
+# Installed files besides the targets: the CMake package `kusabi`, pages, examples and a sample
+# project.
 include(CMakePackageConfigHelpers)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/kusabi)
 install(EXPORT kusabi NAMESPACE kusabi:: FILE kusabiTargets.cmake DESTINATION ${package} COMPONENT development)
 configure_package_config_file(cmake/kusabiConfig.cmake.in ${PROJECT_BINARY_DIR}/kusabiConfig.cmake
   INSTALL_DESTINATION ${package})
-# Before 1.0 any minor version may change what a user's project is written against.
+# Before 1.0 each minor version may change the interface of the library.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/kusabiConfig.cmake ${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
   cmake/FindGLPK.cmake cmake/FindQD.cmake
   DESTINATION ${package} COMPONENT development)
 
-# For builds without CMake: kusabi-engine, and kusabi for all of it. What they say is where the file lies,
-# since what is installed may be moved.
+# pkg-config files: kusabi for all libraries, kusabi-engine for the engine alone. The prefix is
+# relative to the file, so an installation may be moved.
 file(RELATIVE_PATH KUSABI_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 list(TRANSFORM MPI_C_INCLUDE_DIRS PREPEND -I OUTPUT_VARIABLE KUSABI_PC_MPI_FLAGS)
 list(JOIN KUSABI_PC_MPI_FLAGS " " KUSABI_PC_MPI_FLAGS)
@@ -24,12 +24,12 @@ foreach(name kusabi kusabi-engine)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endforeach()
 
-# Laid out as in the source tree, so that the links of one page to another hold.
+# The layout is that of the source tree, so that links between pages are valid.
 install(FILES README.md NEWS.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 install(DIRECTORY tests/install/colouring DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/install COMPONENT documents)
 
-# For PYTHONPATH, or to be copied beside a script: it is one file.
+# A single file, for PYTHONPATH or for the folder of a script.
 install(FILES run/python/kusabi.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/python COMPONENT command)
 
 include(cmake/KusabiPackages.cmake)

@@ -1,11 +1,11 @@
-# Sources compiled together. Most of the time to compile a source goes into what it includes and what it
-# instantiates of that; the sources of a group share both. Off, each source is compiled by itself,
-# which is quicker when one of them has changed, and shows what it forgot to include.
+# Joined (unity) builds. Included headers and their template instantiations take most of the compile
+# time of a source; the sources of a group share them. With the option off each source is compiled
+# alone: a build after a change is faster, and missing includes are errors.
 option(KUSABI_JOINED "Compile related sources together: quicker from nothing, slower after a change" OFF)
 
-# kusabi_join(TARGET PATTERN...): the target's sources that match the first pattern are one group, of
-# the others those that match the second are the next, and so on; what matches none stays alone. Two
-# sources of one group must not give one name to two things, in anonymous namespaces neither.
+# kusabi_join(TARGET PATTERN...): sources that match the first pattern form the first group, those
+# of the others that match the second pattern form the second, and so on; sources that match no
+# pattern are compiled alone. Names must be unique within a group, also in anonymous namespaces.
 function(kusabi_join target)
   if(NOT KUSABI_JOINED)
     return()

@@ -1,5 +1,5 @@
-# kusabi_installed(NAME): the library kusabi_NAME of this folder is installed with its headers, as the
-# target kusabi::NAME of the CMake package. Headers are included as here: "problems/files/…".
+# kusabi_installed(NAME): installs the library kusabi_NAME of this folder with its headers as target
+# kusabi::NAME of the CMake package. Header paths are those of the source tree: "problems/files/…".
 include(GNUInstallDirs)
 function(kusabi_installed name)
   set(target kusabi_${name})

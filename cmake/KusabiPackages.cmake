@@ -1,5 +1,5 @@
-# Debian packages, made by run/package (cpack -G DEB): kusabi the command with its manual pages and completion,
-# libkusabi-dev libraries and headers, kusabi-doc what a user reads and tries.
+# Debian packages, made by run/package (cpack -G DEB): kusabi (command, manual pages, completion),
+# libkusabi-dev (libraries, headers) and kusabi-doc (pages, examples).
 set(KUSABI_MAINTAINER "Kusabi's maintainers <maintainers@kusabi.invalid>" CACHE STRING
   "Who is named in Debian packages as their maintainer")
 set(CPACK_GENERATOR DEB)
@@ -16,7 +16,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-# In each staged package: what Debian wants beside the files, and in its form.
+# Copyright, changelog, compression and permissions of each package as Debian requires.
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/finish.cmake)
 set(CPACK_KUSABI_SOURCE ${PROJECT_SOURCE_DIR})
 

@@ -1,6 +1,7 @@
-# Software bill of materials: the libraries that the build has found, with versions and licences, as SPDX 2.3 JSON.
+# Software bill of materials in SPDX 2.3 JSON: all libraries found by the build, with versions and
+# licences.
 
-# kusabi_material(NAME VERSION LICENSE HEADERS|LINKED URL): one line of the bill.
+# kusabi_material(NAME VERSION LICENSE HEADERS|LINKED URL): adds a library.
 set(KUSABI_MATERIALS "")
 set(KUSABI_RELATIONS "")
 function(kusabi_material name version license use url)
@@ -36,7 +37,7 @@ kusabi_material("GMP" "" "LGPL-3.0-or-later OR GPL-2.0-or-later" LINKED "https:/
 kusabi_material("MPFR" "" "LGPL-3.0-or-later" LINKED "https://www.mpfr.org")
 kusabi_material("MPI" "${MPI_C_VERSION}" "NOASSERTION" LINKED "NOASSERTION")
 
-# The time of the commit, if SOURCE_DATE_EPOCH is set to it.
+# CMake uses SOURCE_DATE_EPOCH, if set, instead of the current time.
 string(TIMESTAMP created "%Y-%m-%dT%H:%M:%SZ" UTC)
 file(WRITE ${PROJECT_BINARY_DIR}/kusabi.spdx.json "{
   \"spdxVersion\": \"SPDX-2.3\", \"dataLicense\": \"CC0-1.0\", \"SPDXID\": \"SPDXRef-DOCUMENT\",

@@ -1,9 +1,9 @@
-# Sources under test are optimised as users have them; tests compile in half the time without.
-# (GCC 12 warns of Eigen's own code then.)
+# Tests are compiled without optimisation, which halves their compile time; the libraries under test
+# are optimised as in a release.
 set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O0>)
 
-# Headers that nearly all tests include, compiled once where sources are joined. (A compiler cache, which is for
-# those who compile again and again, takes sources that have seen precompiled headers for new ones.)
+# Precompiled headers for nearly all tests, with joined sources only: ccache does not reuse objects
+# that were compiled with precompiled headers.
 function(kusabi_share_headers name)
   if(NOT KUSABI_JOINED)
     return()
@@ -18,17 +18,16 @@ function(kusabi_share_headers name)
     target_precompile_headers(kusabi_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core>)
   endif()
   target_precompile_headers(${name} REUSE_FROM kusabi_test_headers)
-  # GCC 12 forgets that what is precompiled are headers of the system, and warns of std::string.
+  # GCC 12 warns about system headers that are precompiled, such as that of std::string.
   target_compile_options(${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
 endfunction()
 
-# One GoogleTest executable a folder of tests:  kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y)
-# JOINED: which sources may be compiled together, as in kusabi_join; without it, all.
-# PROCESSES: it starts others, so it is not among those labelled `fast`, which take seconds in all.
-# OWN_OPTIONS: it is compiled with others, and shares no headers with the rest.
-# LONG: those that take a minute, be it under the sanitizers, which leave them to Release; they begin first. A filter
-# of GoogleTest.
+# kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y): one GoogleTest executable for a folder.
+# JOINED: patterns of the sources that are compiled together, as in kusabi_join; default: all.
+# PROCESSES: the tests start processes and do not get the label `fast`.
+# OWN_OPTIONS: the tests have other compile options, so they use no precompiled headers.
+# LONG: GoogleTest filter of tests that take a minute. They start first; sanitized builds omit them.
 function(kusabi_test name)
   cmake_parse_arguments(TEST "PROCESSES;OWN_OPTIONS" "LONG" "SOURCES;LIBRARIES;JOINED" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
@@ -60,10 +59,9 @@ function(kusabi_test name)
   endif()
 endfunction()
 
-# Environment variables, which other launchers ignore, make Open MPI run as root (CI does),
-# to put more ranks than cores on a machine, not to pin ranks to cores that others use as well (both
-# PRTE_... from version 5 on), and not to hand its core over at every empty poll (which makes crowded
-# runs several times slower).
+# Environment of tests under mpirun. Open MPI runs as root (in CI), accepts more ranks than cores,
+# does not bind ranks to cores (PRTE_... from version 5 on), and does not yield its core at every
+# empty poll, which makes crowded runs several times slower. Other launchers ignore these variables.
 set(KUSABI_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -74,5 +72,5 @@ set(KUSABI_MPI_ENVIRONMENT
   OMPI_MCA_mpi_yield_when_idle=0
   OMPI_MCA_btl_vader_single_copy_mechanism=none
   KUSABI_MPIRUN=${MPIEXEC_EXECUTABLE}
-  # Open MPI itself never returns some of what it allocates; our own leaks show without it.
+  # No leak detection, since Open MPI leaks memory; tests without MPI detect leaks of Kusabi.
   ASAN_OPTIONS=detect_leaks=0)

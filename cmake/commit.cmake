@@ -1,6 +1,6 @@
-# Writes which commit is built into a header, when it is another than the last time. Run by each build:
+# Writes the commit into a header; the file is unchanged if the commit is. Each build runs
 #   cmake -D source=DIR -D output=FILE [-D commit=TEXT] -P commit.cmake
-# Where there is no git (a source archive, a package), it is `commit`, or "unknown".
+# Without git (source archive, package) the header contains TEXT, or "unknown".
 cmake_minimum_required(VERSION 3.22)
 if(NOT commit)
   set(commit unknown)

@@ -1,4 +1,4 @@
-// Products by Boost.Multiprecision; a count is kept as what is shown of it.
+// Products by Boost.Multiprecision; a count is stored as its decimal digits.
 #include "support/exact_count.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace kusabi::support {
 namespace {
 
-// 18 digits at a time. (In place of str(), in which GCC 12 sees an overlap that is none.)
+// Conversion by 18 digits at a time, since GCC 12 gives a false warning about str().
 std::string decimal(boost::multiprecision::cpp_int value) {
   constexpr std::uint64_t part = 1'000'000'000'000'000'000;
   std::string digits;

@@ -1,5 +1,5 @@
-// A count that may be beyond any machine word: the ways of a structure are the product of those of
-// its decoupled subproblems.
+// ExactCount: a count of any size. The number of patterns of a structure is the product of those of
+// its decoupled subproblems, which may exceed every integer type.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ class ExactCount {
   /// 1 if there are no factors.
   static ExactCount product(std::span<const std::uint64_t> factors);
 
-  /// Nothing if the text is anything but decimal digits, or has more than a million of them.
+  /// Nothing if the text has other characters than decimal digits, or more than a million of them.
   static std::optional<ExactCount> read(std::string_view text);
 
-  /// In decimal digits, all of them.
+  /// All decimal digits.
   [[nodiscard]] const std::string& digits() const { return digits_; }
 
-  /// The number itself, if it is at most 2^53: up to there every reader of numbers has it exactly.
+  /// The number if it is at most 2^53, up to which every JSON reader represents it exactly.
   [[nodiscard]] std::optional<std::uint64_t> number() const;
 
-  /// To 15 digits; minus infinity of 0.
+  /// Decimal logarithm to 15 digits; minus infinity for 0.
   [[nodiscard]] double log10() const;
 
-  /// All digits of a number that is read at a glance; of a longer one the first five: 1.7223e+361.
+  /// All digits if there are at most 21, otherwise the first five: 1.7223e+361.
   [[nodiscard]] std::string text() const;
 
   friend bool operator==(const ExactCount&, const ExactCount&) = default;

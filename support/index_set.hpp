@@ -20,7 +20,7 @@ class IndexSet {
 
   IndexSet() = default;
 
-  /// The positions of the one bits: 0b101 is {0, 2}.
+  /// The positions of the bits that are one: 0b101 is {0, 2}.
   IndexSet(Word ones) : first_(ones) {}  // NOLINT(google-explicit-constructor): a way to write them
 
   static IndexSet single(int index) {

@@ -15,24 +15,24 @@ inline bool asked(const Stop& stop) {
   return stop && stop();
 }
 
-/// Leaves work that is of no use unless it is whole.
+/// Exception that ends a computation whose partial result is of no use.
 class Stopped : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "stopped before its end"; }
 };
 
-/// @throws Stopped if an end is asked for
+/// @throws Stopped if an end is requested
 inline void leave_if(const Stop& stop) {
   if (asked(stop)) throw Stopped();
 }
 
-/// Work that takes long in steps: whoever waits for it sees how far it is, and can end it.
+/// Stop request and progress report of a computation in steps.
 struct LongWork {
   Stop stop = {};
-  /// Called with the name of the work and the share of it that is done, 0 to 1; may be empty.
+  /// Receives the name of the computation and its completed share, 0 to 1; may be empty.
   std::function<void(const char* work, double share)> report = {};
 
-  /// @throws Stopped if an end is asked for
+  /// @throws Stopped if an end is requested
   void reached(const char* work, double share) const {
     leave_if(stop);
     if (report) report(work, share);

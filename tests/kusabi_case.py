@@ -1,5 +1,5 @@
-"""What tests of the command have in common that are written in Python. The last two words of their call are
-KUSABI SOURCES: the command, and the folder of the sources.
+"""Base class of the Python tests of the command. Their last two arguments are KUSABI SOURCES: the
+command, and the folder of the sources.
 """
 import json
 import pathlib
@@ -14,7 +14,7 @@ EXAMPLES = SOURCES / "examples"
 
 
 class KusabiCase(unittest.TestCase):
-    """Each test has a `folder` of its own, and a place for a `result` file in it."""
+    """Each test has its own `folder`, and the path of a `result` file in it."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

@@ -1,5 +1,5 @@
-# Run by cpack before it packs: adds to each staged package its copyright and changelog, packs manual pages, and
-# leaves out of libraries what nothing can link with.
+# Run by cpack before it makes the packages: adds copyright and changelog, compresses manual pages,
+# and strips static libraries.
 find_program(gzip gzip REQUIRED)
 find_program(strip strip REQUIRED)
 set(source ${CPACK_KUSABI_SOURCE})
@@ -18,13 +18,13 @@ foreach(pair "command kusabi" "development libkusabi-dev" "documents kusabi-doc"
     execute_process(COMMAND ${strip} --strip-debug --remove-section=.comment --remove-section=.note
       --enable-deterministic-archives ${library} COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
-  # 0755 and 0644, whatever the mask of who packs.
+  # Permissions 0755 and 0644, independent of the umask.
   file(CHMOD_RECURSE ${usr} FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ
     DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 endforeach()
 set(executable OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 file(CHMOD ${CPACK_TEMPORARY_DIRECTORY}/command/usr/bin/kusabi PERMISSIONS ${executable})
-# The text of the license is with all Debian systems.
+# Debian systems contain the text of the license.
 set(license ${CPACK_TEMPORARY_DIRECTORY}/documents/usr/share/doc/kusabi/LICENSE)
 file(REMOVE ${license})
 file(CREATE_LINK ../../common-licenses/Apache-2.0 ${license} SYMBOLIC)

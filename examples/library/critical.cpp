@@ -1,5 +1,5 @@
-// The smallest friction coefficient at which anything can wedge, proved; a minute at most, and
-// Ctrl-C ends it with what is known by then:
+// The smallest friction coefficient at which anything can wedge, with proved bounds. The search
+// ends after a minute, or at Ctrl-C, with the bounds found so far:
 //   critical two-bars.toml
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-// The load factor at which a truss collapses, and the least one that uncertain loads can bring
-// about, in one process or on all ranks of an MPI job:
+// The load factor at which a truss collapses, for the nominal load and in the worst case of
+// uncertain loads, in one process or on all ranks of an MPI job:
 //   limit limit-3x3.toml 40
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// A mixed 0-1 program: three things of value 60, 100 and 120 that weigh 10, 20 and 30, of which 55
-// can be carried; what room is left is worth 1 a unit. The last two and 5 units: 225.
+// A mixed 0-1 program: a knapsack of capacity 55, items of weights 10, 20, 30 and values 60, 100,
+// 120, and the value 1 for each unit of unused capacity. Optimum 225: two items and 5 units.
 #include <cstdio>
 
 #include "engine/transport/single_process.hpp"

@@ -17,7 +17,7 @@
 using namespace kusabi;
 
 int answer(engine::Transport& transport, const char* file, double coefficient) {
-  // One rank reads; each works the problem out by itself, and all must have come to the same.
+  // One rank reads the file; each rank computes the problem, and all problems must be equal.
   const auto text =
       engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto problem = problems::wedged_problem(problems::read_structure(text, file));

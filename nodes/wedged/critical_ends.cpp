@@ -160,7 +160,7 @@ Evidence CriticalEnds::form_of(std::uint32_t block) const {
       .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
-// A stiffness that cannot be enclosed leaves the proof in doubles (quadratic_is_infeasible).
+// If K cannot be enclosed, the proof in doubles (quadratic_is_infeasible) is sufficient.
 void CriticalEnds::prove_by_forms(QuadraticForms forms) {
   if (!enclose()) {
     bracket_.raise(forms.factor);
@@ -249,7 +249,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
 }
 
 /// Decides all sign patterns at one coefficient and adds the costs.
-/// @param wanted whether the result is to be recorded
+/// @param wanted true for results to be recorded
 template <class Wanted>
 DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase,
                                 const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {
@@ -361,7 +361,7 @@ engine::Status CriticalEnds::prove_upper() {
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> feasible;
-  bool ties_decided = false;  // by the other patterns, at the first degenerate one
+  bool ties_decided = false;  // by the other patterns, after the first degenerate point
   double factor = *bracket_.upper();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {

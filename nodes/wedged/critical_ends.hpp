@@ -41,7 +41,7 @@ class EndRecord {
   virtual void add(const Evidence& evidence) = 0;
 
   /// Ends the record, on every rank alike. @param bounds used by the evidence
-  /// @param holds whether the evidence proves the bound; otherwise the bound is relaxed and another
+  /// @param holds true: the evidence proves the bound; false: the bound is relaxed and another
   /// record follows
   virtual void end(std::span<const ProvedBound> bounds, EndClaim claim, bool holds) = 0;
 };

@@ -132,7 +132,7 @@ class SmallestWays {
   }
 
  private:
-  // Initial bracket without a tree. @return whether it is the answer, or the time is over
+  // Initial bracket without a tree. @return true: it is the answer, or the time is over
   bool start() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto programs = start_bracket(analysis_, problem_, grid_, bracket_);
@@ -149,8 +149,8 @@ class SmallestWays {
     return bracket_.is_one_cell(cells * grid_.width);
   }
 
-  // Search without a tree for patterns that stick at less friction than is known. @return whether
-  // the bracket is the answer, or there is no time for more
+  // Search without a tree for patterns that stick at less friction than is known. @return true: the
+  // bracket is the answer, or there is no time for more
   bool search_patterns() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto before = bracket_.upper();
@@ -161,7 +161,7 @@ class SmallestWays {
     return stopped(CriticalPhase::primal) || is_answered();
   }
 
-  // Lower bound without a tree. @return whether the bracket is the answer, or the time is over
+  // Lower bound without a tree. @return true: the bracket is the answer, or the time is over
   bool bound_by_forms() {
     if (problem_.contact_names.size() < fewest_for_forms) return false;
     auto forms = quadratic_forms(analysis_, problem_, grid_, bracket_);
@@ -170,8 +170,8 @@ class SmallestWays {
     return stopped(CriticalPhase::form) || is_answered();
   }
 
-  // True if any leaf is feasible at the largest coefficient, if the user specified one. A descent
-  // would begin with the same search. @return whether none is
+  // Searches a feasible leaf at the largest coefficient, if the user specified one, as a descent
+  // would do first. @return true: there is none
   bool known_at_most() {
     if (!question_.most || bracket_.leaf()) return false;
     const auto dive =
@@ -184,7 +184,7 @@ class SmallestWays {
 
   // The search is limited to coefficients up to the known leaf; just below them, that leaf would be
   // undecided.
-  // @return whether it found the answer
+  // @return true: it found the answer
   bool try_from_below() {
     CriticalGrid below = grid_;
     if (bracket_.leaf()) below.most = *bracket_.upper();

@@ -64,9 +64,9 @@ rays::Candidates bits_of(const support::IndexSet& candidates) {
   return bits;
 }
 
-/// Compares the cones of the list with the found ones by blocks; cones of different blocks combine
-/// freely. The list has no cones for a block without reactions, and a cone without reaction on a
-/// block that can have reactions is not part of it, since that body moves away.
+/// Compares the found cones with those of the list, block by block; cones of different blocks
+/// combine freely. Ignores cones without reaction on a block that can have reactions: its body
+/// moves away, so they are not on the list.
 bool is_same(const std::vector<rays::Cone>& found, const PatternFindings& list) {
   std::vector<rays::Candidates> blocks;
   std::vector<Cones> listed(list.blocks.size());

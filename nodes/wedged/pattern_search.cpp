@@ -73,7 +73,7 @@ std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analy
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
 }
 
-// Patterns that are found without a tree; with --exists one that takes a search of its own.
+// Patterns found without a tree: simple leaves, and for --exists one of the primal heuristic.
 std::vector<Configuration> known_patterns(engine::Analysis& analysis,
                                           const problems::WedgedProblem& problem,
                                           std::span<const double> friction,

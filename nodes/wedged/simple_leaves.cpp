@@ -1,4 +1,4 @@
-// One or two programs for each block, on the first rank.
+// One or two cone programs for each block, on the first rank.
 #include "nodes/wedged/simple_leaves.hpp"
 
 #include <cstdint>

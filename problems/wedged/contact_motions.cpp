@@ -182,7 +182,7 @@ ContactMotions contact_motions(const Structure& structure,
   const auto seen = seen_motions(structure, bodies);
   const PreciseMatrix work = work_of(structure, bodies, forces);
   ContactMotions result{PreciseMatrix(seen.rows(), 0), 0};
-  // Each motion with the work of the loads on it, which follows its combinations.
+  // Modes restricted to contact, each with the work of the loads on it; both are combined alike.
   std::vector<std::pair<PreciseVector, PreciseVector>> columns;
   std::vector<PreciseVector> unseen;
   double least_left = 1;

@@ -1,4 +1,4 @@
-// States of analyses: opened, awaited, or refused.
+// Opening of states of analyses: waits for another run, or refuses.
 #include "run/session/kept_state.hpp"
 
 #include <chrono>

@@ -11,11 +11,11 @@
 
 namespace kusabi::run {
 
-/// One line on standard error.
+/// Prints one line on standard error.
 void warn(const std::string& line);
 
-/// Warnings about the input, on rank 0 only: on standard error at once unless the session is
-/// silent, beneath the answer and in the result file.
+/// Reports warnings about the input, on rank 0 only: at once on standard error unless the session
+/// is silent, and with the answer and in the result file.
 void warn_all(Session& session, const std::vector<std::string>& lines);
 
 /// The state file of --resume, opened or created; on rank 0. If another run holds it, the call

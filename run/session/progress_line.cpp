@@ -1,4 +1,4 @@
-// Times at which a progress line is due, and its destination.
+// Times of progress lines, and their destination.
 #include "run/session/progress_line.hpp"
 
 #include <cstdio>
@@ -12,13 +12,13 @@
 namespace kusabi::run {
 namespace {
 
-// Seconds. Reductions come in bursts when ranks are idle; an estimate needs some distance in time.
+// In seconds. Idle ranks cause bursts of reductions; estimates need some distance in time.
 constexpr double sample_interval = 0.1;
 constexpr double bar_interval = 0.2;
 constexpr unsigned long rows_a_page = 30;
 
-// Queried each time, since windows change. The last column stays free: some terminals begin a new
-// line otherwise.
+// Queried each time, since windows change. The last column stays free, since some terminals begin a
+// new line after it.
 std::size_t terminal_width() {
   constexpr std::size_t usual = 80;
   winsize size{};

@@ -10,7 +10,7 @@
 namespace kusabi::run {
 namespace {
 
-// Never rounded up to 100: the last open node may hold half of the work.
+// Rounded down, since the last open node may contain half of the work.
 std::string percent(double share) {
   const double rounded_down = std::floor(std::clamp(share, 0.0, 1.0) * 1000) / 10;
   return fmt::format("{:.1f} %", rounded_down);
@@ -34,7 +34,7 @@ double bound(const ProgressState& state) {
   return state.shown.unit * std::min(std::max(state.progress.bound, state.shown.below), best);
 }
 
-// No better solution is left; the nodes that wait are only discarded.
+// True if no better solution is left and the open nodes are only discarded.
 bool proof_is_over(const ProgressState& state) {
   const double best = std::min(state.progress.objective, state.shown.above);
   return state.minimising && std::isfinite(best) && state.progress.bound >= best;

@@ -28,7 +28,7 @@ std::string duration(std::optional<double> seconds);
 /// A count in at most five characters: 99999 as it is, then "123k", "45.6M", "7.89G".
 std::string count(double value);
 
-/// (objective - bound) / |objective| in percent; "-" while one of the two is unknown.
+/// (objective - bound) / |objective| in percent; "-" if one of both is unknown.
 std::string gap(double objective, double bound);
 
 /// Column headings of `progress_row` for the same kind of search.

@@ -15,8 +15,8 @@ class RemainingTime {
   /// shares closed before a restart do not count towards the rate of this run.
   void observe(double seconds, double closed);
 
-  /// Remaining seconds; nothing before there is enough data: one second, half a percent of the
-  /// tree, and ten growths of the closed share.
+  /// Remaining seconds; nothing without enough data: one second, half a percent of the tree, and
+  /// ten increases of the closed share.
   [[nodiscard]] std::optional<double> seconds() const;
 
  private:

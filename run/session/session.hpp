@@ -25,9 +25,9 @@ class Session {
  public:
   Session(int& argc, char**& argv);
 
-  /// Error message if a launcher has started several processes that are not joined, so that each
-  /// would do the whole work (run/session/launch.hpp). The text is empty on all but the first
-  /// process: these must end, too, without a message.
+  /// Error message if a launcher has started several processes that are not joined by MPI, so that
+  /// each would do the whole work (run/session/launch.hpp). The text is empty on all processes but
+  /// the first; these end without a message.
   [[nodiscard]] std::optional<std::string> fault_of_launch(bool serial);
 
   Session(const Session&) = delete;
@@ -40,7 +40,7 @@ class Session {
   /// True on rank 0, which reads files, prints and writes.
   [[nodiscard]] bool speaks() { return transport().rank() == 0; }
 
-  /// From here on warnings about the input and the call are only in the answer (--quiet).
+  /// Restricts warnings about the input and the call to the answer (--quiet).
   void silence_warnings() { silent_ = true; }
   [[nodiscard]] bool silent() const { return silent_; }
 
@@ -48,8 +48,8 @@ class Session {
   void note(const std::string& warning) { warnings_.push_back(warning); }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Calls `prepare` on rank 0 and broadcasts its result, if any, so that all ranks have read the
-  /// same even if their file systems differ. If it throws a WrongInput or a support::InputError,
+  /// Calls `prepare` on rank 0 and broadcasts its result, if any, so that all ranks have the same
+  /// input even if their file systems differ. If it throws a WrongInput or a support::InputError,
   /// every rank throws a WrongInput with the same message.
   /// @tparam Prepare its result is Boost-serialisable, or void
   template <class Prepare>

@@ -1,4 +1,4 @@
-// Durations parsed unit by unit; squeue is called where the environment has no end time.
+// Durations by their units; squeue is called if the environment has no end time.
 #include "run/session/time_limit.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr double minute = 60;
 constexpr double hour = 60 * minute;
 constexpr double day = 24 * hour;
 
-// The number at the beginning of a text, which is removed from it.
+// Removes the number at the beginning of a text. @return the number
 std::optional<double> take_number(std::string_view& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -130,7 +130,7 @@ double seconds_of_slurm_job(const Environment& environment, const Shell& shell, 
     if (const auto at = take_number(text); at && text.empty()) return less_margin(*at - now);
   }
   std::string_view digits(job);
-  const auto number = take_number(digits);  // only a number goes to the shell
+  const auto number = take_number(digits);  // only a number is passed to the shell
   const auto left = number && digits.empty()
                         ? shell(fmt::format("squeue -h -j {} -o %L 2>/dev/null", job))
                         : std::string();

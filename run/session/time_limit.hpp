@@ -20,7 +20,7 @@ std::optional<double> seconds_in(std::string_view text);
 /// @param left seconds
 double margin_before_the_end(double left);
 
-/// Time to write so many results, such as patterns, on a slow machine.
+/// Upper estimate of the time to write so many results, such as patterns.
 double seconds_to_write(std::uint64_t results);
 
 /// Output of a shell command; empty if it fails. popen, except in tests.

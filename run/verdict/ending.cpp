@@ -1,4 +1,4 @@
-// An open reservation makes the answer partial; a refused certificate is a failure.
+// Exit codes: 3 for an answer with open reservations, 1 for a refused certificate.
 #include "run/verdict/ending.hpp"
 
 #include <algorithm>

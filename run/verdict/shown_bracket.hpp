@@ -17,11 +17,11 @@ struct ShownBracket {
   std::string lower, upper;
 };
 
-/// Both to the decimal place of the finer one: "0.99999" and "1.00001".
+/// Both bounds with the number of decimal places of the finer one: "0.99999" and "1.00001".
 ShownBracket in_sentence(double lower, double upper);
 
-/// To as many digits as make the displayed bracket at most twice as wide as the exact one; 12 at
-/// least.
+/// Both bounds with so many digits that the printed bracket is at most twice as wide as the exact
+/// one; at least 12.
 ShownBracket in_table(double lower, double upper);
 
 }  // namespace kusabi::run

@@ -23,7 +23,7 @@ enum class Standing {
   computed,  ///< in floating point, without a proof
 };
 
-/// Grounds of what is proved.
+/// Evidence for proved results.
 enum class Grounds {
   exact_arithmetic,  ///< the test of kusabi verify
   solver_bounds,     ///< bounds of the solver in floating point, with room for rounding
@@ -58,7 +58,7 @@ struct Sticking {
   std::uint64_t degenerate = 0;       ///< closed nodes with a margin of zero that are not proved
   bool ambiguous = false;             ///< numbers that cannot be distinguished from zero
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
-  /// Existence was the question: what was found answers it, and the list is not complete.
+  /// The question was existence: one pattern answers it, and the list is not complete.
   bool example = false;
 };
 
@@ -149,7 +149,7 @@ struct LoadInterval {
   Bracket least{}, most{};               ///< the ends of the interval
   /// A dead load is carried at no factor of either sign.
   std::optional<Standing> carried_at_none{};
-  /// `most` rests on the M of (29): its bounds hold if M is large enough.
+  /// Bounds of `most` hold only if the M of (29) is large enough.
   bool if_big_m = false;
   /// Part of the request, such as a curve, was not computed.
   bool incomplete = false;

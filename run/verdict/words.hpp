@@ -9,8 +9,8 @@
 
 namespace kusabi::run {
 
-/// The answer as a sentence: "It can stick: 27 ways at friction coefficient 0.65." Empty: there is
-/// no question.
+/// The answer as a sentence: "It can stick: 27 ways at friction coefficient 0.65." Empty if there
+/// is no question.
 std::string headline(const Verdict& verdict);
 
 /// A limitation of the headline.
@@ -19,7 +19,7 @@ struct Reservation {
   bool open = false;  ///< the question is not answered completely
 };
 
-/// Everything that is open, then everything that is only computed.
+/// Open parts, then results that are computed only.
 std::vector<Reservation> reservations(const Verdict& verdict);
 
 /// A critical friction coefficient for a table: both bounds and their standing.

@@ -72,12 +72,12 @@ inline RunningError& RunningError::operator*=(const RunningError& other) {
   return *this = *this * other;
 }
 
-/// a - b of two doubles, exact as the sum of two doubles.
+/// a - b of two doubles; exact if Real is a sum of two doubles.
 template <class Real>
 Real difference(double a, double b) {
   return Real(a) - Real(b);
 }
-/// With the rounding of its one double.
+/// With the error of one rounding.
 template <>
 inline RunningError difference<RunningError>(double a, double b) {
   return {a - b, std::abs(a - b)};

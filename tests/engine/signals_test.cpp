@@ -1,4 +1,4 @@
-// Signals as requests, in a process of their own: some can be undone by nothing but its end.
+// Tests of signals as stop requests, in a process of their own: some effects last until it ends.
 #include "engine/signals.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// Each reader with what comes after it; and the checksums that stand before what lies behind them.
+// Calls of each reader and of the next step of the command; checksums are recomputed before.
 #include "readers.hpp"
 
 #include <cmath>

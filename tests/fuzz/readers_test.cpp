@@ -1,5 +1,5 @@
-// A short fuzz run in every build: each reader gets the corpus and thousands of changed copies, and
-// reads or refuses each in one line. What once broke a reader stays in the corpus.
+// Short fuzz run in every build: each reader gets the corpus and thousands of mutations, and reads
+// or refuses each in one line. The corpus contains all inputs that once revealed a defect.
 #include "readers.hpp"
 
 #include <algorithm>

@@ -1,10 +1,9 @@
-# Installs the build, takes the installed copy of colouring/ out of the tree as a user would, builds
-# it against the installed engine alone, and runs it in one process and on two ranks. The same for
-# two programs of docs/library.md that need all libraries between them. Also calls the installed
-# command. Variables: see CMakeLists.txt beside.
+# Test of the installation: builds the installed copy of colouring/ against the installed engine,
+# and two programs of docs/library.md against the other libraries, outside of the source tree, and
+# runs them alone and on two ranks. Also calls the installed command. Variables: see CMakeLists.txt.
 cmake_minimum_required(VERSION 3.22)
 
-# The command must succeed; what it printed is in `printed`.
+# Runs a command that must succeed; its output is in `printed`.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   message("${output}")
@@ -28,7 +27,7 @@ file(RENAME ${work}/staged ${work}/prefix)
 
 set(flags "-Wall -Wextra -Wpedantic -Werror -H")
 if(sanitize)
-  # A library built with a sanitizer links with nothing else.
+  # A library with a sanitizer requires the same sanitizer in the program.
   string(APPEND flags " -fsanitize=${sanitize}")
 endif()
 file(COPY ${work}/prefix/${documents}/tests/install/colouring DESTINATION ${work})
@@ -45,14 +44,14 @@ run(${CMAKE_COMMAND} -S ${work}/library -B ${work}/library/build -G "${generator
 run(${CMAKE_COMMAND} --build ${work}/library/build --target critical limit)
 string(APPEND read "${printed}")
 
-# The compiler has said of each of three programs which headers it read (-H).
+# With -H the compiler lists the headers of each of three programs.
 string(REGEX MATCHALL "\n\\.+ ${work}/prefix/[^ \n]*/engine/search.hpp" installed "${read}")
 list(LENGTH installed count)
 if(NOT count EQUAL 3 OR read MATCHES "${source}/(support|engine|solvers|problems|nodes|verify)/")
   message(FATAL_ERROR "compiled ${count} times, expected 3, with the installed headers alone")
 endif()
 
-# The values of the Petersen graph's chromatic polynomial at 3 and 4.
+# Values of the chromatic polynomial of the Petersen graph at 3 and 4.
 run(${work}/build/colouring)
 expect("120 colourings.*1 rank[^s].*dead ends: 48\n")
 run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring)
@@ -69,7 +68,7 @@ expect("worst case 37\\.012004.*, proved\n")
 run(${work}/prefix/bin/kusabi patterns ${work}/prefix/${documents}/examples/two-bars.toml --mu 2)
 expect("sign pattern")
 
-# And from Python; the coefficient is known by hand.
+# The same from Python; the coefficient is known by hand.
 find_program(python3 python3)
 if(python3)
   set(ENV{PYTHONPATH} ${work}/prefix/${python_folder})

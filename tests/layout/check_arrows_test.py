@@ -1,4 +1,4 @@
-"""Plants one offence after the other into a small house: each must be found, and named in one line.
+"""Tests of .ci/check_arrows: each violation in a small source tree is reported in one line.
 
     python3 check_arrows_test.py CHECK_ARROWS
 """

@@ -1,4 +1,4 @@
-"""Plants one offence after the other into a small tree: each must be found, and named in one line.
+"""Tests of .ci/check_tolerances: each violation in a small source tree is reported in one line.
 
     python3 check_tolerances_test.py CHECK_TOLERANCES
 """

@@ -1,4 +1,4 @@
-"""Plants forbidden terms in a small tree: each must be found, and named in one line.
+"""Tests of .ci/check_words: each forbidden term in a small source tree is reported in one line.
 
     python3 check_words_test.py CHECK_WORDS
 """

@@ -1,4 +1,4 @@
-"""A small tree of files in which tests plant offences, for a script that must find and name them."""
+"""Base class of the tests of scripts in .ci: a small source tree with violations."""
 import pathlib
 import subprocess
 import sys

@@ -1,6 +1,6 @@
-# Are the programs in docs/library.md those that are compiled and run? Each block of it fenced as
-# ```cpp is the text of one file of examples/library/ from its first line on, and each of those
-# files is there. Variables: source, the root of the sources.
+# Compares the programs in docs/library.md with those that are compiled: each block fenced as ```cpp
+# is a whole file of examples/library/, and each file has a block. Variables: source, the root of
+# the sources.
 cmake_minimum_required(VERSION 3.22)
 
 file(READ ${source}/docs/library.md page)

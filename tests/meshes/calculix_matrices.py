@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Stiffnesses of box-hex8.inp by CalculiX 2.20 (Debian's calculix-ccx), held at the bottom, E = 1, nu = 1/4.
+"""Stiffnesses of box-hex8.inp by CalculiX 2.20 (Debian's calculix-ccx), fixed at the bottom, E = 1, nu = 1/4.
 
-    box-hex8-substructure.mtx   of the upper nodes of the group "right": *SUBSTRUCTURE GENERATE. Version 2.20 writes what
-                                these nodes resist while all others are held: it does not condense
+    box-hex8-substructure.mtx   of the upper nodes of the group "right": *SUBSTRUCTURE GENERATE. Version 2.20 does not
+                                condense: all other nodes are fixed
     box-hex8-stored.sti, .dof   whole and sparse: *FREQUENCY, SOLVER=MATRIXSTORAGE
 """
 import pathlib

@@ -1,6 +1,6 @@
 """Tests of the page of kusabi report in a real browser: on a phone, in dark mode, printed, with the keyboard, and
 with many patterns. Headless Chromium opens copies of pages, each in a frame as wide as a phone, with a
-script that looks at them from within (page_probe.js).
+script that examines them (page_probe.js).
 
     python3 browser_test.py KUSABI SOURCES
 

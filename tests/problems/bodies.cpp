@@ -1,4 +1,4 @@
-// Two clusters, and a dense system of stiffness and conditions.
+// Structures of two clusters; their displacements from one dense system with multipliers.
 #include "bodies.hpp"
 
 #include <utility>

@@ -2,8 +2,8 @@
 """Stiffness of single distorted elements by CalculiX 2.20 (Debian's calculix-ccx): calculix_elements.json.
 
 One element of each shape in space, its nodes moved at random, without supports; *FREQUENCY with
-SOLVER=MATRIXSTORAGE writes its stiffness with 14 digits. Of the plane elements there are none:
-CalculiX expands these to elements in space, with nodes of its own and multiple point constraints.
+SOLVER=MATRIXSTORAGE writes its stiffness with 14 digits. Plane elements are missing: CalculiX
+expands them to elements in space with additional nodes and multi-point constraints.
 """
 import json
 import pathlib

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Writes cvxopt_bounds.json: bounds of single candidates, dead nodes with cuts, and what is true.
+"""Writes cvxopt_bounds.json: bounds of single candidates, infeasible nodes with cuts, exact values.
 
-The proofs of verify/wedged/cut_proof.cpp are tested with these. Multipliers are found here by another
-program (cvxopt's conelp), as the least bound that they prove; and what is bounded is computed from
-its definition, over every pattern of contact and separation by itself:
+Input of the tests of verify/wedged/cut_proof.cpp. Multipliers are those of the least bound that
+cvxopt's conelp finds. The exact value is the maximum over all patterns of contact and separation of
 
     max r_ni  or  max u_ni,   s = sum r_n = 1,   u = F r,
     u_n = 0 in contact, >= 0 separated,   r = 0 separated,   ||r_t|| <= mu r_n in contact.
 
-K has entries with six binary places, so the file holds it exactly.
+K has entries with six binary places, which the file represents exactly.
 Usage: cvxopt_bounds.py > cvxopt_bounds.json
 """
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Writes cvxopt_node_programs.json: node programs of the wedged problem with their optimal values.
 
-The cone solver in solvers/conic is tested against these. They are solved here by another program
-(cvxopt's conelp), from another formulation: in the original variables r and t,
+Reference values for the cone solver in solvers/conic, by another program (cvxopt's conelp) and in
+another formulation, in the original variables r and t:
 
     max t   (F r)_{n,i} = 0 (i in U),   (F r)_{n,j} >= t (j not in U),
             ||r_{t,i}|| + t <= mu_i r_{n,i} (i not in R),   r_i = 0 (i in R),   sum r_{n,i} = 1,
 
-the form of the wedged paper's (23) at a node (U, R). Data are decimals of three places, so that the
-file holds them exactly. Usage: cvxopt_node_programs.py > cvxopt_node_programs.json
+the form of the wedged paper's (23) at a node (U, R). Data are decimals of three places, which the
+file represents exactly. Usage: cvxopt_node_programs.py > cvxopt_node_programs.json
 """
 
 import json

@@ -3,14 +3,14 @@
 
     exact_cliques.py ROWS [KUSABI]
 
-Nothing is rounded: the coordinates, the frames and K = sum e e^T = sum d d^T / |d|^2 (all bars have
-the same EA/L) lie in Q(sqrt 3), tan 30 degrees and all, and mu = 0.65 is 13/20. Algorithm 4.2, as
-docs/theory/rays.md corrects it, runs on displacements u, integers a + b sqrt 3 each, so that the
-sign of u_n is a comparison of integers. The maximal cones are the maximal cliques that Bron and
-Kerbosch's algorithm finds in the graph of cross-complementary rays. Needs nothing but Python.
+Nothing is rounded: coordinates, frames and K = sum e e^T = sum d d^T / |d|^2 (all bars have the same
+EA/L) are in Q(sqrt 3), and mu = 0.65 is 13/20. Algorithm 4.2, as corrected in docs/theory/rays.md,
+computes with displacements a + b sqrt 3, a and b integers, so the sign of u_n is a comparison of
+integers. The maximal cones are the maximal cliques of the graph of cross-complementary rays, by the
+Bron-Kerbosch algorithm. Requires Python only.
 
-With the path of the command `kusabi` its answer for the same truss is compared with this one: the
-states of all rays, and the cones. What differs is printed, and the exit code is then 1.
+With the path of the command `kusabi` its answer for the same truss is compared: the states of all
+rays, and the cones. Differences are printed, with exit code 1.
 """
 import json
 import math

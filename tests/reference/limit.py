@@ -1,14 +1,14 @@
 #!/usr/bin/python3
-"""Computes the numbers of limit.json anew, and compares: prints what differs, exit code 1 if anything does.
+"""Recomputes the numbers of limit.json and compares them: prints differences, exit code 1 if there are any.
 
     python3 limit.py [LARGEST]      the family up to LARGEST x LARGEST bays, 7 by default; 10 takes some minutes
 
-Independent of the project: numpy, and HiGHS as scipy has it. The trusses are built from their rules. The nominal
-factor is the linear program (5) of METR 2006-39. The worst case is between two numbers that must meet:
+Independent of the project: numpy, and HiGHS of scipy. The trusses are built from their definition. The nominal
+factor is the optimum of (5) of METR 2006-39. The worst case is between two bounds that must meet:
 
-  from above: (5) for the load at a corner zeta, found by turns (zeta = alpha sign(T'u) for the collapse mode u);
-  from below: the relaxation of (36) in which gamma_j stands for w_j |u_e(j)|, with all cuts
-              gamma_j <= w_j (|y|'z + |k|), B y - k f_R = e_e(j), that its optimum violates, again and again.
+  upper bound: (5) for the load at a vertex zeta, by the iteration zeta = alpha sign(T'u), u the collapse mode;
+  lower bound: the relaxation of (36) in which gamma_j stands for w_j |u_e(j)|, with cuts
+               gamma_j <= w_j (|y|'z + |k|), B y - k f_R = e_e(j), added until its optimum violates none.
 """
 import json
 import pathlib

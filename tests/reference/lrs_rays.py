@@ -1,4 +1,4 @@
-# Makes lrs_rays.json: all extremal rays of C_r that satisfy the complementarity condition, for
+# Writes lrs_rays.json: all extremal rays of C_r that satisfy the complementarity condition, for
 # compliances with integer entries, by lrs 7.1 in exact arithmetic (all rays, then filtered).
 #
 #   python3 lrs_rays.py > lrs_rays.json

@@ -2,7 +2,7 @@
 """F of random structures with 60 digits: mpmath_compliances.json beside this file.
 
 Written from the definitions alone: bars by their elongations, quadrilaterals by 2 x 2 Gauss points,
-the whole stiffness inverted by LU. All doubles are meant exactly.
+the whole stiffness inverted by LU. All doubles are taken as exact.
 """
 import json
 import pathlib

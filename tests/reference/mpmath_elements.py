@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Stiffness of single distorted elements in the plane with 40 digits: mpmath_elements.json beside this file.
 
-K = sum w |det J| t B'DB with shape functions as the books have them; their slopes are central differences, which are
-exact for functions that are quadratic along each axis. All doubles are meant exactly.
+K = sum w |det J| t B'DB with the usual shape functions; their gradients are central differences, which are exact
+for functions that are quadratic along each axis. All doubles are taken as exact.
 """
 import json
 import pathlib

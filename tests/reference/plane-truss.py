@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Computes the numbers of plane-truss.json anew, and compares: prints what differs, exit code 1 if anything does.
+"""Recomputes the numbers of plane-truss.json and compares them: prints differences, exit code 1 if there are any.
 
     python3 plane-truss.py [LARGEST]      trusses of 5 to LARGEST rows, 7 by default; 9 takes some minutes
 
-Independent of the project: mpmath for F, HiGHS as scipy has it for the margin t* of every one of the 2^m - 1
-leaves, and brute force for the rays. A ray with reactions at exactly the candidates U, complementary, is
-extremal in {x >= 0 on U, u_n = 0 on U, u_n >= 0 elsewhere}, x = (mu r_n - r_t, mu r_n + r_t): so |U| - 1 of the
-inequalities are equalities there, and all such choices are gone through. A maximal cone is the set of all rays
-that fit some leaf, if no other leaf has more of them.
+Independent of the project: mpmath for F, HiGHS of scipy for the margin t* of each of the 2^m - 1 leaves, and
+brute force for the rays. A complementary ray with reactions at exactly the candidates U is extremal in
+{x >= 0 on U, u_n = 0 on U, u_n >= 0 elsewhere}, x = (mu r_n - r_t, mu r_n + r_t): |U| - 1 of the inequalities
+are equalities there, and all such choices are enumerated. A maximal cone is the set of all rays of a leaf, if
+no other leaf has a larger one.
 """
 import itertools
 import json

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Computes the numbers of space-truss.json anew, and compares: prints what differs, exit code 1 if anything does.
+"""Recomputes the numbers of space-truss.json and compares them: prints differences, exit code 1 if there are any.
 
     python3 space-truss.py      half a minute
 
 Independent of the project: numpy for F of the nodes and members in the file, and for each of the 1023 leaves the
-margin t* by linear programs (HiGHS as scipy has it): the friction cones are replaced by half-spaces around them,
-and one more is added where the optimum violates a cone, until the optimum itself, which is a bound from above, or
-its own margin with the true cones, which is one from below, decides the sign.
+margin t* by linear programs (HiGHS of scipy). Half-spaces replace the friction cones; one is added where the
+optimum violates a cone. The sign is decided by the optimum, an upper bound, or by its margin with the true cones,
+a lower bound.
 """
 import itertools
 import json

@@ -1,4 +1,4 @@
-// Reader of certificates: messages on faulty files, all of which are harmless.
+// Reader of certificates: messages about faulty files; no altered file proves a false claim.
 #include "verify/wedged/certificate.hpp"
 
 #include <algorithm>

@@ -51,7 +51,7 @@ std::optional<Rationals> balanced(const std::vector<Rationals>& rows, Rationals 
 
 std::optional<Rationals> nearly_balanced(const std::vector<Rationals>& rows, Rationals numbers,
                                          const std::vector<double>& room) {
-  constexpr double hardly = 0x1p-64;  // in the sum of squares
+  constexpr double hardly = 0x1p-64;  // share of the largest diagonal entry
   return changed(rows, std::move(numbers), room, hardly);
 }
 

@@ -75,7 +75,7 @@ double dot(const double* a, const double* b, std::size_t size) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-// Estimate of the least eigenvalue by inverse iteration; it is too large, by little.
+// Upper estimate of the least eigenvalue by inverse iteration, close to it but not proved.
 double estimated_eigenvalue(const Cholesky& factor, std::size_t size) {
   constexpr int steps = 12;
   std::vector<double> motion(size);

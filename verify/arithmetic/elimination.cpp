@@ -50,7 +50,7 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
   std::vector<Rationals> product;  // of each row, with the vectors that are left
   product.reserve(rows.size());
   for (const auto& row : rows) product.push_back(products(row));
-  // Vectors of one size, that of their largest product.
+  // Sizes by which basis vectors are scaled: those of their largest products.
   std::vector<double> size(left_.size(), 0);
   for (const auto& own : product) {
     for (std::size_t k = 0; k < own.size(); ++k)
@@ -64,7 +64,7 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
       for (std::size_t k = 0; k < left_.size(); ++k) {
         if (sgn(product[i][k]) == 0) continue;
         const double share = std::abs(product[i][k].get_d()) / size[k];
-        if (!(share > most)) continue;  // nor where both are below all doubles
+        if (!(share > most)) continue;  // also if both are below all doubles
         most = share;
         row = i;
         at = k;
@@ -74,7 +74,7 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
     take(at, product[row], product);
     size.erase(size.begin() + static_cast<std::ptrdiff_t>(at));
   }
-  for (const auto& row : rows) demand(row);  // products below all doubles
+  for (const auto& row : rows) demand(row);  // remaining ones, whose products are below all doubles
 }
 
 void Elimination::take(std::size_t at, Rationals pivots, std::vector<Rationals>& products) {

@@ -28,12 +28,12 @@ class Elimination {
   /// the equations.
   [[nodiscard]] Rationals products(const Rationals& row) const;
 
-  /// Adds the equation row'x = 0. @return whether the dimension of the solution space decreases by
+  /// Adds the equation row'x = 0. @return true if the dimension of the solution space decreases by
   /// one
   bool demand(const Rationals& row);
 
-  /// Adds all these equations, each time the one with the largest product with a basis vector, so
-  /// that no removed vector is nearly a combination of the others, however far scales are apart.
+  /// Adds all these equations, each time the one with the largest product with a basis vector. No
+  /// removed vector is then nearly a combination of the others, even if scales differ widely.
   void demand_largest_first(const std::vector<Rationals>& rows);
 
   /// A basis of the solution space.
@@ -44,7 +44,7 @@ class Elimination {
   [[nodiscard]] const std::vector<Rationals>& taken() const { return taken_; }
 
  private:
-  // Takes a vector away by the products of a row, and out of the products of others.
+  // Removes a vector by the products of a row, and its part from the products of other rows.
   void take(std::size_t at, Rationals pivots, std::vector<Rationals>& products);
 
   std::vector<Rationals> left_;

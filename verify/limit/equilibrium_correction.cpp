@@ -34,8 +34,8 @@ void each_displacement(const MemberColumns& members, std::size_t i, const Visit&
   for (const auto& [e, error] : members.errors[i]) visit(e);
 }
 
-// The slack of usable members. At a displacement without a defect that only one member reaches,
-// equilibrium makes the force of that member zero, so its slack is set to zero; this is repeated
+// The slack of the members that can carry a defect. If only one member acts on a displacement
+// without a defect, equilibrium makes its force zero, so its slack is set to zero; this is repeated
 // until nothing changes.
 std::vector<double> slack_of_use(const MemberColumns& members, std::vector<double> slack,
                                  const std::vector<double>& defect) {
@@ -75,7 +75,7 @@ struct Part {
   std::vector<std::size_t> members;
 };
 
-// The components with a defect. Nothing if there is a defect that no member with slack reaches.
+// The components with a defect. Nothing if no member with slack acts on a defect.
 std::optional<Part> part_with_defects(const MemberColumns& members,
                                       const std::vector<double>& slack,
                                       const std::vector<double>& defect) {
@@ -109,7 +109,7 @@ std::optional<Part> part_with_defects(const MemberColumns& members,
   return part;
 }
 
-/// Rows of G and of E, computed one after another, and sums over them.
+/// Rows of G and of E, computed one by one, and sums over them.
 class Reach {
  public:
   Reach(const MemberColumns& members, const Part& part, const std::vector<double>& weight)

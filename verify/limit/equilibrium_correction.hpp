@@ -27,7 +27,7 @@ struct MemberColumns {
 ///   sum_e defect_e |u_e| <= sum_i t_i |b_i'u|,
 /// with t_i = 0 where the slack is zero. If no t_i exceeds the slack of its member, forces with
 /// this defect prove the same bound as forces in equilibrium. Otherwise the reason why there are
-/// none: a displacement with a defect that no member with slack reaches.
+/// none: no member with slack acts on a displacement with a defect.
 /// @param slack of each member, >= 0, rounded down
 /// @param defect of each displacement, >= 0, rounded up
 std::variant<std::vector<double>, std::string> forces_against_defects(

@@ -107,24 +107,24 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
 
 namespace {
 
-/// A member keeps its length in the intended motion if its elongation is below this share of the
-/// largest. It is made to keep it exactly if the rounding of the motion may change the dissipation
-/// by more than `is_dear` of it. (In a redundant body with rounded bar directions, not all can keep
-/// their length exactly.)
+/// A member is rigid in the intended motion if its elongation is below this share of the largest.
+/// Its elongation is made exactly zero if rounding of the motion may change the dissipation by more
+/// than `is_dear` of it. (In a redundant body with rounded bar directions not all elongations can
+/// be zero.)
 constexpr double is_still = 1e-9;
 constexpr double is_dear = 1e-14;
 constexpr double rounding = 0x1p-53;
 
-/// Each step reduces the elongations by ten digits or so, fewer for trusses close to mechanisms.
+/// Each step reduces the elongations by about ten digits, by fewer for trusses close to mechanisms.
 constexpr int steps = 12;
 constexpr double shift = 1e-10;
 
 }  // namespace
 
-// The recorded motion with a correction such that members which keep their length in the intended
-// motion keep it exactly and, if requested, the reference load does no work. A large yield force,
-// which stands for an unlimited one, would multiply the rounding error. The correction need not be
-// accurate: its bound is computed exactly.
+// The recorded motion, corrected such that members that are rigid in the intended motion are rigid
+// exactly and, if requested, the reference load does no work. A large yield force, which stands for
+// an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
+// is computed exactly.
 std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   std::vector<Dyadic> motion;
   double largest = 0;

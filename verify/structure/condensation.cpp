@@ -122,10 +122,10 @@ void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
   parts_.rest = rest.size();
 }
 
-// A candidate displacement along which a roller supports the candidate gets a grounding spring, as
-// stiff as the node along the axis nearest to its normal, and no coupling, such that K has d rows
-// for each candidate. The roller takes the reaction of the obstacle along it
-// (docs/theory/wedged.md, "Rollers").
+// Adds a grounding spring, without coupling, for a displacement of a candidate that a roller
+// prevents, so that K has d rows for each candidate. It is as stiff as the node along the axis
+// nearest to its normal. The roller takes the reaction of the obstacle along this displacement
+// (docs/theory/wedged.md, "Rollers at candidates").
 void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& stiffness) {
   auto& numbers = freedom_.number[point.node];
   const auto normal = numbers[steepest_axis(point.normal)];

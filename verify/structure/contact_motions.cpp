@@ -108,7 +108,7 @@ Rationals lever(const Structure& structure, const Vector& centre, std::size_t no
   return lever(centre, place, axis);
 }
 
-// Equations of inclined supports and multi-point constraints for the rigid-body modes of a body.
+// Conditions of inclined supports and multi-point constraints on the rigid-body modes of a body.
 void demand_conditions(const Structure& structure, const Body& body, const Vector& centre,
                        Elimination& held) {
   const auto d = structure.dimension;
@@ -408,8 +408,8 @@ SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bo
     for (std::size_t axis = 0; axis < structure.dimension; ++axis)
       seen_rows.push_back(bodies.at(point, axis));
   }
-  // Doubles near them are compared with the motions of a certificate: those of long levers must not
-  // be nearly the same.
+  // Their doubles are compared with the modes of a certificate, so modes of long levers must not be
+  // nearly equal.
   Elimination visible(bodies.motions());
   visible.demand_largest_first(seen_rows);
   return {visible.taken(), visible.left()};

@@ -159,8 +159,8 @@ class BlockProof {
   };
   [[nodiscard]] ActingLoad acting(LoadShare share) const;
 
-  // Grounding springs for the rigid-body modes, and the modes that leave all normal displacements
-  // of U zero up to nearly_sliding.
+  // Grounding springs for the rigid-body modes, and the sliding modes: those that leave all normal
+  // displacements of U zero up to nearly_sliding.
   struct Hold {
     std::vector<std::size_t> springs;
     std::vector<Rationals> sliding;
@@ -212,7 +212,7 @@ class BlockProof {
                                                           const DyadicList& r,
                                                           const Dyadic& unknown) const;
 
-  // The opposite of a bound: r_ni, or u_ni, is at least beta sum_k r_nk.
+  // The negation of a bound: r_ni, or u_ni, is at least beta sum_k r_nk.
   struct Opposite {
     std::size_t candidate;  // i
     Side side;
@@ -237,7 +237,7 @@ class BlockProof {
   // Proves that no configuration satisfies the inequalities, with all proved bounds.
   [[nodiscard]] Judgement judge(const Combination& combination) const;
   [[nodiscard]] Judgement judge_with_bounds(Combination combination) const;
-  // Their coefficients of u_nk beside the multipliers, and of r beside w.
+  // Coefficients of u_nk besides the multipliers, and of r besides w.
   [[nodiscard]] Dyadic displacement_share(const Combination& combination, std::size_t k) const;
   [[nodiscard]] DyadicList reaction_shares(const Combination& combination) const;
   [[nodiscard]] std::optional<std::string> refusal_of_held(const Combination& combination) const;

@@ -168,7 +168,7 @@ std::vector<std::size_t> Certificate::motions_of(const support::IndexSet& block)
 }
 
 Certificate read_certificate(std::string_view text, const std::string& file) {
-  // A file of another kind is not reported as damaged.
+  // Checked first, since a file of another kind is not to be reported as damaged.
   Lines beginning(text, file);
   beginning.next();
   const bool fourth = beginning.text() == fourth_version;

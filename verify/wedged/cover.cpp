@@ -39,7 +39,7 @@ class Cover {
   }
 
  private:
-  // They have no undecided candidate in common.
+  // The fault of records of which no candidate is decided in all.
   [[nodiscard]] std::optional<std::string> flaw_of_one(std::span<const Record*> records,
                                                        const IndexSet& contact,
                                                        const IndexSet& separated) const {

@@ -67,7 +67,7 @@ Judgement BlockProof::judge_with_bounds(Combination combination) const {
   }
   combination.contact |= bounds_.in_contact();
   combination.separated |= bounds_.separated();
-  // No candidate is on both sides.
+  // A candidate that must be on both sides excludes every configuration.
   auto judgement =
       combination.contact.meets(combination.separated) ? Judgement{} : judge(combination);
   if (!judgement.refusal && far_bounds_) judgement.but_for_far_motion = true;

@@ -1,4 +1,4 @@
-// A quadratic form that is not below zero in any wedged configuration, and negative definite.
+// Proof by a quadratic form: not below zero in any wedged configuration, but negative definite.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -65,8 +65,8 @@ Dyadic size_of(const WordGrid& grid) {
   return sqrt_above(sum.scaled(2 * grid.exponent));
 }
 
-// Numbers of E diag(omega), 4 sigma omega^2 >= 1, on a grid, and sizes of S: what a number is off
-// the grid is taken into S.
+// E diag(omega) with 4 sigma omega^2 >= 1, truncated to a grid, and sizes of S, which include the
+// truncated part.
 class SlipPart {
  public:
   SlipPart(const FormNumbers& form, const Responses& responses, std::span<const Dyadic> friction,
@@ -136,7 +136,7 @@ class SlipPart {
 
 }  // namespace
 
-// Minus the form, whose least eigenvalue exceeds what the error of F~ can do to it.
+// Proves that minus the form has a least eigenvalue larger than the effect of the error of F~.
 Judgement BlockProof::judge_form(std::span<const double> numbers) const {
   if (motions() > 0) return {"a form is no proof of unconstrained bodies"};
   const auto m = candidates();

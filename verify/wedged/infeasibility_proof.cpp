@@ -13,7 +13,7 @@ using support::IndexSet;
 
 namespace {
 
-// Multipliers below this share of the largest may be zero except for the barrier of the
+// Multipliers below this share of the largest may be positive only because of the barrier of the
 // interior-point method.
 constexpr double small_multiplier = 1e-6;
 
@@ -44,7 +44,7 @@ Judgement BlockProof::judge_infeasible(const IndexSet& contact, const IndexSet& 
 
 Judgement BlockProof::judge(const Combination& combination) const {
   const bool unloaded = combination.separated == IndexSet::below(static_cast<int>(candidates()));
-  if (unloaded && combination.loads.empty()) return {};  // r = 0, no other solution
+  if (unloaded && combination.loads.empty()) return {};  // r = 0 is the only solution
   return motions() == 0 ? Judgement{refusal_of_held(combination)} : judge_loose(combination);
 }
 

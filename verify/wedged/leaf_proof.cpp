@@ -71,7 +71,7 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   constexpr auto not_balanced = "its tangential reactions are not in equilibrium";
   const auto size = room.size();
   const Dyadic entries(static_cast<double>(size));
-  // Modes that displace tangents of U; the others must displace no direction of U at all.
+  // Modes that displace tangents of U. The other sliding modes must displace nothing on U.
   Elimination unseen(leaf.sliding);
   std::vector<std::size_t> tangents;
   for (std::size_t row = 0; row < size; ++row) {
@@ -110,7 +110,7 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   auto near = times_lengths(block_.motions, *exact);
   leaf.right = std::move(near.values);
   leaf.right_error = near.error * entries;
-  // Tangential reactions whose combinations have any given work on the sliding modes.
+  // Tangential reactions with unit work on each of the sliding modes.
   std::vector<Rationals> products(motions, Rationals(motions));
   for (const auto row : tangents) {
     for (std::size_t i = 0; i < motions; ++i) {

@@ -44,7 +44,7 @@ void Lines::refuse(const std::string& expected) const {
 void Lines::next() {
   ++number_;
   const auto end = rest_.find('\n');
-  ended_ = end == std::string_view::npos;  // a line without line feed is not a line
+  ended_ = end == std::string_view::npos;  // an unterminated line does not count
   line_ = words_ = ended_ ? std::string_view{} : rest_.substr(0, end);
   rest_.remove_prefix(ended_ ? rest_.size() : end + 1);
 }

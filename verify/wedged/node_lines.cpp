@@ -57,7 +57,7 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
 
 // A search resumed from a checkpoint closes some nodes again, with the same evidence.
 void leave_out_repeated(std::vector<Record>& records) {
-  // All claims that nothing is wedged count as the same.
+  // All claims of infeasibility count as the same.
   const auto key = [](const Record& record) {
     const bool none = record.claim == Claim::cut || record.claim == Claim::form;
     return std::tuple(record.block, record.contact, record.separated,

@@ -1,4 +1,4 @@
-// Bounds that only move inwards, and the progress line that shows them.
+// Updates of the bracket, and the line that reports it.
 #include "nodes/wedged/critical/critical_bracket.hpp"
 
 #include <cmath>

@@ -39,7 +39,7 @@ class CriticalBracket {
   void move_upper(std::optional<double> upper);
   void move_upper(double upper, const PatternNode& leaf);
 
-  /// Shows changes since the last call; runs that are not short show them at once.
+  /// Reports changes since the last call, unless the run is still short.
   void show();
 
  private:

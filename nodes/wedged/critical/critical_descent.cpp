@@ -1,4 +1,4 @@
-// Starts, dives and searches, one after another.
+// Sequence of starting points, dives and searches.
 #include "nodes/wedged/critical/critical_descent.hpp"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ class Descent {
     }
   }
 
-  // Chooses the next coefficient below the feasible one. @return whether by a dive
+  // Chooses the next coefficient below the feasible one. @return true: by a dive
   bool goes_on(double untold) {
     const double last = coarse_ * static_cast<double>(std::llround(*feasible_ / coarse_) - 1);
     if (last <= infeasible_) return false;

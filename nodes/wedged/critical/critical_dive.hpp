@@ -1,6 +1,6 @@
 // Depth-first search for one feasible leaf at a coefficient of friction, and the critical
-// coefficient of that leaf. Few dives lead a descent from a large coefficient close to the smallest
-// one.
+// coefficient of that leaf. A few dives bring a descent from a large coefficient close to the
+// smallest one.
 #pragma once
 
 #include <cstddef>

@@ -41,10 +41,10 @@ inline constexpr double usual_width_in_doubles = 1e-6;
 
 struct CriticalQuestion {
   CriticalWay way = CriticalWay::automatic;
-  /// Upper limit of the search, mu^0 of the paper, which the ways that treat each pattern require.
+  /// Upper limit of the search, mu^0 of the paper; methods that treat each pattern require it.
   /// Nothing: usual_most, or the largest possible coefficient.
   std::optional<double> most{};
-  /// Of the brackets. Nothing: usual_width, or usual_width_in_doubles.
+  /// Width of the brackets. Nothing: usual_width, or usual_width_in_doubles.
   std::optional<double> width{};
   /// Bounding of candidates during the descent and for the verification of the bracket.
   Tightening tightening = Tightening::automatic;

@@ -1,4 +1,4 @@
-// A few programs for each block, on the first rank.
+// Initial bracket from a few cone programs for each block, on the first rank.
 #include "nodes/wedged/critical/critical_start.hpp"
 
 #include <algorithm>

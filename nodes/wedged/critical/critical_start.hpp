@@ -20,10 +20,10 @@ inline constexpr int fewest_to_start = 24;
 std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalGrid& grid, CriticalBracket& bracket);
 
-/// A candidate whose leaf, with it alone in contact, is feasible from a factor of the candidates'
-/// own coefficients on that has a closed form: mu_i = F_nn,ii / |F_nt,ii|, if no other candidate
-/// closes. Sorted by coefficient; empty for unconstrained bodies.
-/// @param block a problem of one block
+/// Leaf with a single candidate i in contact. If all others separate, its critical coefficient has
+/// the closed form mu_i = F_nn,ii / |F_nt,ii|; `factor` is this in units of the candidate's own
+/// coefficient.
+/// @param block a problem of one block  @return sorted by factor; empty for unconstrained bodies
 struct SingleContact {
   double factor = 0;
   int candidate = 0;

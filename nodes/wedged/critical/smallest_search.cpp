@@ -39,7 +39,7 @@ Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const Criti
     smallest.upper = points.at(cell.feasible);
     smallest.leaf = leaf;
   }
-  // Every schedule opens a leaf that is undecided from a smaller coefficient on.
+  // Every schedule opens the undecided leaves below the upper bound, so the result is the same.
   smallest.lower = std::min(smallest.lower, outcome.tally().doubt.value);
   return smallest;
 }

@@ -1,4 +1,4 @@
-// Division of ranges, patterns and cells.
+// Nodes of the bisection: ranges of patterns, and cells of one pattern.
 #include "nodes/wedged/friction/bisection.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Critical friction coefficients of given patterns on all ranks: Algorithm 6.1 of the wedged paper,
 // step 2.
 //
-// A flat cone is treated like a solid one, under any of its names. An undecided leaf has a lower
-// bound only.
+// A flat cone is treated like a solid one, under any of its sign patterns. An undecided leaf has a
+// lower bound only.
 //
 // A node is a range of the patterns, which is halved down to one, or one pattern with the cell that
 // contains its critical coefficient, which is halved down to the width; by Newton's method the

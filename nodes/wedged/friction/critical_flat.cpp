@@ -37,7 +37,7 @@ bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   return inside && feasible_at_rest(pattern, *inside) && lasts(pattern, factor, tolerances);
 }
 
-// A flat cone that is about to become solid is degenerate below.
+// At the end of its range, where it becomes solid, a flat cone is degenerate on one side only.
 bool CriticalFriction::lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie) {
   return is_tie(leaf, factor * (1 + beside), tie) ||
          is_tie(leaf, std::max(range_.least, factor * (1 - beside)), tie);

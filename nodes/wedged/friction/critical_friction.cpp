@@ -125,7 +125,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
     const double slope = (sigma * probe.level + weighted) / (sigma * factor);
     if (slope > 0) probe.newton = factor - probe.level / slope;
   }
-  // The sign itself decides the requested coefficient.
+  // The requested coefficient itself is decided by the sign.
   if (probe.sign == conic::Sign::infeasible)
     probe.infeasible_below = std::max(probe.infeasible_below, factor);
   if (probe.sign == conic::Sign::feasible)

@@ -23,14 +23,14 @@ class LevelCurve {
 
   /// Adds a solved point. @param newton zero of its tangent
   void take(double factor, double level, double newton);
-  /// Adds a point where t* is zero within the tolerance.
+  /// Adds a point at which t* is zero within the tolerance.
   void take_tie(double factor);
 
   /// The least coefficient of a degenerate point; infinity: none.
   [[nodiscard]] double least_tie() const { return least_tie_; }
 
-  /// The next estimate. @param floor, top where t* is known to be negative, and not negative:
-  /// infinity if nowhere @return from floor on, and below top
+  /// The next estimate, in [floor, top). @param floor t* is negative there  @param top t* is not
+  /// negative there; infinity: no such coefficient is known
   [[nodiscard]] Estimate next(double floor, double top) const;
 
  private:

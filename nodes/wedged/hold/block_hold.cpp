@@ -121,7 +121,7 @@ double BlockHold::factor_scale() const {
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 
-// Where the answer is undecided near the end, both sides approach it separately.
+// Bisection. Undecided points divide the interval; both sides then approach them separately.
 BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
                                   const std::function<HoldSign(double)>& sign) const {
   auto [alive, dead, endless] = ends;
@@ -397,8 +397,8 @@ bool BlockHold::prove_lower(HoldingFriction& found, double most_dead) {
   return true;
 }
 
-// Division by trees of a range of coefficients in which leaves are degenerate. That there is no
-// state above its lower end is computed, unless each tree is infeasible.
+// Bisects a range of coefficients in which leaves are degenerate, with one tree at each point. The
+// lower end is proved only if the last tree there is infeasible, otherwise computed.
 void BlockHold::narrow(HoldingFriction& found) {
   for (int step = 0; found.upper && step < most_halvings; ++step) {
     if (*found.upper - found.lower <= close_enough * *found.upper) return;

@@ -21,8 +21,8 @@ class BlockHold {
     if (question.total) grip_ = GripRestriction{GripRestriction::Kind::equal, *question.total};
   }
 
-  /// Factors of the reference load beside the dead load; without a dead part, of it alone.
-  /// @param with_dead a dead load or a clearance acts on the block
+  /// Factors of the reference load that are held with the dead load; without a dead part, alone.
+  /// @param with_dead true: a dead load or a clearance acts on the block
   HeldFactors factors(double mu, bool with_dead);
 
   /// Answer for the dead load alone: all factors, or none.
@@ -41,7 +41,8 @@ class BlockHold {
                                                double factor, double mu) const;
 
  private:
-  /// The ends of a monotone answer along a line from a point where it is `alive`.
+  /// Bracket of the point on a line at which a monotone answer changes: feasible at `alive`,
+  /// infeasible at `dead`.
   struct Ends {
     double alive, dead;
     bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
@@ -57,7 +58,7 @@ class BlockHold {
   };
 
   HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high);
-  /// Conclusions that are used: proved ones, or also those of the relative interior at t* = 0.
+  /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
 
   [[nodiscard]] HoldSign at(const LoadedPattern& pattern, LoadShare share, double mu,

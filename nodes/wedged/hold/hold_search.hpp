@@ -87,12 +87,12 @@ struct HoldQuestion {
 /// Number of decoupled subproblems on which a load or a clearance acts.
 int loaded_blocks(const LoadedProblem& loaded);
 
-/// Every rank makes the same call and gets the same.
+/// Every rank makes the same call and gets the same result.
 /// @param record of the certificate, or null
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldQuestion& question = {}, HoldRecord* record = nullptr);
 
-/// Every rank makes the same call and gets the same.
+/// Every rank makes the same call and gets the same result.
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                                  const HoldQuestion& question = {});
 

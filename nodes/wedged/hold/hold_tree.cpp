@@ -29,7 +29,7 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
               static_cast<int>(loads_), grip ? 1 : 0),
       mean_motion_(loaded.problem),
       grip_unit_(grip ? 1 / grip_scale(loaded, shares, *grip) : 1) {
-  // Without the dead part a combination of loads is no state of the file, unless there is none.
+  // If the file has a dead part, only combinations with it are states of the file.
   const bool dead = std::ranges::any_of(shares, [](const auto& share) { return share.dead != 0; });
   for (const LoadShare& share : shares) {
     const int number = all_.size() + static_cast<int>(scales_.size());
@@ -54,7 +54,7 @@ HoldSign HoldNodes::sign(const LoadedPattern& node) {
   return conic::is_resolved_tie(answer, hold_tolerances) ? tie(node, answer.upper) : HoldSign::open;
 }
 
-// Candidates of U without a reaction leave all states of the node to the one with them in R.
+// Some candidate of U has no reaction: all states are also those of the node with it in R.
 HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
   const auto inside = solver_.relative_interior(node.contact, node.separated);
   if (!inside) return HoldSign::open;

@@ -40,7 +40,7 @@ struct LoadedProblem {
   bool has_reference = false;
   Eigen::VectorXd clearance;  ///< g, m, length
 
-  /// True if a dead load or a clearance asks for reactions.
+  /// True if a dead load or a clearance is not zero.
   [[nodiscard]] bool has_dead_part() const { return has_dead || !clearance.isZero(0); }
 };
 
@@ -60,7 +60,7 @@ bool acts(const LoadedProblem& block, Eigen::Index load);
 bool is_under_dead(const LoadedProblem& block);
 
 /// Work of a load on the modes that displace no candidate, relative to its size: the largest
-/// magnitude. Above `unseen_work` the load is not in equilibrium, whatever the reactions.
+/// magnitude. Above `negligible_work` the load is not in equilibrium with any reactions.
 double unseen_work(const LoadedProblem& loaded, LoadShare share);
 
 /// Share of a load below which its work on a mode is the rounding of directions and positions,

@@ -11,7 +11,7 @@
 namespace kusabi::wedged {
 namespace {
 
-// 1 - the correlation of two normal displacements under reactions of no correlation.
+// 1 - the correlation of two normal displacements under uncorrelated reactions.
 double distance(const problems::WedgedProblem& block, Eigen::Index i, Eigen::Index j) {
   const Eigen::Index d = block.dimension;
   const auto& f = block.compliance;

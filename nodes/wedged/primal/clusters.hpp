@@ -1,6 +1,6 @@
-// The same contact problem with fewer candidates: those that respond alike are one, with the mean
-// of their motions and their reactions shared evenly. Its patterns are estimates for the whole
-// problem.
+// Reduced contact problem: candidates with similar response form a cluster, a single candidate with
+// the mean of their displacements, whose reaction is shared evenly. Its patterns are estimates for
+// the whole problem.
 #pragma once
 
 #include <vector>

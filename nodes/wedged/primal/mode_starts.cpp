@@ -1,4 +1,4 @@
-// Subspace iteration for the modes; coefficients from a generator that a number seeds.
+// Modes by subspace iteration; coefficients by a generator with a seed.
 #include "nodes/wedged/primal/mode_starts.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr Eigen::Index most_modes = 8;
 constexpr int iterations = 30;
 
-/// The softest mode has one sign: the others shape the set.
+/// Weight of the softest mode. It has one sign everywhere, so the others determine the shape.
 constexpr double weight_of_first = 0.3;
 
 /// Shares of the candidates that are in contact.

@@ -1,5 +1,5 @@
-// Estimates of the candidates in contact: level sets of combinations of the softest modes of F_nn,
-// smooth on any face, without coordinates and without its symmetries.
+// Estimates of the set of candidates in contact: level sets of random combinations of the softest
+// modes of F_nn. They are smooth on any face and need no coordinates.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct ModeStart {
   double share = 0;  ///< see Linearisation
 };
 
-/// Of one block; the same numbers on all ranks.
+/// Starts of one block; the same numbers on all ranks.
 class ModeStarts {
  public:
   explicit ModeStarts(const problems::WedgedProblem& block);
 
-  /// The start of this number: the same each time.
+  /// The start with this number, which determines it.
   [[nodiscard]] ModeStart at(std::uint64_t number) const;
 
  private:

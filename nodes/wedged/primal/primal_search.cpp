@@ -19,7 +19,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Factor by which trials go up after a round without success while no pattern is known.
+/// Factor of the coefficients of trials after a round without success, while no pattern is known.
 constexpr double next_factor = 4;
 
 /// Trials of a round from modes, and their coefficients as shares of the best one.
@@ -39,8 +39,8 @@ constexpr double worth_a_round = 1e-4;
 /// Consecutive rounds from modes without success before the search ends.
 constexpr int most_idle_rounds = 3;
 
-/// Clusters of a large block, and how many of their patterns are tried with all candidates: at a
-/// little more friction, since clusters are stiffer.
+/// Number of clusters of a large block, and of their patterns that are tried with all candidates,
+/// with slightly more friction since clusters are stiffer.
 constexpr int cluster_count = 50;
 constexpr std::size_t most_prolonged = 12;
 constexpr double room_to_prolong = 1.15;
@@ -67,7 +67,7 @@ struct TrialResult {
   }
 };
 
-// The search of one level.
+// Search with clusters, or with all candidates.
 class Level {
  public:
   Level(engine::Analysis& analysis, const problems::WedgedProblem& block,

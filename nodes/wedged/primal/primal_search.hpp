@@ -48,7 +48,7 @@ struct PrimalFindings {
   std::uint64_t programs = 0;
 };
 
-/// Every rank makes the same call and gets the same.
+/// Every rank makes the same call and gets the same result.
 /// @param block a problem of one block  @param better called for each better pattern, on all ranks
 PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedProblem& block,
                              const PrimalQuestion& question,

@@ -1,4 +1,4 @@
-// One form a block, found by the first rank.
+// One form for each block, optimised by the first rank.
 #include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 
 #include <algorithm>

@@ -12,13 +12,13 @@
 namespace kusabi::wedged {
 namespace {
 
-// Least |S_jk| of a quotient.
+// Lower bound of |S_jk| in denominators.
 constexpr double least_size = 1e-12;
 
-// Second derivatives of roots of P_ij below the mean of P are estimated as if they were there.
+// Multiple of the mean of P added to P_ij in estimated curvatures, which vanish at P_ij = 0.
 constexpr double share_of_mean = 5;
 
-// Least second derivative of a logarithm.
+// Lower bound of second derivatives with respect to logarithms.
 constexpr double least_curvature = 1e-3;
 
 Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& matrix) {

@@ -1,6 +1,6 @@
 // Products of inequalities that hold in every wedged configuration, added up with multipliers: a
 // quadratic form in the normal reactions. If it is negative definite at a friction coefficient,
-// nothing is wedged there or below (docs/theory/wedged.md, "A lower bound by one matrix").
+// nothing is wedged there or below (docs/theory/wedged.md, "Lower bound by one matrix").
 //
 // With B = sym(P'F_nn), E = P'F_nt + S and sigma = s / f, the form at the coefficient f is
 //
@@ -58,7 +58,7 @@ class QuadraticPoint {
   Eigen::Index e_;
 };
 
-/// -B and M of a point, with what their derivatives need.
+/// -B and M at a point, and intermediate results for their derivatives.
 class QuadraticForm {
  public:
   /// @param block a problem of one block whose bodies are constrained

@@ -16,15 +16,15 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Weight of the first round and its growth: at weight w the form keeps 1/w of the coefficient from
-/// being singular, and a weight that grows slowly keeps the steps long.
+/// Weight of the first round, and its growth. With weight w the form is singular at a coefficient
+/// larger by the share 1/w; slow growth allows long steps.
 constexpr double first_weight = 100;
 constexpr double growth = 1.5;
 constexpr int most_rounds = 22;
 constexpr int steps_a_round = 100;
-/// |S_jk| is rounded off below this over the weight: its kink at zero would shorten the steps.
+/// |S_jk| is smooth below this number divided by the weight: a kink at zero would shorten steps.
 constexpr double roundness = 0.1;
-/// The rounds end with one that adds less than this share.
+/// Rounds end when one improves the coefficient by less than this share.
 constexpr double worth_a_round = 1.5e-3;
 
 constexpr std::size_t remembered = 30;
@@ -37,7 +37,7 @@ constexpr int most_halvings = 25;
 constexpr double first_root = 0.02;
 /// Share of the largest coefficient of the first multipliers at which the search starts.
 constexpr double inside = 0.9;
-/// Shares of that coefficient that are tried for the proof: rounding errors need some room.
+/// Shares of that coefficient that are tried for the proof, which needs a margin for rounding.
 constexpr std::array room_for_proof{1 - 1e-6, 1 - 1e-4, 1 - 1e-2};
 
 // Past steps and changes of the derivatives.
@@ -117,7 +117,7 @@ class Optimiser {
   int evaluations_ = 0;
 };
 
-// P = -I; S takes what F_nt has above the threshold.
+// Start: P = -I, and S is F_nt after soft thresholding.
 double Optimiser::clip(double threshold, double log_square) {
   const auto m = form_.candidates();
   Eigen::MatrixXd excess = Eigen::MatrixXd::Zero(m, m);

@@ -48,7 +48,7 @@ RoundedForm rounded_form(const problems::WedgedProblem& block, std::span<const d
   Eigen::MatrixXd sums = responses.rightCols(e * m) + multipliers.slips;
   const Eigen::Map<const Eigen::VectorXd> mu(friction.data(), m);
   Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(m, m);
-  Eigen::VectorXd shares(m);  // of the columns of E: none without friction
+  Eigen::VectorXd shares(m);  // scales of the columns of E; 0 without friction
   for (Eigen::Index k = 0; k < m; ++k)
     shares[k] = mu[k] > 0 ? 1 / (2 * std::sqrt(multipliers.squares[k])) : 0;
   for (Eigen::Index c = 0; c < e; ++c) {
@@ -61,7 +61,7 @@ RoundedForm rounded_form(const problems::WedgedProblem& block, std::span<const d
   form.noalias() += sums * sums.transpose();
   const double scaled = sums.norm();
   const double sum_error = product_error * shares.maxCoeff() + off * scaled;
-  // F itself: P'(F* - F) acts on r_n and r_t, and |r_t| <= mu |r_n|.
+  // Error of F: P'(F* - F) acts on r_n and r_t, and |r_t| <= mu |r_n|.
   double normal = 0;
   double trace = 0;
   for (Eigen::Index i = 0; i < block.compliance.rows(); ++i) {
@@ -83,7 +83,7 @@ bool quadratic_is_infeasible(const problems::WedgedProblem& block, std::span<con
   if (block.motions.cols() > 0 || !multipliers.is_known() || !allowed(multipliers)) return false;
   auto [matrix, error] = rounded_form(block, friction, multipliers);
   if (!matrix.allFinite() || !std::isfinite(error)) return false;
-  // If the factor exists, no eigenvalue is below -gamma |L|_F^2, which is the trace but for gamma.
+  // If the factor exists, no eigenvalue is below -gamma |L|_F^2; |L|_F^2 is the trace up to gamma.
   const double trace = matrix.diagonal().cwiseAbs().sum();
   const double lift = error + 2 * gamma(matrix.rows()) * trace * raised;
   matrix = -matrix;

@@ -15,9 +15,9 @@ constexpr std::uint64_t pairs_for_a_node = 150;
 /// Cost of a degenerate node, or of a node in higher precision: a millisecond.
 constexpr std::uint64_t pairs_for_a_tie = 8'000;
 
-/// Maximum share of the pairs for the nodes if the tree is expected to end,
+/// The cost of the nodes is limited to pairs / part_for_nodes; above pairs / part_for_first_nodes
+/// it must be below the pairs times the closed share of the tree.
 constexpr std::uint64_t part_for_nodes = 4;
-/// and before that.
 constexpr std::uint64_t part_for_first_nodes = 32;
 
 /// The first leaf is assumed to cost at least this many times the average, unless there are few.

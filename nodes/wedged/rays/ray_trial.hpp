@@ -31,7 +31,7 @@ class RayTrial {
 
   /// Continues the tree with the work allowed so far.
   /// @param pairs processed by double description in all; called after each of its steps
-  /// @return whether the tree is complete
+  /// @return true: the tree is complete
   bool succeeds(std::uint64_t pairs);
 
   bool has_succeeded() const { return found_.tree && done_ == leaves_.size(); }

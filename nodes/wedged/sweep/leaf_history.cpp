@@ -10,7 +10,7 @@ namespace {
 
 using Kind = LeafStage::Kind;
 
-/// Points of the grid: a cell has two intervals where its middle is itself critical.
+/// Largest width of a cell in points of the grid: two if the point in its middle is undecided.
 constexpr std::int64_t narrow = 2;
 
 /// State of the leaf at a point.

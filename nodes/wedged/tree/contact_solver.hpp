@@ -58,7 +58,7 @@ class ContactSolver {
   void set_friction(std::span<const double> friction);
 
   /// The node's program with cuts, in doubles only: if it is undecided, the program without cuts is
-  /// escalated instead. Solved to the end if `stop` says so.
+  /// to be escalated instead. `stop` as for conic::NodeSolver::solve.
   /// @pre memory for this many cuts
   conic::ConicResult solve_with(std::span<const conic::Cut> cuts, const support::IndexSet& contact,
                                 const support::IndexSet& separated, conic::StopEarly stop);
@@ -67,8 +67,8 @@ class ContactSolver {
   [[nodiscard]] const Eigen::VectorXd& pull();
   /// Maximum of the left side of a cut at the last such node, see conic::NodeSolver.
   double most_of(std::size_t cut);
-  /// Multiplier at the last such node, where multipliers() include the coefficients of u_n in the
-  /// cuts.
+  /// Multiplier of a cut at the last such node. The terms of the cuts in u_n are part of
+  /// multipliers().
   [[nodiscard]] double cut_multiplier(std::size_t cut) const;
 
   /// Bounds the node with the candidates `contact` in U and `separated` in R. The candidates of

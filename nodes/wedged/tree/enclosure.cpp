@@ -1,4 +1,4 @@
-// One computation on each rank, and a common decision.
+// Computation on each rank, and agreement that all ranks have completed it.
 #include "nodes/wedged/tree/enclosure.hpp"
 
 #include <fmt/format.h>

@@ -32,16 +32,16 @@ struct Evidence {
 /// Recorder of the evidence of every closed node.
 using EvidenceRecorder = std::function<void(const Evidence&)>;
 
-/// Exact test of the evidence of a node to be closed; for a node without claim, whether its
-/// configurations are also those of others.
+/// Exact test of the evidence of a node to be closed. For a node without claim: true if its
+/// configurations all belong to other nodes.
 using Judge = std::function<bool(const Evidence&)>;
 
-/// Passage of evidence to the exact test and to the recorder, either of which may be absent.
+/// Gate to the exact test and to the recorder, either of which may be absent.
 class EvidenceGate {
  public:
   void report_to(EvidenceRecorder recorder) { recorder_ = std::move(recorder); }
 
-  /// @param binding whether refused claims are not used
+  /// @param binding true: refused claims are not used
   void judge_by(Judge judge, bool binding) {
     judge_ = std::move(judge);
     binding_ = binding;

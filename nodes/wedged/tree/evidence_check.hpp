@@ -32,8 +32,8 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
     const problems::Structure& structure, const support::LongWork& work = {});
 
-/// Treatment of proofs that exclude configurations which move far
-/// (verify/wedged/block_proof.hpp). In structures with long levers, small rotations move far.
+/// Treatment of proofs that do not cover large displacements (verify/wedged/block_proof.hpp). In
+/// structures with long levers, small rotations cause such displacements.
 enum class FarMotion { left_out, counted };
 
 class EvidenceCheck {
@@ -54,8 +54,8 @@ class EvidenceCheck {
   /// True if every bound is proved.
   [[nodiscard]] bool proves_bounds() const { return proves_bounds_; }
 
-  /// True if the evidence proves its claim. For a node without claim: whether a contact without
-  /// reaction proves that its configurations are those of other nodes.
+  /// True if the evidence proves its claim. For a node without claim: true if a contact without
+  /// reaction proves that all its configurations belong to other nodes.
   [[nodiscard]] bool holds(const Evidence& evidence) const;
 
  private:

@@ -1,4 +1,4 @@
-// By least squares.
+// Coefficients by the pseudo-inverse of G.
 #include "nodes/wedged/tree/mean_motion.hpp"
 
 #include <Eigen/QR>

@@ -1,4 +1,4 @@
-// Leaves of configurations.
+// Leaf of a configuration in the tree of its block.
 #include "nodes/wedged/tree/sign_pattern.hpp"
 
 #include "problems/wedged/problem_block.hpp"

@@ -93,7 +93,7 @@ class SignPatternTree {
   void report_to(EvidenceRecorder recorder) { evidence_.report_to(std::move(recorder)); }
 
   /// Sets the exact test of evidence; refused claims are counted.
-  /// @param binding whether refused claims are not used: a node with few free candidates is then
+  /// @param binding true: refused claims are not used; a node with few free candidates is then
   /// branched, a leaf is undecided
   void judge_by(Judge judge, bool binding) { evidence_.judge_by(std::move(judge), binding); }
 

@@ -8,9 +8,9 @@
 
 namespace kusabi::problems {
 
-/// Reads nodes, elements, sets, surfaces, isotropic materials, sections and supports. Keywords
-/// without influence on the linear elasticity of the body (steps, loads, output) are ignored with a
-/// warning that names them; all other unknown keywords or parameters are errors.
+/// Reads nodes, elements, sets, surfaces, isotropic materials, sections and supports. Other
+/// keywords are left out with one warning each; misspelt ones, those that generate nodes or
+/// elements, and unknown parameters are errors.
 ///
 /// A node set, an element set and a surface with the same name are one group.
 /// @param place of the file, as in `MeshTexts`

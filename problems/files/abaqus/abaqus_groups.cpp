@@ -54,8 +54,8 @@ void remove_repeated(std::vector<int>& numbers, std::size_t all) {
   });
 }
 
-/// Adds the content of the data lines of a set: each line is a range or a list.
-/// @param of_tag conversion of a tag to a number, -1 if there is none  @param of_field of a field
+/// Adds the entries of a set: each data line is a range or a list.
+/// @param of_tag number of a tag, -1 if there is none  @param of_field numbers of a field
 template <class OfTag, class OfField>
 void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called, std::size_t most,
               std::vector<int>& set, OfTag of_tag, OfField of_field) {
@@ -66,7 +66,7 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
       for (std::size_t i = 0; i < line.fields(); ++i) {
         const auto more = of_field(line, i);
         set.insert(set.end(), more.begin(), more.end());
-        // A name may stand for all entries and occur often in a file.
+        // Repetitions are removed early, since a name that stands for all entries may occur often.
         if (set.size() > 2 * most) remove_repeated(set, most);
       }
       continue;
@@ -81,7 +81,7 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
       }
       set.push_back(number);
     }
-    // A line may have many names, too.
+    // The same for repeated ranges.
     if (set.size() > 2 * most) remove_repeated(set, most);
   }
   remove_repeated(set, most);

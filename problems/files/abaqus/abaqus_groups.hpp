@@ -20,7 +20,7 @@ class AbaqusGroups {
  public:
   AbaqusGroups(MeshData& mesh, MeshIndex& index) : mesh_(mesh), index_(index) {}
 
-  /// Names of analytical rigid surfaces of a part, which are none of the mesh.
+  /// Names of analytical rigid surfaces of a part, which have no elements.
   const std::set<std::string, std::less<>>& analytical() const { return analytical_; }
   void add_analytical(const std::string& name) { analytical_.insert(capitals(full_name(name))); }
 

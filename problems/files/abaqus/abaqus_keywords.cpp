@@ -91,7 +91,7 @@ constexpr std::array<std::string_view, 51> harmless{"*END STEP",
 constexpr std::array<std::string_view, 9> not_read{
     "*NGEN", "*NFILL", "*NCOPY", "*NMAP", "*ELGEN", "*ELCOPY", "*SYSTEM", "*PARAMETER", "*IMPORT"};
 
-/// Keywords that are not read, and no misspelt ones, though they resemble one that is.
+/// Keywords that resemble one that is read, but are not misspelt.
 constexpr std::array<std::string_view, 4> resembling{"*PLASTIC", "*TRANSFORMF", "*HYPERELASTIC",
                                                      "*SHELL SECTION"};
 

@@ -1,4 +1,4 @@
-// An instance is a copy of its part, with what its own block adds, moved as a rigid body.
+// Instances: copies of a part and of the entries of their own block, moved as rigid bodies.
 #include "problems/files/abaqus/abaqus_parts.hpp"
 
 #include <cmath>

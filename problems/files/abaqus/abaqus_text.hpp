@@ -53,9 +53,9 @@ class AbaqusText {
   /// All files read so far.
   const std::vector<std::string>& files() const { return files_; }
 
-  /// Notes something that is left out: "*STEP is left out". What occurs again is one warning.
+  /// Adds a warning such as "*STEP is left out"; repeated ones are one warning.
   void warn(const std::string& what, MeshPlace at);
-  /// All of them, in the order of their first lines: "FILE:LINE: *STEP is left out (3 times)".
+  /// All warnings in the order of their first lines: "FILE:LINE: *STEP is left out (3 times)".
   std::vector<std::string> warnings() const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace kusabi::problems {
 
-/// A group of the mesh, and those of its nodes that are meant.
+/// A group of the mesh and the selected ones of its nodes.
 struct ChosenNodes {
   std::string group;  ///< empty: the nodes are listed one by one
   std::vector<int> all;
@@ -29,14 +29,14 @@ class DeckDraft {
 
   /// True for nodes of the body or of a bar; others are not in the problem.
   bool is_used(int node) const { return used_[static_cast<std::size_t>(node)]; }
-  /// True for elements of the body.
+  /// True for elements with the dimension of the problem.
   bool is_body(const MeshElement& element) const {
     return mesh_dimension(element.shape) == dimension_;
   }
 
   /// The group with a name; null if there is none.
   const MeshGroup* group(const std::string& name) const;
-  /// The used nodes of a group, all of them chosen.
+  /// The used nodes of a group, all of them selected.
   ChosenNodes nodes_of(const MeshGroup& group) const;
 
   /// Name of a node or of a group in the problem file.

@@ -1,4 +1,5 @@
-// Nodes that are too far, tied, or supported along their normal are no candidates.
+// Selection of the nodes of each pair: those that are too far away, tied, or supported along their
+// normal are left out.
 #include "problems/files/decks/deck_pairs.hpp"
 
 #include <algorithm>
@@ -22,14 +23,13 @@
 namespace kusabi::problems {
 namespace {
 
-/// Share of the size of a face within which a node of a tie is joined to it without a tolerance of
-/// the deck, as in Abaqus.
+/// Tolerance of ties without one in the deck, relative to the size of the face, as in Abaqus.
 constexpr double usual_tie = 0.05;
 
-/// Component of a normal along a supported axis that is none.
+/// Smaller components of a normal along a supported axis count as zero.
 constexpr double along_axis = 1e-3;
 
-/// Cosine of the angle between normals of one node that are one surface.
+/// Normals of one node belong to one surface if the cosine of the angle between them is larger.
 constexpr double same_normal = 0.99;
 
 class PairWriter {
@@ -51,12 +51,12 @@ class PairWriter {
     const MeshGroup* other;        // null: an analytical rigid surface
     std::vector<FaceNodes> faces;  // of the other
     bool rigid;
-    /// Of the other surface, if it is a plane and the nodes are of no faces.
+    /// Normal of the other surface, if that is plane and the nodes belong to no faces.
     std::optional<Eigen::VectorXd> plane;
   };
 
   std::optional<Sides> sides(const MeshPair& pair);
-  /// Leaves out nodes that are farther than the tolerance. @return the largest distance left
+  /// Leaves out nodes beyond the tolerance. @return the largest distance of the others
   double keep_near(const MeshPair& pair, const Sides& sides, ChosenNodes& nodes);
   void leave_out(const MeshPair& pair, ChosenNodes& nodes, std::string_view why,
                  const std::function<bool(int)>& is_out);

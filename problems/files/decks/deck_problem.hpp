@@ -1,4 +1,4 @@
-// Problem file of a deck of Abaqus or CalculiX, as far as it is understood.
+// Problem file from a deck of Abaqus or CalculiX, with warnings about entries that are left out.
 #pragma once
 
 #include <optional>

@@ -59,7 +59,7 @@ std::optional<Eigen::VectorXd> normal_of_plane(const DeckDraft& draft, const Mes
   for (const auto& face : faces_of_group(draft, group)) {
     const Eigen::MatrixXd places = places_of(draft, face);
     const Eigen::VectorXd inside =
-        places.col(0) - (common ? *common : face_normal(places, 0));  // any side, the same of all
+        places.col(0) - (common ? *common : face_normal(places, 0));  // the same side of all
     if (!fits(places, inside)) return std::nullopt;
   }
   return common;

@@ -35,7 +35,7 @@ class GmshBinary {
   std::string_view line();
   template <class Number>
   Number take();
-  /// The number on an ASCII line, which is written, too.
+  /// Copies an ASCII line with a number. @return the number
   std::size_t number_of_line();
   // Copies the number of blocks of MSH 4.1 and the three numbers after it.
   std::size_t number_of_blocks();

@@ -17,7 +17,7 @@ class MeshIndex {
  public:
   explicit MeshIndex(MeshData& mesh) : mesh_(mesh) {}
 
-  /// Tags are those of this instance from now on.
+  /// Sets the instance of the following tags.
   void enter(int instance) { instance_ = instance; }
   int instance() const { return instance_; }
 
@@ -26,14 +26,14 @@ class MeshIndex {
   /// @throws InputError if the tag exists, or if the element has a node twice
   int add_element(const MeshText& text, MeshElement element);
 
-  /// An element that is not in the mesh: sets that list it are without it.
+  /// Records an element that is left out of the mesh, and of sets that contain it.
   void leave_out_element(int tag);
 
-  /// Their tags, in the order of the file.
+  /// Tags of these elements, in the order of the file.
   const std::vector<int>& elements_left_out() const { return elements_left_out_; }
 
-  /// The index of the node, or element, whose tag is in a field of the line; `left_out` of elements
-  /// that are.
+  /// The index of the node, or element, whose tag is in a field of the line; `left_out` for
+  /// elements that are left out.
   int node(const MeshText& text, std::size_t field) const;
   int element(const MeshText& text, std::size_t field) const;
 

@@ -27,7 +27,7 @@ class MeshText {
 
   std::string_view line() const { return line_; }
   int number() const { return has_lines_ ? number_ : 0; }
-  /// Errors are without lines from now on, since those of the text are not those of a file.
+  /// Omits line numbers in errors from now on, for converted texts whose lines are not in the file.
   void leave_out_lines() { has_lines_ = false; }
   const std::string& file() const { return file_; }
   std::size_t bytes_left() const { return text_.size() - at_; }

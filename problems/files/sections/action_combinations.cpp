@@ -27,7 +27,7 @@ struct Combination {
   std::string name;
 };
 
-// Variable actions, those that exclude each other in one set.
+// Variable actions; those that exclude each other form one set.
 std::vector<Actions> alternatives(const std::vector<Action>& actions) {
   std::vector<Actions> sets;
   for (const Action& action : actions) {
@@ -44,7 +44,7 @@ std::vector<Actions> alternatives(const std::vector<Action>& actions) {
   return sets;
 }
 
-// One action of each set, in all ways; the last set changes fastest.
+// All choices of one action from each set; the last set changes fastest.
 std::vector<Actions> choices(const std::vector<Actions>& sets) {
   std::vector<Actions> chosen(1);
   for (const Actions& set : sets) {
@@ -133,7 +133,7 @@ void LoadCases::add_bounded(const Action& action, FactorRange factors,
                             const std::string& load_case) {
   double largest = 0;
   for (const auto& each : action.components) largest = std::max(largest, std::abs(each.force));
-  // A power of two, by which weights and half-width are exact; none for forces of usual size.
+  // Exponent of a scaling by a power of two, which is exact; zero for forces of usual size.
   const int exponent = largest > 1e-3 && largest < 1e5 ? 0 : std::ilogb(largest);
   UncertainParameter parameter{action.name.text, {}, {}, {}, load_case};
   Rational half_width = 0;

@@ -11,7 +11,7 @@
 namespace kusabi::problems {
 
 /// Adds the load cases of [[actions]] to the structure: dead loads and uncertain loads of fixed
-/// half-width, and the reference load. Both sections may be absent, and only both of them.
+/// half-width, and the reference load. Each section requires the other; both may be absent.
 void read_actions(ProblemDraft& draft);
 
 }  // namespace kusabi::problems

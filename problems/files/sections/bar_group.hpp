@@ -16,8 +16,8 @@ struct BarGroup {
   Member bar{};                         ///< without nodes
   support::SourcePosition stiffness{};  ///< of EA, or of E
   support::SourcePosition yield{};      ///< of yield, or of fy
-  /// Of the bars with `buckling`, whose compression strength depends on their length. The length
-  /// here is the factor of it: L_cr / L.
+  /// Bars with `buckling`: their compression strength depends on their length. The length in this
+  /// entry is the factor L_cr / L.
   std::optional<CompressedBar> compressed{};
 
   /// The yield forces of a bar of this length.

@@ -41,7 +41,7 @@ std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
 
 namespace {
 
-/// A force with half-widths of its components, most of them zero.
+/// A force with the half-widths of its components, which are zero for single numbers.
 struct BoundedForce {
   Eigen::VectorXd middle;
   Eigen::VectorXd half_width;

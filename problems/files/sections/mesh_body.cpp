@@ -35,7 +35,7 @@ void give(const ProblemDraft& draft, const MeshData& mesh, const MeshGroup& grou
                   material.of_bars ? "lines" : "elements of the dimension of the problem"));
 }
 
-/// Marks elements of the body and bars. @return whether there are any
+/// Marks elements of the body and bars. @return true if there are any
 bool give_roles(const MeshData& mesh, int dimension, std::vector<MeshUse>& uses) {
   bool any = false;
   for (std::size_t i = 0; i < uses.size(); ++i) {

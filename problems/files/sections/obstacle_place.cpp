@@ -1,5 +1,5 @@
-// Positions of a family of surfaces at which a face of the body has all its vertices on one; a
-// single node is on some surface of every family.
+// Positions of surfaces of a family that contain all vertices of a face of the body. A single node
+// is no criterion, since some surface of the family contains it.
 #include "problems/files/sections/obstacle_place.hpp"
 
 #include <algorithm>

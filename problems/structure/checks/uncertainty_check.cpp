@@ -44,7 +44,7 @@ class UncertaintyCheck {
   std::set<std::string> names_;
 };
 
-// @param negative whether the weight may be negative
+// @param negative true if the weight may be negative
 void UncertaintyCheck::component(const UncertainComponent& component, bool negative) {
   const double size = negative ? std::abs(component.weight) : component.weight;
   // The condition is false for NaN.

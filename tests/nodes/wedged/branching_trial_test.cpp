@@ -28,7 +28,7 @@ std::uint64_t opened_by(Branching rule, const Instance& instance) {
   return engine::search(tree).opened();
 }
 
-// Without cuts, such that the nodes are those of the rule.
+// Without cuts, so that the nodes are those of the rule alone.
 PatternFindings found(const Instance& instance) {
   const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
   engine::SingleProcess alone;
@@ -38,8 +38,8 @@ PatternFindings found(const Instance& instance) {
   return find_patterns(analysis, instance.problem, friction, question);
 }
 
-// By one rule the first has a twentieth of the nodes of another rule, by which the second has a
-// tenth.
+// On each face the best of the rules takes a tenth of the nodes of the worst; the best rules
+// differ.
 TEST(BranchingTrial, IsNeverFarFromTheBestRule) {
   for (const Instance& instance : {Instance{"cantilever", cantilever_face(70), 5.2},
                                    Instance{"leaning", leaning_face(60), 0.8}}) {

@@ -241,8 +241,8 @@ bool same(const ProvedBound& first, const ProvedBound& second) {
          first.side == second.side && first.most == second.most && first.numbers == second.numbers;
 }
 
-// Like ranks: each has bounds of its own, solves some of the programs of a group in its own order,
-// and adds all bounds found.
+// The ranks of a search: each has its own bounds, solves some of the programs of a group in its own
+// order, and adds all bounds found.
 TEST(CandidateBounds, AreTheSameToTheBitHoweverManyRanksShareThePrograms) {
   for (const int d : {2, 3}) {
     const int m = 8;

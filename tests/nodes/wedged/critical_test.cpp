@@ -117,7 +117,7 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   EXPECT_EQ(tree.tally().doubt.value, doubt);
   const auto cell = outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
 
-  // The search from above is the same, in another order by other programs.
+  // The downward search has the same result, with other programs in another order.
   CriticalTree down(problem, width, multiple(most), CriticalDirection::down);
   options.order = engine::Order::depth_first;
   const auto again = engine::search(down, options);

@@ -419,7 +419,7 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
   EXPECT_GT(cut, 50U);
   EXPECT_GT(feasible, 10U);
   EXPECT_GT(bounds, 50U);
-  EXPECT_GT(refused, 5U);  // in space few reactions are in equilibrium, and few are bounded
+  EXPECT_GT(refused, 5U);  // in space few reactions are in equilibrium, so few bounds exist
 }
 
 // Without the first bound that took a program, its consequences and later bounds are not proved.

@@ -1,4 +1,4 @@
-// States under load against linear programs of all sign patterns, and against closed forms.
+// States under load compared with linear programs of all sign patterns, and with closed forms.
 #include <algorithm>
 #include <cmath>
 #include <optional>

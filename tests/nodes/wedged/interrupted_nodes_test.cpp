@@ -28,7 +28,7 @@ problems::WedgedProblem truss(int rows) {
   return problem;
 }
 
-/// A search that is asked to stop at one of the questions, which it puts between nodes and within.
+/// A search that gets its stop request at a given poll, between nodes or within a node.
 template <class Tree>
 struct Interrupted {
   Interrupted(Tree& tree, std::uint64_t stop_at) {
@@ -45,10 +45,10 @@ struct Interrupted {
 };
 
 constexpr std::uint64_t never = UINT64_MAX;
-/// Fewer questions are put around one node.
+/// Fewer polls belong to the search around one node.
 constexpr std::uint64_t many_questions = 10;
 
-/// @param tree makes a tree of one node
+/// @param plant makes a tree of one node
 template <class Plant>
 void expect_one_node_left_open(Plant plant) {
   auto whole = plant();

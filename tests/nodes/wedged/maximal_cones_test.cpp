@@ -59,7 +59,7 @@ TEST(MaximalCones, AreThoseOfTheDefinition) {
       const auto& each = kept[i];
       EXPECT_TRUE(each.state != LeafState::flat || is_maximal(each, leaves)) << i;
     }
-    // Nothing else is missing: what is left out is contained in what is kept.
+    // Every leaf is kept, or is a flat cone contained in one that is kept.
     for (const auto& each : leaves) {
       const bool there = std::ranges::any_of(kept, [&](const auto& other) {
         return other.block == each.block &&

@@ -1,5 +1,5 @@
-// The search of patterns without a tree against all leaves of small problems, and its programs
-// against a simplex method.
+// Search of patterns without a tree, compared with all leaves of small problems; its cone programs,
+// compared with the simplex method.
 #include <algorithm>
 #include <cmath>
 #include <random>

@@ -1,5 +1,5 @@
-// Quadratic forms against all leaves of small problems, the proof in doubles and that of the
-// verifier, which both refuse altered multipliers.
+// Quadratic forms compared with all leaves of small problems; the proof in doubles and that of the
+// verifier both refuse altered multipliers.
 #include <cmath>
 #include <cstdint>
 #include <string>

@@ -168,8 +168,8 @@ problems::Structure tied_apart(problems::Structure structure, double stiffness) 
   return structure;
 }
 
-// Between its walls the stiff connection deforms by 1e-8, which lets inactive candidates move by
-// that much: patterns feasible by no more are due to the connection.
+// The stiff connection deforms by 1e-8, which lets inactive candidates move by that much. Patterns
+// with margins of this size are due to the connection and are not compared.
 TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
   constexpr double of_the_tie = 1e-6;
   int open = 0;

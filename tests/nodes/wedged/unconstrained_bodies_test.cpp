@@ -54,7 +54,7 @@ TEST(UnconstrainedBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
       EXPECT_TRUE(found.lower_proved && found.upper_proved) << theta << " " << elements;
     }
   }
-  // For any material and proportions.
+  // The coefficient does not depend on the material and the proportions.
   expect_from(critical(in_groove(20 * degree, 2, 5, 0.45)), std::tan(20 * degree));
   expect_from(critical(in_groove(20 * degree, 5, 2, 0.0)), std::tan(20 * degree));
 }

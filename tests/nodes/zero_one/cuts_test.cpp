@@ -1,5 +1,5 @@
-// Steps at the root: no cut, smaller M, implied bound or range may lose a relevant point, and each
-// must be of use.
+// Steps at the root: cuts, smaller M, implied bounds and ranges must keep all relevant points, and
+// each step must improve the relaxation.
 #include <cmath>
 #include <vector>
 

@@ -1,6 +1,5 @@
-// Keys `against`, [[ties]], `direction` and `join` of problem files: their results, and the
-// compliance of meshes
-// divided into two bodies, which is that of both together.
+// Keys `against`, [[ties]], `direction` and `join` of problem files: their results. A mesh that is
+// divided into two bodies and joined again has the same compliance.
 #include <string>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Products of the values of each member.
+// All combinations of the values of the members.
 #include "all_verdicts.hpp"
 
 #include <initializer_list>
