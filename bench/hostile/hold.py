@@ -210,7 +210,7 @@ def compare_sums(what, grip, truth):
     return wrong
 
 
-def verify(kusabi, path, names):
+def verify(what, kusabi, path, names):
     """Refusals of certificates."""
     wrong = []
     for name in names:
@@ -220,7 +220,7 @@ def verify(kusabi, path, names):
         done = subprocess.run([kusabi.path, "verify", place, "--problem", path, "--serial"],
                               capture_output=True, text=True, timeout=300)
         if done.returncode not in (0, 3):
-            wrong.append(f"verify {name}: {done.stdout.strip().splitlines()[-1:]} {done.stderr.strip()[:300]}")
+            wrong.append(f"{what}: verify {name}: {done.stdout.strip()[-80:]} {done.stderr.strip()[:300]}")
     return wrong
 
 
@@ -248,7 +248,7 @@ def examine(kusabi, seed, index):
     sums = loaded.sums(case.mu)
     if "grip" in result["result"]:
         wrong += compare_sums(what, result["result"]["grip"], sums)
-    wrong += verify(kusabi, path, ["cert"])
+    wrong += verify(what, kusabi, path, ["cert"])
     total = rng.uniform(0.2, 3)
     what = f"hold --mu {case.mu} --total {total!r}"
     if loaded.is_one_part():
@@ -256,7 +256,7 @@ def examine(kusabi, seed, index):
         if result is not None:
             open_answers += code == 3
             wrong += compare_intervals(what, result, code, loaded.intervals(case.mu, total))
-            wrong += verify(kusabi, path, ["cert"])
+            wrong += verify(what, kusabi, path, ["cert"])
         elif code != 2:
             wrong.append(f"{what}: exit code {code}: {line}")
     code, result, line = kusabi.run("hold", path, "--certificate", certificate)
@@ -271,7 +271,7 @@ def examine(kusabi, seed, index):
         wrong.append(f"hold: the dead load is held at the lower bound {found['lower']}")
     if found["upper_proved"] and found["upper"] is not None and not loaded.holds(found["upper"] * (1 + 1e-6)):
         wrong.append(f"hold: the dead load is not held at the upper bound {found['upper']}")
-    wrong += verify(kusabi, path, ["cert.lower", "cert.upper"])
+    wrong += verify("hold", kusabi, path, ["cert.lower", "cert.upper"])
     return text, wrong, open_answers
 
 

@@ -21,6 +21,11 @@ namespace kusabi::conic {
 /// all surfaces: directions are written with sixteen digits, and positions are rounded to them.
 inline constexpr double sliding = 1e-12;
 
+/// A last column of G that is an equation for the reactions alone, with normal parts. A correction
+/// of normal displacements by normal forces changes it: by a negligible amount, or so that the last
+/// load, its slack, takes the change up.
+enum class SideEquation { none, exact, with_slack };
+
 template <class Real>
 struct Motions {
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
@@ -31,6 +36,7 @@ struct Motions {
   Matrix combination;
   /// Number of modes with a normal part; these come first.
   int lifting = 0;
+  SideEquation equation = SideEquation::none;
   /// Error bound of an entry of `at_cones`.
   double error = 0;
 
@@ -38,7 +44,7 @@ struct Motions {
 
   template <class Other>
   [[nodiscard]] Motions<Other> cast(double rounding) const {
-    return {at_cones.template cast<Other>(), combination.template cast<Other>(), lifting,
+    return {at_cones.template cast<Other>(), combination.template cast<Other>(), lifting, equation,
             error + rounding};
   }
 };
@@ -88,14 +94,13 @@ EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index s
 /// @param motions G, D rows per cone; entries of at most about 1
 /// @param error error bound of an entry
 /// @param loads number of loads, whose cones are the last and have no displacement
-/// @param equations number of last columns that are equations for the reactions alone, whose
-///        normal rows are kept
+/// @param equation of the last column, whose normal rows are kept
 template <int D, class Real>
 Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error, int loads = 0,
-                              int equations = 0) {
+                              SideEquation equation = SideEquation::none) {
   using Matrix = typename Motions<Real>::Matrix;
-  if (equations > 0) {
-    const Eigen::Index own = motions.cols() - equations;
+  if (equation != SideEquation::none) {
+    const Eigen::Index own = motions.cols() - 1;
     auto result = ordered_motions<D, Real>(Matrix(motions.leftCols(own)), error, loads);
     Matrix combination = Matrix::Identity(motions.cols(), motions.cols());
     combination.topLeftCorner(own, own) = result.combination;
@@ -103,6 +108,7 @@ Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double err
     result.combination = std::move(combination);
     result.at_cones = std::move(motions);
     result.error = std::max(result.error, error);
+    result.equation = equation;
     return result;
   }
   const Eigen::Index p = motions.cols();

@@ -15,6 +15,12 @@ namespace {
 /// As CriticalFriction::tolerances: t* near a limit is a small multiple of the distance from it.
 constexpr conic::Tolerances hold_tolerances{.sign = 1e-14, .value = 1e-15, .iterations = 100};
 
+conic::SideEquation equation_of(const std::optional<GripRestriction>& grip) {
+  if (!grip) return conic::SideEquation::none;
+  return grip->kind == GripRestriction::Kind::equal ? conic::SideEquation::exact
+                                                    : conic::SideEquation::with_slack;
+}
+
 }  // namespace
 
 HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
@@ -26,7 +32,7 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
       problem_(grip ? with_grip(loaded, shares, *grip) : with_loads(loaded, shares)),
       rule_(loaded.problem, friction_with_loads(loaded.problem, mu, 0), Branching::relative),
       solver_(problem_, friction_with_loads(loaded.problem, mu, loads_), hold_tolerances, precision,
-              static_cast<int>(loads_), grip ? 1 : 0),
+              static_cast<int>(loads_), equation_of(grip)),
       mean_motion_(loaded.problem),
       grip_unit_(grip ? 1 / grip_scale(loaded, shares, *grip) : 1) {
   // If the file has a dead part, only combinations with it are states of the file.

@@ -21,15 +21,15 @@ constexpr double scaling_roundings = 1.01;
 
 /// G in 104 bits, combined as the solvers require.
 conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads,
-                                          int equations) {
+                                          conic::SideEquation equation) {
   const bool precise = problem.precise_motions.size() != 0;
   const numbers::PreciseMatrix given =
       precise ? problem.precise_motions
               : numbers::PreciseMatrix(problem.motions.cast<numbers::Precise>());
   const double error = precise ? problem.precise_motion_error : problem.motion_error;
   if (problem.dimension == 2)
-    return conic::ordered_motions<2, numbers::Precise>(given, error, loads, equations);
-  return conic::ordered_motions<3, numbers::Precise>(given, error, loads, equations);
+    return conic::ordered_motions<2, numbers::Precise>(given, error, loads, equation);
+  return conic::ordered_motions<3, numbers::Precise>(given, error, loads, equation);
 }
 
 template <class Real>
@@ -39,7 +39,7 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                              std::span<const double> friction, conic::Tolerances tolerances,
-                             Precision precision, int loads, int equations)
+                             Precision precision, int loads, conic::SideEquation equation)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
@@ -50,7 +50,7 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
       precise_compliance_(problem.precise_compliance),
       compliance_error_(problem.compliance_error),
       precise_error_(problem.precise_error),
-      motions_(combined(problem, loads, equations)),
+      motions_(combined(problem, loads, equation)),
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
         const double error = problem.compliance_error + scaling_error<double>;
