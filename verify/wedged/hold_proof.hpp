@@ -14,7 +14,7 @@
 namespace kusabi::verify {
 
 /// Sums of normal reactions are a given total up to this share of it.
-inline constexpr double total_tolerance = 0x1p-30;
+inline constexpr double total_tolerance = 1e-6;
 
 /// Factors of the reference load from `low` to `high`, both included; infinite: no end.
 struct FactorRange {
