@@ -80,8 +80,8 @@ Instance read(const std::string& file) {
 
 // F of the truss, scaled as in the tree.
 Eigen::MatrixXd scaled_compliance(const problems::SpaceTrussSize& size) {
-  const auto problem = problems::wedged_problem(problems::space_truss(size));
-  return problem.compliance / problems::mean_normal_compliance(problem);
+  const auto problem = problems::wedged_problem(checked(problems::space_truss(size)));
+  return problem.compliance.matrix / problems::mean_normal_compliance(problem);
 }
 
 conic::NodeSolver<dimension> solver_of(const Eigen::MatrixXd& compliance, double friction) {

@@ -58,7 +58,7 @@ void grids() {
   for (int bays = 3; bays <= 10; ++bays) {
     for (const double alpha : {20.0, 40.0}) {
       const auto began = std::chrono::steady_clock::now();
-      const auto problem = limit_problem(problems::grid_truss(bays));
+      const auto problem = limit_problem(checked(problems::grid_truss(bays)));
       const auto model = limit_model(problem);
       const auto solved = solve(model, alpha / model.force_unit);
       const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began;
@@ -104,7 +104,7 @@ void gaps(std::uint32_t count) {
     const auto truss = random_truss(bits);
     const double alpha = 0.05 * static_cast<double>(1 + bits() % 10);
     try {
-      const auto model = limit_model(limit_problem(truss));
+      const auto model = limit_model(limit_problem(checked(truss)));
       const auto solved = solve(model, alpha / model.force_unit);
       if (!solved || !solved->root.worst) continue;
       ++solved_count;

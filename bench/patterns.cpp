@@ -64,7 +64,7 @@ class Search {
   Search(const problems::WedgedProblem& problem, double friction, const Strategy& strategy)
       : strategy_(strategy),
         friction_(friction),
-        compliance_(problem.compliance / problems::mean_normal_compliance(problem)) {
+        compliance_(problem.compliance.matrix / problems::mean_normal_compliance(problem)) {
     const std::vector<double> all(problem.contact_names.size(), friction);
     solver_.emplace(compliance_, all);
     candidates_ = (std::uint64_t{1} << all.size()) - 1;
@@ -148,7 +148,7 @@ problems::WedgedProblem announced(const Instance& instance, const char* what) {
   const auto& [rows, depth, bays] = instance.size;
   fmt::print("\n{}: {} x {} candidates, {} bays, mu = {}\n", what, rows, depth, bays,
              instance.friction);
-  return problems::wedged_problem(problems::space_truss(instance.size));
+  return problems::wedged_problem(checked(problems::space_truss(instance.size)));
 }
 
 void measure_branching(const Instance& instance) {

@@ -137,13 +137,13 @@ int main(int argc, char** argv) {
        rows <= last && !(first_ends && second_ends && third_ends); ++rows) {
     const auto truss = problems::plane_truss({.rows = rows});
     const std::vector<double> friction(static_cast<std::size_t>(rows), mu);
-    const rays::ReactionCone cone(problems::precise_compliance(problems::wedged_problem(truss)),
-                                  friction);
+    const rays::ReactionCone cone(
+        problems::precise_compliance(problems::wedged_problem(checked(truss))), friction);
     std::optional<Measured> whole;
     std::optional<Measured> by_parts;
     std::optional<Measured> by_pattern;
     const auto patterns = [&] {
-      return wedged::SignPatternTree(problems::wedged_problem(truss), friction);
+      return wedged::SignPatternTree(problems::wedged_problem(checked(truss)), friction);
     };
     if (!first_ends) whole = double_description(cone);
     if (!second_ends) {

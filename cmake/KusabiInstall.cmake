@@ -27,7 +27,6 @@ endforeach()
 # The layout is that of the source tree, so that links between pages are valid.
 install(FILES README.md NEWS.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
-install(DIRECTORY tests/install/colouring DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/install COMPONENT documents)
 
 # A single file, for PYTHONPATH or for the folder of a script.
 install(FILES run/python/kusabi.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/python COMPONENT command)

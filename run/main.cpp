@@ -43,7 +43,7 @@ int run(Session& session, int argc, char** argv) {
   }
   const auto defaults = take_defaults(session, list, entry);
   check_whole(entry);
-  return CommandRun(session, *entry.subcommand, entry.table, defaults).execute();
+  return CommandRun(session, entry, defaults).execute();
 }
 
 }  // namespace

@@ -10,6 +10,8 @@ PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^()\s]+)\)")
 # Options, named by themselves, of mpirun, CMake and scripts.
 OTHERS = {"--allow-run-as-root", "--use-hwthread-cpus", "--oversubscribe", "--mca", "--preset", "--check"}
+# Pictures that only the site shows, since run/site draws them.
+ON_THE_SITE = re.compile(r"<!-- on the site: (!\[[^\]]*\]\([^()\s]+\)) -->")
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^()\s]+)\)")
 
 
@@ -94,7 +96,8 @@ def prose(text):
 
 def without_code(text):
     """The page without code, with its lines at their numbers."""
-    return re.sub(r"(`+)[^`\n]+\1", lambda span: " " * len(span[0]), "\n".join(prose(text)))
+    text = re.sub(r"(`+)[^`\n]+\1", lambda span: " " * len(span[0]), "\n".join(prose(text)))
+    return ON_THE_SITE.sub(lambda span: re.sub(".", " ", span[0]), text)
 
 
 def anchors(text):

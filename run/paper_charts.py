@@ -1,13 +1,9 @@
-"""Pictures of docs/papers.md: Figures 5 and 10 of the limit paper, and the counts of the wedged
-paper over friction, each drawn from a result.
-
-A picture is a call, and a function that makes an SVG text from its run (run/papers).
+"""Figures 5 and 10 of the limit paper: functions from the member `result` of a result file to an SVG
+text, for run/figures.
 """
 import html
 import math
-from typing import Callable, NamedTuple
-
-import paper_figures
+from typing import NamedTuple
 
 SIZE = 860, 470          # pixels
 PLOT = 70, 64, 836, 380  # left, top, right, bottom
@@ -110,9 +106,9 @@ def corners(pieces, scale=1.0, end=1.0):
     return kept
 
 
-def figure_5(run):
-    solid, dashed = corners(run.result["curve"]), corners(run.result["load_curve"], 0.5)
-    worst = corners(run.result["worst_curve"])
+def figure_5(result):
+    solid, dashed = corners(result["curve"]), corners(result["load_curve"], 0.5)
+    worst = corners(result["worst_curve"])
     letters = [("(A)", solid[0], (18, -8)), ("(B)", solid[1], (6, -10)), ("(C)", solid[-1], (-26, 2)),
                ("(D)", dashed[-1], (-12, -12)), ("(E)", worst[1], (-10, 22))]
     return chart("L Figure 5: limit load factor of the 3 × 3 truss as its uncertain loads grow", "β", "λ",
@@ -120,26 +116,10 @@ def figure_5(run):
                   Curve("λ_min(β α₁), the worst case", "dotted", worst)], letters)
 
 
-def figure_10(run):
-    factors = run.result["samples"]["factors"]
+def figure_10(result):
+    factors = result["samples"]["factors"]
     return chart("L Figure 10: limit load factors of the 4 × 4 truss under random loads, α = 40 kN", "number of the load", "λ",
                  [Curve("random loads", "dots", list(enumerate(factors, 1))),
-                  Curve("nominal load", "", [(1, run.result["nominal"]), (len(factors), run.result["nominal"])]),
+                  Curve("nominal load", "", [(1, result["nominal"]), (len(factors), result["nominal"])]),
                   Curve("λ_min(α), the worst case", "dashed",
-                        [(1, run.result["worst_case"]["upper"]), (len(factors), run.result["worst_case"]["upper"])])])
-
-
-class Picture(NamedTuple):
-    name: str  # file name in docs/images
-    command: str
-    draw: Callable  # function from a run to an SVG text
-
-
-PICTURES = [
-    Picture("wedged-table-1.svg", f"kusabi sweep {paper_figures.BODY} --mu-max 1.5 --svg chart.svg", lambda run: run.picture),
-    Picture("wedged-table-3.svg", "kusabi sweep plane-5.toml --mu-max 1 --svg chart.svg", lambda run: run.picture),
-    Picture("wedged-table-4.svg", f"kusabi sweep {paper_figures.SPACE} --mu 0.55,0.6,0.65,0.7,1 --svg chart.svg",
-            lambda run: run.picture),
-    Picture("limit-figure-5.svg", paper_figures.BOTH, figure_5),
-    Picture("limit-figure-10.svg", f"kusabi limit {paper_figures.FOUR} --alpha 40 --samples 1000", figure_10),
-]
+                        [(1, result["worst_case"]["upper"]), (len(factors), result["worst_case"]["upper"])])])

@@ -6,7 +6,7 @@ determines agreement from the figures; where they differ, `why` must give the re
 import re
 from typing import Callable, NamedTuple
 
-LOST = "lost"
+MISSING = "not available"
 NOTHING = "–"  # described in the paper without a figure
 PLANE_TRUSSES = (5, 7, 9, 11, 13, 15, 17, 19)
 BODY = "examples/paper/elastic-body.toml"
@@ -230,11 +230,11 @@ TABLES = {
         Row("Figure 3: (a)–(d) go together, (e) alone", f"kusabi rays {BODY} --mu 1.5", "4 and 1",
             lambda run: " and ".join(str(size) for size in
                                      sorted((len(each["rays"]) for each in run.result["cones"]), reverse=True))),
-        Row("Table 1: μᶜ of both patterns", f"kusabi critical {BODY} --method newton --mu-max 1.5", f"1.2689, {LOST}",
-            coefficients(4), "the first is the same; the other entry is lost in our copy"),
+        Row("Table 1: μᶜ of both patterns", f"kusabi critical {BODY} --method newton --mu-max 1.5", f"1.2689, {MISSING}",
+            coefficients(4), "the first is the same; the second entry is not available"),
         Row("7.1: μᶜ", f"kusabi critical {BODY}", "1.2689", critical),
-        Row("Figure 2: the rays drawn", f"kusabi rays {BODY} --mu 1.5", LOST, cones,
-            "ours: rays, and where they are in contact"),
+        Row("Figure 2: the rays drawn", f"kusabi rays {BODY} --mu 1.5", MISSING, cones,
+            "rays of each cone, and where they are in contact; the picture is not available"),
     ],
     "wedged-plane": [
         *table_2(),
@@ -243,8 +243,8 @@ TABLES = {
         Row("Figures 8, 9: rays, N = 5, μ = 1", "kusabi rays plane-5.toml --mu 1", "25",
             lambda run: str(len(run.result["rays"]))),
         Row("Figure 5: t̂", "kusabi rays plane-5.toml --mu 1", "5", lambda run: str(len(run.result["cones"]))),
-        Row("Figure 5: the circles", "kusabi rays plane-5.toml --mu 1", LOST, cones,
-            "ours: rays of each cone, and where it is in contact"),
+        Row("Figure 5: the circles", "kusabi rays plane-5.toml --mu 1", MISSING, cones,
+            "rays of each cone, and where they are in contact; the picture is not available"),
         Row("7.2: rays (a)–(i) of one pattern", "kusabi rays plane-5.toml --mu 1", "9", rays_of_cones,
             "rays of each of our five cones; none has nine"),
         Row("Table 3: μᶜ of (a)–(e)", "kusabi critical plane-5.toml --method bisection --mu-max 1",
@@ -255,11 +255,11 @@ TABLES = {
     ],
     "wedged-space": [
         Row(f"Table 4, μ = {mu}: sign patterns", f"kusabi patterns {SPACE} --mu {mu}", printed, count,
-            "lost is the truss; this one was fitted to the figures", "ours")
+            "the picture of the truss is not available; this truss was fitted to the table", "ours")
         for mu, printed in ((0.55, "0"), (0.6, "1"), (0.65, "26"), (0.7, "61"), (1.0, "236"))
     ] + [
         Row("Table 4, by one sweep", f"kusabi sweep {SPACE} --mu 0.55,0.6,0.65,0.7,1 --svg chart.svg", "0, 1, 26, 61, 236", swept,
-            "of the truss that was fitted", "ours"),
+            "of the fitted truss", "ours"),
     ],
     "limit-methods": [
         Row("(5)", f"kusabi export mps {THREE} --program static --output 5.mps; kusabi mip 5.mps", "48.3662",
@@ -292,12 +292,12 @@ TABLES = {
         Row("Figure 5, (A), (C) of the solid line", f"kusabi limit {THREE} --alpha 40 --curve", "48.3662, 37.0120",
             curve_ends("curve")),
         Row("Figure 5, modes along it", f"kusabi limit {THREE} --alpha 40 --curve", "sway, not sway", curve_modes("curve")),
-        Row("Figure 5, (D) of the dashed line", BOTH, LOST, lambda run: curve_ends("load_curve")(run).split(", ")[1],
-            "ours: λ\\* under 2 ζ₂; the figure is drawn only"),
+        Row("Figure 5, (D) of the dashed line", BOTH, MISSING, lambda run: curve_ends("load_curve")(run).split(", ")[1],
+            "λ\\* under 2 ζ₂; printed only in the picture, which is not available"),
         Row("Figure 5, modes along it", BOTH, "sway", curve_modes("load_curve")),
-        Row("Figure 5, (A), (E), (C)", f"kusabi limit {THREE} --alpha 40 --curve", f"48.3662, {LOST}, 37.0120",
+        Row("Figure 5, (A), (E), (C)", f"kusabi limit {THREE} --alpha 40 --curve", f"48.3662, {MISSING}, 37.0120",
             lambda run: ", ".join(f"{each:.4f}" for each in corners(run.result["worst_curve"])),
-            "λ_min(β α₁), proved; (E) is at β = 0.7779"),
+            "λ_min(β α₁), proved; (E), at β = 0.7779, is printed only in the picture"),
     ],
     "limit-four": [
         Row("6.2: n^m, m", f"kusabi limit {FOUR} --alpha 40", "n^m = 68, m = 34", sizes),

@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <boost/serialization/vector.hpp>
-
+#include "engine/expansion.hpp"
 #include "engine/index_range.hpp"
-#include "engine/search.hpp"
-#include "engine/together.hpp"
+#include "engine/transport/transport.hpp"
+#include "engine/wire.hpp"
 
 namespace kusabi::engine {
 
@@ -45,21 +44,24 @@ class SharedWork {
   std::function<Result(std::uint64_t)> piece_;
 };
 
+/// Computes all pieces, whose results are packed; every rank makes the same call. @pre pieces > 0
+std::vector<Bytes> share_packed_work(Transport& transport, std::uint64_t pieces,
+                                     std::function<Bytes(std::uint64_t)> piece);
+
 /// Computes all pieces; every rank makes the same call. @pre pieces > 0
 template <class Result>
 std::vector<Result> share_work(Transport& transport, std::uint64_t pieces,
-                               std::function<Result(std::uint64_t)> piece) {
+                               const std::function<Result(std::uint64_t)>& piece) {
   std::vector<Result> results;
   if (transport.size() == 1) {
     for (std::uint64_t i = 0; i < pieces; ++i) results.push_back(piece(i));
     return results;
   }
-  SharedWork<Result> work(pieces, std::move(piece));
-  auto outcome = search(work, transport);
-  return from_first_rank(transport, [&] {
-    for (auto& found : outcome.solutions) results.push_back(std::move(found.solution));
-    return std::move(results);
-  });
+  // One search, compiled once, serves all types of results.
+  const auto packed = share_packed_work(transport, pieces,
+                                        [&](std::uint64_t number) { return pack(piece(number)); });
+  for (const auto& bytes : packed) results.push_back(unpack<Result>(bytes));
+  return results;
 }
 
 }  // namespace kusabi::engine

@@ -21,7 +21,7 @@ int answer(engine::Transport& transport, const char* file, double coefficient) {
   const auto text =
       engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto problem = problems::wedged_problem(problems::read_structure(text, file));
-  engine::agree(transport, problem.fingerprint);
+  engine::agree(transport, problem.provenance.fingerprint);
 
   engine::Analysis analysis(transport);
   const auto friction = wedged::candidate_friction(problem, coefficient);

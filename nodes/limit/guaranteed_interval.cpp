@@ -43,6 +43,16 @@ bool GuaranteedInterval::decided() const {
   return has_factors() && least.upper_proved && largest.lower_proved;
 }
 
+std::optional<bool> GuaranteedInterval::passed() const {
+  if (has_factors() && least.upper_proved && largest.lower_proved && least.upper <= 0 &&
+      largest.lower >= 1) {
+    return true;
+  }
+  const bool fails = at_none_proved || (least.lower_proved && least.lower > 0) ||
+                     (largest.upper_proved && largest.upper < 1) || (is_empty() && decided());
+  return fails ? std::optional(false) : std::nullopt;
+}
+
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   GuaranteedInterval interval;
   if (!answer.worst) {

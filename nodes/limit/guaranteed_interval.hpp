@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "nodes/limit/root/limit_answer.hpp"
@@ -29,6 +30,9 @@ struct GuaranteedInterval {
   [[nodiscard]] bool has_factors() const { return !at_none && least.upper <= largest.lower; }
   /// True if one of the two is proved.
   [[nodiscard]] bool decided() const;
+  /// True if every factor from 0 to 1, the stages of loading up to the design load, is proved to be
+  /// carried under all admissible loads; false if one is proved not to be; otherwise nothing.
+  [[nodiscard]] std::optional<bool> passed() const;
 };
 
 /// @pre answer.worst, or the nominal load has no factor

@@ -1,6 +1,7 @@
 // Nominal load in suitable units first, then the other results.
 #include "nodes/limit/limit_loads.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -99,10 +100,30 @@ void find_worst_cases(RootSearch& search, const LimitQuestion& question,
   find_least_factors(search.analysis(), truss, search.problem(), *question.alpha, findings);
 }
 
+// For sudden losses the yield forces are divided by the dynamic factor: the loads grow by it, and
+// so does the reference load.
+LossAnswer worst_loss(RootSearch& search, verify::Structure truss, const LimitQuestion& question) {
+  const double sudden = question.loss->sudden;
+  auto problem = search.problem();
+  problem.tension /= sudden;
+  problem.compression /= sudden;
+  for (auto& bar : truss.bars) {
+    bar.tension /= sudden;
+    bar.compression /= sudden;
+  }
+  const double alpha = question.alpha.value_or(0);
+  const auto model = problems::limit_model(problem, search.model().force_unit / sudden);
+  return LossSearch(search.analysis(), truss, problem, model, *question.loss, alpha).solve();
+}
+
 }  // namespace
 
-LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& structure,
-                          const problems::LimitProblem& problem, const LimitQuestion& question) {
+namespace {
+
+// At the strengths of the file.
+LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Structure& structure,
+                                const problems::LimitProblem& problem,
+                                const LimitQuestion& question) {
   const auto truss = evidence::verified_structure(structure);
   RootSearch search(analysis, problem, question.split_from);
   LimitFindings findings;
@@ -125,8 +146,9 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
     if (search.ended()) {
       answer.rest = analysis.budget().why();
     } else {
-      findings.loss = LossSearch(analysis, truss, problem, search.model(), *question.loss).solve();
+      findings.loss = worst_loss(search, truss, question);
     }
+    return findings;
   }
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
@@ -156,13 +178,37 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
   return findings;
 }
 
+// After all struts have buckled.
+LimitAnswer loads_after_buckling(engine::Analysis& analysis, problems::Structure structure,
+                                 problems::LimitProblem problem, const LimitQuestion& question) {
+  problem.compression = question.residual;
+  for (std::size_t i = 0; i < structure.members.size(); ++i)
+    structure.members[i].yield->compression = question.residual(static_cast<Eigen::Index>(i));
+  return loads_at_strength(analysis, structure, problem,
+                           {.alpha = question.alpha, .split_from = question.split_from})
+      .answer;
+}
+
+}  // namespace
+
+LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& structure,
+                          const problems::LimitProblem& problem, const LimitQuestion& question) {
+  auto findings = loads_at_strength(analysis, structure, problem, question);
+  const bool collapses = findings.answer.status == LoadStatus::collapses;
+  if (question.residual.size() == 0 || question.loss || !collapses) return findings;
+  analysis.say("the same with all struts at their residual strength");
+  findings.residual = loads_after_buckling(analysis, structure, problem, question);
+  return findings;
+}
+
 engine::Status LimitFindings::ended() const {
+  if (residual && residual->ended() != engine::Status::solved) return residual->ended();
   if (loss && loss->search != engine::Status::solved) return loss->search;
   return answer.ended();
 }
 
 bool LimitFindings::whole() const {
-  return answer.whole() && (!loss || loss->proved);
+  return answer.whole() && (!residual || residual->whole()) && (!loss || loss->proved);
 }
 
 engine::Status LimitAnswer::ended() const {

@@ -20,10 +20,13 @@ struct LimitFindings {
   /// The proved claims with their evidence for a certificate, on rank 0. None on least factors
   /// without one on the largest.
   std::vector<verify::LimitStatement> statements;
+  /// The same analysis with all struts at their residual strength; nothing: there are no struts, or
+  /// no result at their strength.
+  std::optional<LimitAnswer> residual;
   /// Of a question about the loss of members; nothing: none, or no nominal factor was found.
   std::optional<LossAnswer> loss;
 
-  /// As LimitAnswer, with the loss of members.
+  /// As LimitAnswer, with struts and the loss of members.
   [[nodiscard]] engine::Status ended() const;
   [[nodiscard]] bool whole() const;
 };

@@ -81,7 +81,7 @@ engine::Status why(engine::Analysis& analysis) {
   return engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().why(); });
 }
 
-CriticalEntry entry_of(const Configuration& leaf, const CriticalBracket& bracket) {
+CriticalEntry entry_of(const Configuration& leaf, const NarrowingBracket& bracket) {
   return {.block = leaf.block,
           .pattern = leaf.pattern,
           .lower = bracket.lower(),
@@ -92,9 +92,9 @@ CriticalEntry entry_of(const Configuration& leaf, const CriticalBracket& bracket
 
 }  // namespace
 
-CriticalEnds::CriticalEnds(engine::Analysis& analysis, const problems::Structure& structure,
+CriticalEnds::CriticalEnds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
                            const problems::WedgedProblem& problem, const EndsQuestion& question,
-                           const EndRecorder& recorder, CriticalBracket& bracket,
+                           const EndRecorder& recorder, NarrowingBracket& bracket,
                            std::vector<CriticalCost>& costs)
     : analysis_(analysis),
       structure_(structure),
@@ -103,7 +103,7 @@ CriticalEnds::CriticalEnds(engine::Analysis& analysis, const problems::Structure
       recorder_(recorder),
       bracket_(bracket),
       costs_(costs),
-      far_apart_(problem.motions.cols() > 0 &&
+      far_apart_(problem.modes.matrix.cols() > 0 &&
                  problems::scale_ratio(structure, problem) > wide_scales) {}
 
 bool CriticalEnds::enclose() {

@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
 #include "nodes/wedged/tree/pattern_options.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -65,9 +65,9 @@ struct DecidedEnd;
 /// Every rank makes the same calls. @pre arguments outlive this object
 class CriticalEnds {
  public:
-  CriticalEnds(engine::Analysis& analysis, const problems::Structure& structure,
+  CriticalEnds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
                const problems::WedgedProblem& problem, const EndsQuestion& question,
-               const EndRecorder& recorder, CriticalBracket& bracket,
+               const EndRecorder& recorder, NarrowingBracket& bracket,
                std::vector<CriticalCost>& costs);
 
   /// Tests both bounds without relaxing them: the lower one by the roots alone, the upper one by
@@ -124,14 +124,14 @@ class CriticalEnds {
   void note_what_is_open(CriticalFindings& findings) const;
 
   engine::Analysis& analysis_;
-  const problems::Structure& structure_;
+  const problems::CheckedStructure& structure_;
   const problems::WedgedProblem& problem_;
   EndsQuestion question_;
   const EndRecorder& recorder_;
-  CriticalBracket& bracket_;
+  NarrowingBracket& bracket_;
   std::vector<CriticalCost>& costs_;
   /// Enclosure of K, or the reason why there is none; nothing before it is computed.
-  std::optional<Enclosure> stiffness_;
+  std::optional<StiffnessEnclosure> stiffness_;
   bool far_apart_;  ///< unconstrained bodies with very different scales: results of the solver may
                     ///< be wrong
   double proved_lower_ = 0;

@@ -101,7 +101,7 @@ class SmallestWays {
  public:
   SmallestWays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                const CriticalQuestion& question, const CriticalGrid& grid, CriticalEnds& ends,
-               CriticalBracket& bracket, CriticalFindings& findings)
+               NarrowingBracket& bracket, CriticalFindings& findings)
       : analysis_(analysis),
         problem_(problem),
         question_(question),
@@ -209,7 +209,7 @@ class SmallestWays {
   const CriticalQuestion& question_;
   CriticalGrid grid_;
   CriticalEnds& ends_;
-  CriticalBracket& bracket_;
+  NarrowingBracket& bracket_;
   CriticalFindings& findings_;
 };
 
@@ -246,7 +246,7 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
 
 // Narrows the bracket by the patterns with the smallest coefficients, on all ranks.
 void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                        const CriticalFindings& findings, CriticalBracket& bracket) {
+                        const CriticalFindings& findings, NarrowingBracket& bracket) {
   const auto found = engine::from_first_rank(analysis.transport(), [&] {
     Smallest smallest;
     smallest.lower = findings.lower;
@@ -297,7 +297,7 @@ CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuest
 }
 
 CriticalFindings find_critical_friction(engine::Analysis& analysis,
-                                        const problems::Structure& structure,
+                                        const problems::CheckedStructure& structure,
                                         const problems::WedgedProblem& problem,
                                         const CriticalQuestion& question,
                                         const EndRecorder& recorder) {
@@ -308,7 +308,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   }
   const auto grid = grid_of(problem, question);
   CriticalFindings findings;
-  CriticalBracket bracket(analysis, grid.most);
+  NarrowingBracket bracket(analysis, grid.most);
   CriticalEnds ends(analysis, structure, problem,
                     {.grid = grid,
                      .tightening = question.tightening,

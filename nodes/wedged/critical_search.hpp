@@ -6,7 +6,7 @@
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/critical_ends.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -17,7 +17,7 @@ namespace kusabi::wedged {
 /// @param recorder of the evidence of both bounds
 /// @throws std::invalid_argument if a coefficient or the width is out of range
 CriticalFindings find_critical_friction(engine::Analysis& analysis,
-                                        const problems::Structure& structure,
+                                        const problems::CheckedStructure& structure,
                                         const problems::WedgedProblem& problem,
                                         const CriticalQuestion& question,
                                         const EndRecorder& recorder = {});

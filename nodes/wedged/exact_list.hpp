@@ -9,14 +9,14 @@
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/rays/ray_search.hpp"
 #include "nodes/wedged/sweep/sweep_findings.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
 
 /// A structure, and the extent of the proof.
 struct ExactQuestion {
-  const problems::Structure& structure;
+  const problems::CheckedStructure& structure;
   const problems::WedgedProblem& problem;
   Proving proving = Proving::automatic;
 };

@@ -143,7 +143,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   // A certificate leaves degenerate nodes out. For unconstrained bodies the exact test shows of
   // some that other leaves contain all their configurations.
   std::optional<verify::EnclosedProblem> of_unconstrained;
-  if (!enclosed && question.recorder && problem.motions.cols() > 0)
+  if (!enclosed && question.recorder && problem.modes.matrix.cols() > 0)
     of_unconstrained = enclosed_if_small(analysis, question);
   std::optional<EvidenceCheck> check;
   if (enclosed || of_unconstrained) {
@@ -159,9 +159,9 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     findings.exact.done = check->is_able();
     // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
     // modes.
-    if (!check->is_able() && problem.motions.cols() > 0)
+    if (!check->is_able() && problem.modes.matrix.cols() > 0)
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
-    if (check->is_able() || problem.motions.cols() > 0)
+    if (check->is_able() || problem.modes.matrix.cols() > 0)
       tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
   }
   if (of_unconstrained) {

@@ -12,7 +12,7 @@
 #include "nodes/wedged/tree/candidate_bounds.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -88,7 +88,7 @@ struct PatternQuestion {
   SignPatternOptions tree;
   engine::Options search;     ///< checkpoints, traces, warnings
   EvidenceRecorder recorder;  ///< receives on each rank the evidence of closed nodes; empty: none
-  const problems::Structure* structure = nullptr;  ///< of the problem; null: no exact test
+  const problems::CheckedStructure* structure = nullptr;  ///< of the problem; null: no exact test
   Proving proving = Proving::automatic;
   bool exists = false;  ///< only whether there is any: one configuration is enough
 };

@@ -74,7 +74,7 @@ std::uint64_t BigMs::smaller() const {
 class BigMs::Round {
  public:
   Round(linear::MixedProgram& mixed, double cutoff, bool proofs_only, const support::Stop& stop,
-        Tightening& result)
+        TighteningResult& result)
       : mixed_(mixed),
         ends_(mixed.program, cutoff, stop),
         proofs_only_(proofs_only),
@@ -146,12 +146,12 @@ class BigMs::Round {
   BoundTightening ends_;
   bool proofs_only_;
   const support::Stop& stop_;
-  Tightening& result_;
+  TighteningResult& result_;
 };
 
-Tightening BigMs::tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only,
-                          const support::Stop& stop) {
-  Tightening result;
+TighteningResult BigMs::tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only,
+                                const support::Stop& stop) {
+  TighteningResult result;
   if (rows_.empty() || !std::isfinite(cutoff)) return result;
   while (result.rounds < most_rounds && !result.nothing_left && !support::asked(stop)) {
     ++result.rounds;

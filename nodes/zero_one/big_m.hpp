@@ -12,7 +12,7 @@
 namespace kusabi::zero_one {
 
 /// Result of one call of BigMs::tighten().
-struct Tightening {
+struct TighteningResult {
   bool changed = false;     ///< true if any coefficient or bound of a binary has changed
   std::uint64_t fixed = 0;  ///< binaries fixed because the other value is infeasible
   std::uint64_t rounds = 0;
@@ -32,8 +32,8 @@ class BigMs {
   /// with an objective of at most `cutoff` are kept; others may be lost.
   /// @param mixed the given program, or the result of earlier calls
   /// @param proofs_only whether to omit changes without proof
-  Tightening tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only = false,
-                     const support::Stop& stop = {});
+  TighteningResult tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only = false,
+                           const support::Stop& stop = {});
 
   /// The number of coefficients that are smaller than given.
   [[nodiscard]] std::uint64_t smaller() const;

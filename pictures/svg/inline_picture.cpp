@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "pictures/svg/canvas.hpp"
-#include "pictures/svg/legend.hpp"
 #include "pictures/svg/scales.hpp"
 #include "pictures/svg/scene_drawing.hpp"
 #include "pictures/svg/style.hpp"
@@ -40,9 +39,8 @@ std::string inline_svg(const InlinePicture& picture, const Scene& scene) {
   return svg_element(picture, {across, std::round(high + 2 * side)}, canvas);
 }
 
-std::string inline_legend(const InlinePicture& picture, const std::vector<Scene>& scenes) {
-  const auto entries = common_legend(scenes);
-  constexpr double across = 320;
+std::string inline_legend(const InlinePicture& picture, const std::vector<LegendEntry>& entries) {
+  constexpr double across = 470;
   Canvas canvas;
   draw_legend(canvas, entries, {4, 4}, across, 1);
   return svg_element(picture, {across, legend_height(entries, 1) + 8}, canvas);

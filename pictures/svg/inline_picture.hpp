@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pictures/svg/canvas.hpp"
+#include "pictures/svg/legend.hpp"
 #include "pictures/svg/scene.hpp"
 
 namespace kusabi::pictures {
@@ -21,8 +22,8 @@ struct InlinePicture {
 /// An svg element of the class "picture".
 std::string inline_svg(const InlinePicture& picture, const Scene& scene);
 
-/// Legend of all scenes, as such an element. @pre at least one
-std::string inline_legend(const InlinePicture& picture, const std::vector<Scene>& scenes);
+/// A legend as such an element.
+std::string inline_legend(const InlinePicture& picture, const std::vector<LegendEntry>& entries);
 
 /// Content of a canvas, as such an element. @param size in pixels
 std::string svg_element(const InlinePicture& picture, const PixelPoint& size, const Canvas& canvas);

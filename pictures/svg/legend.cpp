@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pictures/svg/friction_use.hpp"
 #include "pictures/svg/scales.hpp"
 #include "pictures/svg/support_drawing.hpp"
 
@@ -44,9 +45,13 @@ LegendSample mark_of(const char* kind) {
 }
 
 void cone_sample(Canvas& canvas, const PixelPoint& middle) {
+  constexpr double step = 2 * half_sample / use_shades;
   canvas.begin_group("cone");
-  canvas.polygon("cone", {middle - PixelPoint(half_sample, 0), middle + PixelPoint(half_sample, -7),
-                          middle + PixelPoint(half_sample, 7)});
+  for (int shade = 0; shade < use_shades; ++shade) {
+    const PixelPoint tip = middle + PixelPoint(step * (shade + 0.5) - half_sample, 7);
+    canvas.polygon(fmt::format("cone u{}", shade),
+                   {tip, tip + PixelPoint(-4, -14), tip + PixelPoint(4, -14)});
+  }
   canvas.end_group();
 }
 
@@ -109,6 +114,9 @@ bool has(const Scene& scene, DrawnLoad::Kind kind) {
   return std::ranges::count(scene.loads, kind, &DrawnLoad::kind) > 0;
 }
 
+/// Meaning of the shades of cones.
+constexpr const char* shades_text = "used up to 50, 75, 95, 100 %";
+
 // "mu 0.65", or the range of mu over the candidates in contact.
 std::string friction_text(const Scene& scene) {
   double least = HUGE_VAL;
@@ -118,8 +126,11 @@ std::string friction_text(const Scene& scene) {
     least = std::min(least, candidate.friction);
     most = std::max(most, candidate.friction);
   }
-  return least == most ? fmt::format("friction cone, μ = {:.6g}", most)
-                       : fmt::format("friction cones, μ = {:.6g} to {:.6g}", least, most);
+  return fmt::format("{}; {}",
+                     least == most
+                         ? fmt::format("friction cone, μ = {:.6g}", most)
+                         : fmt::format("friction cones, μ = {:.6g} to {:.6g}", least, most),
+                     shades_text);
 }
 
 std::string largest(const char* what, double size, const std::string& unit) {
@@ -175,7 +186,10 @@ void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Sc
   add_count(ContactState::contact, "contact", "in contact");
   add_count(ContactState::separated, "separated", "separated");
   add_count(ContactState::at_rest, "idle", "neither a reaction nor a gap");
-  add_count(ContactState::none, "other", "candidate of another block");
+  const bool solved = std::ranges::any_of(
+      scene.candidates, [](const auto& each) { return each.state != ContactState::none; });
+  add_count(ContactState::none, "other",
+            solved ? "candidate of another block" : "contact candidate");
   if (count_of(scene, ContactState::contact) > 0)
     entries.push_back({cone_sample, friction_text(scene)});
   if (scales.largest_reaction > 0)
@@ -224,7 +238,7 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
   if (any([](const Scene& its) { return count_of(its, ContactState::contact) > 0; })) {
     entries.push_back({mark_of("contact"), "in contact"});
     entries.push_back({arrow_of("reaction"), "reaction"});
-    entries.push_back({cone_sample, "friction cone"});
+    entries.push_back({cone_sample, fmt::format("friction cone, {}", shades_text)});
   }
   if (any([](const Scene& its) { return count_of(its, ContactState::separated) > 0; }))
     entries.push_back({mark_of("separated"), "separated"});

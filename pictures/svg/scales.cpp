@@ -13,7 +13,9 @@ namespace {
 
 constexpr double longest_motion = 0.09;
 constexpr double longest_arrow = 0.16;
-constexpr double cone_side = 0.13;
+constexpr double cone_side = 0.11;
+/// Number of candidates in contact from which on cones are smaller, so that they do not overlap.
+constexpr double many_cones = 6;
 constexpr int rim_points = 24;
 
 // The nearest of 1, 2, 5, 10, ... below.
@@ -59,7 +61,9 @@ Scales scales_of(const Scene& scene) {
   // comparable with that of a dead load.
   scales.dead_load = load_scale(scene, DrawnLoad::Kind::dead, scales.size);
   scales.reference_load = load_scale(scene, DrawnLoad::Kind::reference, scales.size);
-  scales.cone = cone_side * scales.size;
+  const auto cones = static_cast<double>(
+      std::ranges::count(scene.candidates, ContactState::contact, &DrawnCandidate::state));
+  scales.cone = cone_side * scales.size * std::sqrt(many_cones / std::max(many_cones, cones));
   return scales;
 }
 
@@ -69,11 +73,28 @@ Eigen::Vector3d moved(const Scene& scene, const Scales& scales, int node) {
   return place + scales.displacement * scene.displacements.col(node);
 }
 
+double sense_of(const Scene& scene, const DrawnCandidate& candidate) {
+  return scene.dimension == 3 && !scene.faces.empty() && candidate.rigid ? -1 : 1;
+}
+
+Eigen::Vector3d contact_place(const Scene& scene, const Scales& scales,
+                              const DrawnCandidate& candidate) {
+  return sense_of(scene, candidate) < 0 ? moved(scene, scales, candidate.node)
+                                        : Eigen::Vector3d(scene.positions.col(candidate.node));
+}
+
+Eigen::Vector3d reaction_end(const Scene& scene, const Scales& scales,
+                             const DrawnCandidate& candidate) {
+  return contact_place(scene, scales, candidate) +
+         sense_of(scene, candidate) * scales.force * candidate.reaction;
+}
+
 std::vector<Eigen::Vector3d> friction_cone(const Scene& scene, const Scales& scales,
                                            const DrawnCandidate& candidate) {
-  const Eigen::Vector3d apex = scene.positions.col(candidate.node);
+  const Eigen::Vector3d apex = contact_place(scene, scales, candidate);
   const double angle = std::atan(candidate.friction);
-  const Eigen::Vector3d along = scales.cone * std::cos(angle) * candidate.normal;
+  const Eigen::Vector3d along =
+      sense_of(scene, candidate) * scales.cone * std::cos(angle) * candidate.normal;
   const double radius = scales.cone * std::sin(angle);
   if (scene.dimension == 2) {
     const Eigen::Vector3d across(-candidate.normal.y(), candidate.normal.x(), 0);
@@ -99,8 +120,7 @@ std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales) {
       points.emplace_back(place - scales.force * scene.support_reactions.col(node));
   }
   for (const auto& candidate : scene.candidates) {
-    const Eigen::Vector3d place = scene.positions.col(candidate.node);
-    points.emplace_back(place + scales.force * candidate.reaction);
+    points.push_back(reaction_end(scene, scales, candidate));
     if (candidate.state != ContactState::contact) continue;
     const auto cone = friction_cone(scene, scales, candidate);
     points.insert(points.end(), cone.begin(), cone.end());

@@ -27,6 +27,19 @@ Scales scales_of(const Scene& scene);
 /// Length per force for loads of this kind.
 double scale_of(const DrawnLoad& load, const Scales& scales);
 
+/// 1 if the forces of an obstacle are drawn on the side of the body, -1 on the side of the
+/// obstacle: bodies in space hide their inside.
+double sense_of(const Scene& scene, const DrawnCandidate& candidate);
+
+/// Drawn position of a candidate: that of its displaced node if its forces are on the side of the
+/// obstacle, else that of the node at rest.
+Eigen::Vector3d contact_place(const Scene& scene, const Scales& scales,
+                              const DrawnCandidate& candidate);
+
+/// Drawn reaction of a candidate: the end away from its node.
+Eigen::Vector3d reaction_end(const Scene& scene, const Scales& scales,
+                             const DrawnCandidate& candidate);
+
 /// All positions of drawn objects.
 std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales);
 

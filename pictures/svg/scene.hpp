@@ -63,7 +63,8 @@ struct Scene {
   int dimension = 2;
   Eigen::Matrix3Xd positions;  ///< of the nodes
   std::vector<DrawnBar> bars;
-  std::vector<std::vector<int>> faces;  ///< of bodies, with their nodes in cyclic order
+  std::vector<std::vector<int>> faces;  ///< of bodies, with their nodes in cyclic order,
+                                        ///< in space anticlockwise as seen from outside
   std::vector<DrawnSupport> supports;
   std::vector<DrawnInclined> inclined;
   std::vector<DrawnSpring> springs;

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "pictures/svg/friction_use.hpp"
 #include "pictures/svg/support_drawing.hpp"
 
 namespace kusabi::pictures {
@@ -46,18 +50,21 @@ class SceneDrawing {
         view_(scene.dimension, extent(scene, scales_), frame) {}
 
   void draw() {
+    // The body hides what is on its far side.
+    contact(Side::far);
     at_rest();
     if (scales_.displacement > 0) moved_bodies();
-    obstacles();
     draw_ties(canvas_, scene_, scales_, view_);
     draw_supports(canvas_, scene_, view_, detail_);
-    cones();
-    forces();
-    candidates();
+    loads();
+    contact(Side::near);
   }
 
  private:
   [[nodiscard]] PixelPoint at(int node) const { return view_(scene_.positions.col(node)); }
+  [[nodiscard]] PixelPoint at(const DrawnCandidate& candidate) const {
+    return view_(contact_place(scene_, scales_, candidate));
+  }
   [[nodiscard]] PixelPoint moved_at(int node) const { return view_(moved(scene_, scales_, node)); }
 
   template <class Place>
@@ -67,30 +74,19 @@ class SceneDrawing {
     return points;
   }
 
+  // The undeformed structure is drawn pale below the deformed one, which in space hides its faces.
   void at_rest() {
-    // The undeformed structure is drawn pale only if the deformed one is drawn over it.
-    canvas_.begin_group(scales_.displacement > 0 ? "rest" : "rest still");
-    for (const auto& face : scene_.faces) {
-      canvas_.polygon("face", outline(face, [this](int node) { return at(node); }));
-    }
+    const bool moves = scales_.displacement > 0;
+    canvas_.begin_group(moves ? "rest" : "rest still");
+    if (!moves || scene_.dimension == 2)
+      faces([this](int node) { return scene_.positions.col(node); });
     for (const auto& bar : scene_.bars) canvas_.line("bar", at(bar.nodes[0]), at(bar.nodes[1]));
     canvas_.end_group();
   }
 
-  // In space farther faces are drawn first, since nearer ones hide them.
   void moved_bodies() {
     canvas_.begin_group("moved");
-    std::vector<std::pair<double, const std::vector<int>*>> order;
-    for (const auto& face : scene_.faces) {
-      double nearness = 0;
-      for (const int node : face) nearness += view_.nearness(moved(scene_, scales_, node));
-      order.emplace_back(nearness / static_cast<double>(face.size()), &face);
-    }
-    if (scene_.dimension == 3)
-      std::ranges::stable_sort(order, {}, [](auto& its) { return its.first; });
-    for (const auto& [nearness, face] : order) {
-      canvas_.polygon("face", outline(*face, [this](int node) { return moved_at(node); }));
-    }
+    faces([this](int node) { return moved(scene_, scales_, node); });
     for (const auto& bar : scene_.bars) {
       const auto* const kind = bar.yield == BarYield::tension       ? "bar tension"
                                : bar.yield == BarYield::compression ? "bar compression"
@@ -100,22 +96,88 @@ class SceneDrawing {
     canvas_.end_group();
   }
 
-  // In the plane a piece of the obstacle's surface with hatches behind it, in space a disc.
-  void obstacles() {
-    canvas_.begin_group("obstacle");
-    for (const auto& candidate : scene_.candidates) {
-      if (!candidate.rigid) continue;
+  /// A face of a body that is seen.
+  struct SeenFace {
+    std::vector<PixelPoint> points;
+    double nearness = 0;  ///< of its middle
+    int shade = 0;
+  };
+
+  // In space the faces that look at the eye, the farthest first, since nearer ones hide them.
+  template <class Place>
+  void faces(const Place& place) {
+    std::vector<SeenFace> seen;
+    for (const auto& face : scene_.faces) {
+      const auto points = outline(face, [&](int node) { return view_(place(node)); });
       if (scene_.dimension == 2) {
-        surface_piece(candidate);
+        seen.push_back({points});
+        continue;
+      }
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      Eigen::Vector3d area = Eigen::Vector3d::Zero();
+      const Eigen::Vector3d first = place(face.front());
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Eigen::Vector3d here = place(face[i]);
+        const Eigen::Vector3d next = place(face[(i + 1) % face.size()]);
+        middle += here / static_cast<double>(face.size());
+        area += (here - first).cross(next - first);
+      }
+      if (!(area.dot(view_.to_eye()) > 0)) continue;
+      seen.push_back({points, view_.nearness(middle), shade_of(area.normalized())});
+    }
+    std::ranges::stable_sort(seen, {}, &SeenFace::nearness);
+    for (const auto& face : seen) {
+      canvas_.polygon(scene_.dimension == 2 ? "face" : fmt::format("face f{}", face.shade),
+                      face.points);
+    }
+  }
+
+  // Five shades by the angle to the light, which comes from above the left shoulder of the eye.
+  [[nodiscard]] int shade_of(const Eigen::Vector3d& normal) const {
+    constexpr int shades = 5;
+    const Eigen::Vector3d light = (view_.to_eye() + Eigen::Vector3d(-0.3, -0.5, 0.5)).normalized();
+    return std::clamp(static_cast<int>(shades * normal.dot(light)), 0, shades - 1);
+  }
+
+  enum class Side { far, near };
+
+  // Candidates whose obstacle is behind a body in space.
+  [[nodiscard]] Side side_of(const DrawnCandidate& candidate) const {
+    const bool hidden =
+        scene_.dimension == 3 && !scene_.faces.empty() && candidate.normal.dot(view_.to_eye()) > 0;
+    return hidden ? Side::far : Side::near;
+  }
+
+  void contact(Side side) {
+    std::vector<const DrawnCandidate*> chosen;
+    for (const auto& candidate : scene_.candidates) {
+      if (side_of(candidate) == side) chosen.push_back(&candidate);
+    }
+    if (chosen.empty() && side == Side::far) return;
+    if (side == Side::far) canvas_.begin_group("far");
+    obstacles(chosen);
+    cones(chosen);
+    reactions(chosen);
+    candidates(chosen, side == Side::near);
+    if (side == Side::far) canvas_.end_group();
+  }
+
+  // In the plane a piece of the obstacle's surface with hatches behind it, in space a disc.
+  void obstacles(const std::vector<const DrawnCandidate*>& chosen) {
+    canvas_.begin_group("obstacle");
+    for (const auto* const candidate : chosen) {
+      if (!candidate->rigid) continue;
+      if (scene_.dimension == 2) {
+        surface_piece(*candidate);
       } else {
-        disc(candidate);
+        disc(*candidate);
       }
     }
     canvas_.end_group();
   }
 
   void surface_piece(const DrawnCandidate& candidate) {
-    const PixelPoint middle = at(candidate.node);
+    const PixelPoint middle = at(candidate);
     const PixelPoint out(candidate.normal.x(), -candidate.normal.y());
     const PixelPoint along(-out.y(), out.x());
     const double half = 4.8 * detail_.mark;
@@ -142,20 +204,22 @@ class SceneDrawing {
     canvas_.polygon("disc", points);
   }
 
-  void cones() {
+  // Of loaded candidates, shaded by the share of the friction that the reaction needs.
+  void cones(const std::vector<const DrawnCandidate*>& chosen) {
     canvas_.begin_group("cone");
-    for (const auto& candidate : scene_.candidates) {
-      if (candidate.state != ContactState::contact || candidate.friction <= 0) continue;
+    for (const auto* const candidate : chosen) {
+      if (!is_loaded(*candidate, scales_) || candidate->friction <= 0) continue;
       std::vector<PixelPoint> points;
-      for (const auto& point : friction_cone(scene_, scales_, candidate))
+      for (const auto& point : friction_cone(scene_, scales_, *candidate))
         points.push_back(view_(point));
-      canvas_.polygon("cone", scene_.dimension == 2 ? points : hull(points));
+      canvas_.polygon(fmt::format("cone u{}", use_shade(friction_use(*candidate))),
+                      scene_.dimension == 2 ? points : hull(points));
     }
     canvas_.end_group();
   }
 
-  void forces() {
-    // Dead loads end at their node and reference loads begin there, so that both are visible.
+  // Dead loads end at their node and reference loads begin there, so that both are visible.
+  void loads() {
     for (const auto& load : scene_.loads) {
       const Eigen::Vector3d place = scene_.positions.col(load.node);
       const Eigen::Vector3d way = scale_of(load, scales_) * load.force;
@@ -171,23 +235,39 @@ class SceneDrawing {
       if ((from - view_(to)).norm() > visible)
         canvas_.arrow("holding", from, view_(to), detail_.head);
     }
-    for (const auto& candidate : scene_.candidates) {
-      const Eigen::Vector3d from = scene_.positions.col(candidate.node);
-      const PixelPoint to = view_(from + scales_.force * candidate.reaction);
-      if ((to - view_(from)).norm() > visible)
-        canvas_.arrow("reaction", view_(from), to, detail_.head);
+  }
+
+  void reactions(const std::vector<const DrawnCandidate*>& chosen) {
+    for (const auto* const candidate : chosen) {
+      const PixelPoint node = at(*candidate);
+      const PixelPoint end = view_(reaction_end(scene_, scales_, *candidate));
+      if (!((end - node).norm() > visible)) continue;
+      if (sense_of(scene_, *candidate) > 0) {
+        canvas_.arrow("reaction", node, end, detail_.head);
+      } else {
+        canvas_.arrow("reaction", end, node, detail_.head);
+      }
     }
   }
 
-  void candidates() {
-    const bool names = detail_.names && scene_.candidates.size() <= most_names;
-    for (const auto& candidate : scene_.candidates) {
-      const PixelPoint place = at(candidate.node);
-      canvas_.begin_group("candidate", candidate.name);
-      canvas_.circle(state_class(candidate.state), place, detail_.mark);
+  void candidates(const std::vector<const DrawnCandidate*>& chosen, bool with_names) {
+    const bool names = with_names && detail_.names && scene_.candidates.size() <= most_names;
+    for (const auto* const candidate : chosen) {
+      const PixelPoint place = at(*candidate);
+      canvas_.begin_group("candidate", candidate->name);
+      canvas_.circle(state_class(candidate->state), place, mark_of(*candidate));
       canvas_.end_group();
-      if (names) name(candidate, place);
+      if (names) name(*candidate, place);
     }
+  }
+
+  // Loaded candidates are larger, by the square root of their reaction.
+  [[nodiscard]] double mark_of(const DrawnCandidate& candidate) const {
+    if (scales_.largest_reaction == 0) return detail_.mark;
+    constexpr double least = 0.7;
+    constexpr double growth = 0.6;
+    return detail_.mark *
+           (least + growth * std::sqrt(candidate.reaction.norm() / scales_.largest_reaction));
   }
 
   static const char* state_class(ContactState state) {

@@ -25,6 +25,9 @@ line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: 
 .still .face { fill: #e6ebf0; stroke: #8c959f; }
 .moved .bar { stroke: #24292f; stroke-width: 1.7; }
 .moved .face { fill: #cfe0f2; fill-opacity: .82; stroke: #54779b; stroke-width: .8; }
+.still .f0 { fill: #a9b6c2; } .still .f1 { fill: #bcc8d3; } .still .f2 { fill: #cdd7e0; } .still .f3 { fill: #dce4eb; } .still .f4 { fill: #e9eef3; }
+.moved .f0, .moved .f1, .moved .f2, .moved .f3, .moved .f4 { fill-opacity: 1; stroke: #6d8fb3; stroke-width: .5; }
+.moved .f0 { fill: #84a7cb; } .moved .f1 { fill: #9bb9d8; } .moved .f2 { fill: #b1cae4; } .moved .f3 { fill: #c6d9ed; } .moved .f4 { fill: #d9e7f5; }
 .moved .tension { stroke: #cf222e; stroke-width: 3.4; }
 .moved .compression { stroke: #0969da; stroke-width: 3.4; }
 .obstacle .surface { stroke: #6e7781; stroke-width: 1.6; }
@@ -36,6 +39,10 @@ line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: 
 .support .spring { fill: none; stroke: #6e7781; stroke-width: 1.3; }
 .support .tie { stroke: #6e7781; stroke-width: 1.1; stroke-dasharray: 3 4; }
 .cone { fill: #e3a008; fill-opacity: .2; stroke: #b87a00; stroke-opacity: .55; stroke-width: .8; }
+.u1 { fill-opacity: .34; }
+.u2 { fill: #e36209; fill-opacity: .4; stroke: #bc4c00; }
+.u3 { fill: #cf222e; fill-opacity: .45; stroke: #a40e26; stroke-opacity: .8; }
+.far { opacity: .55; }
 .reaction { fill: #bc4c00; stroke: #bc4c00; stroke-width: 2.1; }
 .holding { fill: #1a7f64; stroke: #1a7f64; stroke-width: 1.6; }
 .dead { fill: #8250df; stroke: #8250df; stroke-width: 1.8; }
@@ -69,12 +76,17 @@ text { fill: #e6edf3; }
 .still .face { fill: #222b36; stroke: #6e7681; }
 .moved .bar { stroke: #e6edf3; }
 .moved .face { fill: #23415f; stroke: #79a6d2; }
+.still .f0 { fill: #161c24; } .still .f1 { fill: #1d2530; } .still .f2 { fill: #25303c; } .still .f3 { fill: #2e3a49; } .still .f4 { fill: #384657; }
+.moved .f0, .moved .f1, .moved .f2, .moved .f3, .moved .f4 { stroke: #5f86ad; }
+.moved .f0 { fill: #17293c; } .moved .f1 { fill: #1e354d; } .moved .f2 { fill: #26425f; } .moved .f3 { fill: #2f5072; } .moved .f4 { fill: #3a6089; }
 .moved .tension { stroke: #ff7b72; }
 .moved .compression { stroke: #58a6ff; }
 .support .rolling, .separated { fill: #0d1117; }
 .obstacle .surface, .support .ground, .support .spring, .support .tie { stroke: #9ea7b3; }
 .obstacle .disc { fill: #9ea7b3; }
 .cone { fill: #e3b341; stroke: #e3b341; }
+.u2 { fill: #f0883e; stroke: #f0883e; }
+.u3 { fill: #ff7b72; stroke: #ff7b72; }
 .reaction { fill: #ffa657; stroke: #ffa657; }
 .holding { fill: #4ac2a0; stroke: #4ac2a0; }
 .dead { fill: #bc8cff; stroke: #bc8cff; }

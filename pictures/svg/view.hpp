@@ -24,6 +24,8 @@ class View {
   [[nodiscard]] PixelPoint operator()(const Eigen::Vector3d& point) const;
   /// Distance towards the eye, in lengths of the structure.
   [[nodiscard]] double nearness(const Eigen::Vector3d& point) const;
+  /// Direction to the eye, unit vector.
+  [[nodiscard]] Eigen::Vector3d to_eye() const { return axes_.row(2); }
   /// Pixels per length across the line of sight.
   [[nodiscard]] double scale() const { return scale_; }
 

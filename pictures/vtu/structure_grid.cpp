@@ -4,6 +4,7 @@
 #include "pictures/vtu/structure_grid.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -111,6 +112,22 @@ Eigen::MatrixXd uncertain_loads(const Structure& structure) {
   return vectors;
 }
 
+// The number of a node in its mesh file: that at the end of "mesh.17"; -1 for other names.
+std::int32_t tag_of(const std::string& name) {
+  const auto dot = name.rfind('.');
+  const char* const first = name.data() + (dot == std::string::npos ? 0 : dot + 1);
+  const char* const end = name.data() + name.size();
+  std::int32_t number = -1;
+  const auto read = std::from_chars(first, end, number);
+  return read.ec == std::errc() && read.ptr == end && number >= 0 ? number : -1;
+}
+
+WholeNumbers node_tags(const Structure& structure) {
+  WholeNumbers tags(1, node_count(structure));
+  std::ranges::transform(structure.node_names, tags.data(), tag_of);
+  return tags;
+}
+
 void add_if_any(UnstructuredGrid& grid, const std::string& name, const Eigen::MatrixXd& vectors) {
   if (!vectors.isZero(0)) grid.point_data.push_back(node_vectors(name, vectors));
 }
@@ -170,6 +187,7 @@ UnstructuredGrid structure_grid(const Structure& structure) {
   grid.points = Eigen::Matrix3Xd::Zero(3, node_count(structure));
   grid.points.topRows(structure.dimension) = structure.coordinates;
   grid.cells = cells_of(structure);
+  grid.point_data.push_back({"node_tag", node_tags(structure)});
   grid.point_data.push_back({"fixed", fixed_flags(structure)});
   SmallNumbers candidates = SmallNumbers::Zero(1, node_count(structure));
   auto normals = no_vectors(structure);
@@ -206,6 +224,21 @@ Field contact_states(const Structure& structure, std::span<const ContactState> s
   for (std::size_t i = 0; i < states.size(); ++i)
     values(0, structure.contact[i].node) = static_cast<std::int8_t>(states[i]);
   return {"state", std::move(values)};
+}
+
+Field candidate_numbers(const Structure& structure, std::string name,
+                        std::span<const double> numbers) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(1, node_count(structure));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    auto& own = values(0, structure.contact[i].node);
+    own = std::max(own, numbers[i]);
+  }
+  return {std::move(name), std::move(values)};
+}
+
+Field whole_number(std::string name, double number, std::string unit) {
+  return {std::move(name), Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, number)),
+          std::move(unit)};
 }
 
 Field member_numbers(const UnstructuredGrid& grid, std::string name,

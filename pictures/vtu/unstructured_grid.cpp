@@ -26,6 +26,7 @@ template <class Number>
 constexpr std::string_view type_name() {
   if constexpr (std::is_same_v<Number, double>) return "Float64";
   if constexpr (std::is_same_v<Number, std::int64_t>) return "Int64";
+  if constexpr (std::is_same_v<Number, std::int32_t>) return "Int32";
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
   return "Int8";
 }
@@ -64,26 +65,39 @@ class GridWriter {
   GridWriter(std::ostream& out, bool packed) : out_(out), packed_(packed) {}
 
   template <class Number>
-  void array(const std::string& name, Eigen::Index components, std::span<const Number> numbers) {
+  void array(const std::string& name, Eigen::Index components, std::span<const Number> numbers,
+             const std::string& more = {}) {
     const std::span bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
     fmt::print(out_,
-               "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">"
-               "{}</DataArray>\n",
-               type_name<Number>(), xml_text(name), components,
-               packed_ ? packed_array(bytes) : plain_array(bytes));
+               "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"binary\">"
+               "{}{}</DataArray>\n",
+               type_name<Number>(), xml_text(name), components, tuples_,
+               packed_ ? packed_array(bytes) : plain_array(bytes), more);
   }
 
   template <class Matrix>
-  void matrix(const std::string& name, const Matrix& values) {
+  void matrix(const std::string& name, const Matrix& values, const std::string& unit = {}) {
     using Number = typename Matrix::Scalar;
     array(name, values.rows(),
-          std::span<const Number>(values.data(), static_cast<std::size_t>(values.size())));
+          std::span<const Number>(values.data(), static_cast<std::size_t>(values.size())),
+          unit.empty() ? std::string()
+                       : fmt::format("<InformationKey name=\"UNITS_LABEL\" "
+                                     "location=\"vtkDataArray\">{}</InformationKey>",
+                                     xml_text(unit)));
+  }
+
+  // Numbers of the whole grid: one tuple each, which the reader cannot know otherwise.
+  void field_data(const std::vector<Field>& all) {
+    if (all.empty()) return;
+    tuples_ = " NumberOfTuples=\"1\"";
+    fields("FieldData", all);
+    tuples_ = "";
   }
 
   void fields(const char* tag, const std::vector<Field>& all) {
     fmt::print(out_, "<{}>\n", tag);
     for (const auto& field : all) {
-      std::visit([&](const auto& values) { matrix(field.name, values); }, field.values);
+      std::visit([&](const auto& values) { matrix(field.name, values, field.unit); }, field.values);
     }
     fmt::print(out_, "</{}>\n", tag);
   }
@@ -91,6 +105,7 @@ class GridWriter {
  private:
   std::ostream& out_;
   bool packed_;
+  const char* tuples_ = "";
 };
 
 }  // namespace
@@ -105,9 +120,11 @@ void write_vtu(std::ostream& out, const UnstructuredGrid& grid) {
   fmt::print(out,
              "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}<VTKFile type=\"UnstructuredGrid\" "
              "version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\"{}>\n"
-             "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+             "<UnstructuredGrid>\n",
              xml_comment(grid.remark), byte_order,
-             packed ? " compressor=\"vtkZLibDataCompressor\"" : "", grid.points.cols(),
+             packed ? " compressor=\"vtkZLibDataCompressor\"" : "");
+  writer.field_data(grid.field_data);
+  fmt::print(out, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.cols(),
              grid.cells.size());
   out << "<Points>\n";
   writer.matrix("points", grid.points);

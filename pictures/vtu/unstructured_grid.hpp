@@ -36,11 +36,15 @@ struct Cell {
 /// Small integers: states, flags. Components x tuples.
 using SmallNumbers = Eigen::Matrix<std::int8_t, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// A tuple of numbers for each point or each cell. Vectors have three components, also in the
-/// plane.
+/// Integers of the user's files: node numbers. Components x tuples.
+using WholeNumbers = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// A tuple of numbers for each point or each cell, or one for the whole grid. Vectors have three
+/// components, also in the plane.
 struct Field {
   std::string name;
-  std::variant<Eigen::MatrixXd, SmallNumbers> values;  ///< components x tuples
+  std::variant<Eigen::MatrixXd, SmallNumbers, WholeNumbers> values;  ///< components x tuples
+  std::string unit{};  ///< VTK's key UNITS_LABEL; empty: none
 };
 
 struct UnstructuredGrid {
@@ -49,6 +53,7 @@ struct UnstructuredGrid {
   std::vector<Cell> cells;
   std::vector<Field> point_data;
   std::vector<Field> cell_data;
+  std::vector<Field> field_data{};  ///< of the whole grid
 };
 
 /// Writes the grid as a VTU file; arrays in base64, compressed by zlib if they are large.

@@ -1,10 +1,8 @@
 // The sections of a problem file and the order in which they are read.
 #include "problems/files/structure_file.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -17,7 +15,6 @@
 #include "problems/files/sections/problem_sections.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "problems/structure/bodies/connected_bodies.hpp"
-#include "problems/structure/checks/structure_check.hpp"
 #include "problems/structure/geometry/surface.hpp"
 
 namespace kusabi::problems {
@@ -88,21 +85,19 @@ StructureAndFacets read(std::string_view toml_text, const std::string& file_name
   read_loads(draft);
   read_actions(draft);
   auto facets = std::move(draft.facets());
-  Structure structure = std::move(draft).finished();
-  check_structure(structure);
-  auto& warnings = structure.warnings;
-  std::ranges::move(normal_warnings(structure), std::back_inserter(warnings));
-  std::ranges::move(coincidence_warnings(structure), std::back_inserter(warnings));
+  CheckedStructure structure(std::move(draft).finished());
+  structure.warn(normal_warnings(structure));
+  structure.warn(coincidence_warnings(structure));
   return {std::move(structure), std::move(facets)};
 }
 
 }  // namespace
 
-Structure read_structure(std::string_view toml_text, const std::string& file_name) {
+CheckedStructure read_structure(std::string_view toml_text, const std::string& file_name) {
   return read(toml_text, file_name, {}).structure;
 }
 
-Structure read_structure(const ProblemText& text, const std::string& file_name) {
+CheckedStructure read_structure(const ProblemText& text, const std::string& file_name) {
   return read_structure_and_facets(text, file_name).structure;
 }
 
@@ -139,7 +134,7 @@ std::string file_text(const std::filesystem::path& file, std::string_view expect
   return text;
 }
 
-Structure load_structure(const std::filesystem::path& file) {
+CheckedStructure load_structure(const std::filesystem::path& file) {
   return read_structure(problem_text(file), file.string());
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "problems/files/sections/facet_doubt.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 
 namespace kusabi::problems {
 
@@ -21,15 +21,15 @@ inline constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20U;
 /// keep the order of the file; normals are normalised.
 /// @param file_name name in messages
 /// @throws InputError at the first fault of syntax, then at the first fault of `check_structure`
-Structure read_structure(std::string_view toml_text, const std::string& file_name);
+CheckedStructure read_structure(std::string_view toml_text, const std::string& file_name);
 
 /// The same, with the mesh files that the text names.
-Structure read_structure(const ProblemText& text, const std::string& file_name);
+CheckedStructure read_structure(const ProblemText& text, const std::string& file_name);
 
 /// The same, with data for warnings on normals that depend on the friction coefficient
 /// (facet_doubt.hpp).
 struct StructureAndFacets {
-  Structure structure;
+  CheckedStructure structure;
   std::vector<FacetDoubt> facets;
 };
 StructureAndFacets read_structure_and_facets(const ProblemText& text, const std::string& file_name);
@@ -43,6 +43,6 @@ std::string file_text(const std::filesystem::path& file,
                       std::uintmax_t largest = largest_file);
 
 /// `read_structure` of `problem_text`.
-Structure load_structure(const std::filesystem::path& file);
+CheckedStructure load_structure(const std::filesystem::path& file);
 
 }  // namespace kusabi::problems

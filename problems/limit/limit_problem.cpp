@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "problems/structure/bodies/mechanism.hpp"
-#include "problems/structure/checks/structure_check.hpp"
 #include "problems/structure/model/constraints.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "support/fingerprint.hpp"
@@ -198,16 +197,15 @@ Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& sh
   return load;
 }
 
-LimitProblem limit_problem(const Structure& structure) {
-  check_structure(structure);
+LimitProblem limit_problem(const CheckedStructure& structure) {
   require_bars_with_yield_and_reference(structure);
   LimitProblem problem;
-  problem.name = structure.name;
-  problem.dimension = structure.dimension;
-  problem.units = structure.units;
-  problem.node_names = structure.node_names;
-  problem.members = structure.members;
-  problem.degrees = free_degrees(structure);
+  problem.name = structure->name;
+  problem.dimension = structure->dimension;
+  problem.units = structure->units;
+  problem.node_names = structure->node_names;
+  problem.members = structure->members;
+  problem.degrees = structure.degrees();
   problem.dead = load_vector(structure, problem.degrees, Load::Kind::dead);
   problem.reference = load_vector(structure, problem.degrees, Load::Kind::reference);
   require_free_reference(structure, problem);
@@ -221,7 +219,7 @@ LimitProblem limit_problem(const Structure& structure) {
     problem.compression(member) = yield.compression;
   }
   problem.uncertain =
-      structure.uncertain ? given_columns(structure, problem) : default_columns(problem);
+      structure->uncertain ? given_columns(structure, problem) : default_columns(problem);
   std::ranges::stable_sort(problem.uncertain, {}, [&](const UncertainColumn& column) {
     const auto first = static_cast<std::size_t>(column.direction.front().degree);
     const auto& [node, axis] = problem.degrees.free[first];

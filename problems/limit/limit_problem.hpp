@@ -17,6 +17,7 @@
 #include <Eigen/SparseCore>
 
 #include "problems/limit/uncertain_column.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "problems/structure/model/truss.hpp"
 
@@ -66,9 +67,9 @@ inline constexpr double no_reference_work = 1e-9;
 bool works_with_reference(const LimitProblem& problem, const UncertainColumn& column);
 
 /// Checks the requirements of limit analysis; assumption 3.1 of the paper is not required.
-/// @throws InputError if `check_structure` does; if loads or yield forces are missing; if the
-///         loads are of several cases; if no reference load acts on a free displacement; if the
+/// @throws InputError if loads or yield forces are missing; if the loads are of several cases; if
+/// no reference load acts on a free displacement; if the
 ///         structure is a mechanism (with the nodes that move)
-LimitProblem limit_problem(const Structure& structure);
+LimitProblem limit_problem(const CheckedStructure& structure);
 
 }  // namespace kusabi::problems

@@ -74,12 +74,13 @@ std::vector<support::IndexSet> contact_blocks(const Structure& structure,
     });
   }
   for (const UnconstrainedBody& body : bodies) join_nodes(body.nodes);
-  const auto corners = nodes_with_several_normals(structure);
   for (const ContactCandidate& candidate : structure.contact) {
     auto together = free_of(structure, degrees, candidate.node);
-    for (int axis = 0; axis < structure.dimension && corners.contains(candidate.node); ++axis) {
-      for (const auto& part : seen_along<double>(degrees, candidate, true, axis))
-        together.push_back(part.number);
+    if (degrees.several_normals.contains(candidate.node)) {
+      for (int axis = 0; axis < structure.dimension; ++axis) {
+        for (const auto& part : seen_along<double>(degrees, candidate, axis))
+          together.push_back(part.number);
+      }
     }
     connections.join(together);
   }

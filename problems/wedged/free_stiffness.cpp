@@ -11,13 +11,13 @@ namespace kusabi::problems {
 Eigen::MatrixXd free_stiffness(const WedgedProblem& problem) {
   using numbers::Precise;
   using numbers::PreciseMatrix;
-  if (problem.motions.cols() == 0) return problem.stiffness;
-  const bool precise = problem.precise_compliance.size() != 0;
-  const PreciseMatrix held = precise ? stiffness_of(problem.precise_compliance)
-                                     : PreciseMatrix(problem.stiffness.cast<Precise>());
-  const PreciseMatrix g = problem.precise_motions.size() != 0
-                              ? problem.precise_motions
-                              : PreciseMatrix(problem.motions.cast<Precise>());
+  if (problem.modes.matrix.cols() == 0) return problem.compliance.stiffness;
+  const bool precise = problem.compliance.precise.size() != 0;
+  const PreciseMatrix held = precise ? stiffness_of(problem.compliance.precise)
+                                     : PreciseMatrix(problem.compliance.stiffness.cast<Precise>());
+  const PreciseMatrix g = problem.modes.precise.size() != 0
+                              ? problem.modes.precise
+                              : PreciseMatrix(problem.modes.matrix.cast<Precise>());
   const PreciseMatrix forces = held * g;
   const PreciseMatrix gram = g.transpose() * forces;
   const PreciseMatrix shares = gram.partialPivLu().solve(PreciseMatrix(forces.transpose()));

@@ -80,18 +80,16 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
   const auto d = static_cast<Eigen::Index>(structure.dimension);
   const auto columns = d * static_cast<Eigen::Index>(structure.contact.size()) + forces.cols();
   Loads loads{numbers::PreciseMatrix::Zero(degrees.size(), columns), Eigen::VectorXd(columns)};
-  const auto corners = nodes_with_several_normals(structure);
   Eigen::Index column = 0;
   for (const ContactCandidate& candidate : structure.contact) {
     const auto frame = precise_contact_frame(candidate);
-    const bool in_corner = corners.contains(candidate.node);
     const double sine =
         candidate.tangent ? tangent_sine(candidate.normal, *candidate.tangent) / 2 : 0.5;
     for (Eigen::Index direction = 0; direction < d; ++direction, ++column) {
       double sizes = 0;
       for (int axis = 0; axis < structure.dimension; ++axis) {
         // The displacement is fixed where a roller acts.
-        for (const auto& part : seen_along<Precise>(degrees, candidate, in_corner, axis)) {
+        for (const auto& part : seen_along<Precise>(degrees, candidate, axis)) {
           loads.matrix(part.number, column) +=
               part.value * frame(axis, direction) * scale(part.number);
           sizes += std::abs(numbers::rounded(part.value)) * scale(part.number);
@@ -242,21 +240,21 @@ constexpr int most_for_precise_factor = 600;
 
 }  // namespace
 
-bool acts_on_supports_only(const Structure& structure, const Eigen::VectorXd& force) {
-  const FreeDegrees degrees = free_degrees(structure);
-  const int d = structure.dimension;
+bool acts_on_supports_only(const FreeDegrees& degrees, const Eigen::VectorXd& force) {
+  const auto d = static_cast<int>(degrees.number.rows());
   for (int row = 0; row < static_cast<int>(force.size()); ++row)
     if (force(row) != 0 && !parts_of<Precise>(degrees, row % d, row / d).empty()) return false;
   return true;
 }
 
-EnclosedCompliance enclosed_compliance(const Structure& structure, const support::LongWork& work) {
-  return enclosed_compliance(structure, Eigen::MatrixXd(), work);
+EnclosedCompliance enclosed_compliance(const Structure& structure, const FreeDegrees& degrees,
+                                       const support::LongWork& work) {
+  return enclosed_compliance(structure, degrees, Eigen::MatrixXd(), work);
 }
 
-EnclosedCompliance enclosed_compliance(const Structure& structure, const Eigen::MatrixXd& forces,
+EnclosedCompliance enclosed_compliance(const Structure& structure, const FreeDegrees& degrees,
+                                       const Eigen::MatrixXd& forces,
                                        const support::LongWork& work) {
-  const FreeDegrees degrees = free_degrees(structure);
   const ScaledStiffness stiffness = scaled_stiffness(structure, degrees);
   if (degrees.size() >= fewest_for_doubles) {
     auto result = enclosed<double>(structure, degrees, forces, stiffness, work);
@@ -307,7 +305,7 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
 
 Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
     const WedgedProblem& problem) {
-  const auto& f = problem.precise_compliance;
+  const auto& f = problem.compliance.precise;
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> result = f.cast<long double>();
   const Eigen::Index d = problem.dimension;
   for (Eigen::Index i = 0; i < f.rows(); ++i) {
@@ -316,7 +314,7 @@ Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
       const long double together =
           result.block(d * (i / d), d * (j / d), d, d).cwiseAbs().maxCoeff();
       const long double unknown =
-          problem.precise_error * std::sqrt(result(i, i)) * std::sqrt(result(j, j));
+          problem.compliance.precise_error * std::sqrt(result(i, i)) * std::sqrt(result(j, j));
       if (std::abs(result(i, j)) <= std::max(unknown, noise_of_decimals * together))
         result(i, j) = 0;
     }

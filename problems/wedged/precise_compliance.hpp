@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "support/numbers/precise.hpp"
 #include "support/stop.hpp"
 
@@ -34,21 +35,23 @@ struct EnclosedCompliance {
 /// doubles; the displacements under unit loads are refined with residuals in 104 bits. The error
 /// bound follows from the last residuals and the least eigenvalue proved by a Cholesky
 /// factorisation.
+/// @param degrees of the structure; grounding springs do not change them
 /// @pre the structure passes `check_structure` and is no mechanism
 /// @throws support::Stopped if the program is asked to stop: between factorisations and groups of
 ///         columns
-EnclosedCompliance enclosed_compliance(const Structure& structure,
+EnclosedCompliance enclosed_compliance(const Structure& structure, const FreeDegrees& degrees,
                                        const support::LongWork& work = {});
 
 /// The same with loads, each one more row and column after those of the candidates: w = C'K^-1 f,
 /// and the work f_j'K^-1 f_k between them. The error bound holds for them likewise.
 /// @param forces on the nodes, d nodes x loads, node by node; none of the loads acts on supported
 ///        displacements alone
-EnclosedCompliance enclosed_compliance(const Structure& structure, const Eigen::MatrixXd& forces,
+EnclosedCompliance enclosed_compliance(const Structure& structure, const FreeDegrees& degrees,
+                                       const Eigen::MatrixXd& forces,
                                        const support::LongWork& work = {});
 
 /// True if all forces act on supported displacements. @param force on the nodes, d nodes
-bool acts_on_supports_only(const Structure& structure, const Eigen::VectorXd& force);
+bool acts_on_supports_only(const FreeDegrees& degrees, const Eigen::VectorXd& force);
 
 /// K = F^-1, force/length, from an F in 104 bits.
 /// @return NaN if F is not positive definite

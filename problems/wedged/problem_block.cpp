@@ -74,15 +74,14 @@ WedgedProblem block_problem(const WedgedProblem& problem, const IndexSet& candid
     if (!problem.friction.empty()) part.friction.push_back(problem.friction[i]);
   }
   const auto own = displacements_of(candidates, problem.dimension);
-  part.stiffness = problem.stiffness(own, own);
-  part.compliance = problem.compliance(own, own);
-  if (problem.precise_compliance.size() != 0)
-    part.precise_compliance = problem.precise_compliance(own, own);
-  if (problem.motions.cols() > 0) {
-    const auto moving = columns_of(problem.motions, own);
-    part.motions = problem.motions(own, moving);
-    if (problem.precise_motions.size() != 0)
-      part.precise_motions = problem.precise_motions(own, moving);
+  part.compliance.stiffness = problem.compliance.stiffness(own, own);
+  part.compliance.matrix = problem.compliance.matrix(own, own);
+  if (problem.compliance.precise.size() != 0)
+    part.compliance.precise = problem.compliance.precise(own, own);
+  if (problem.modes.matrix.cols() > 0) {
+    const auto moving = columns_of(problem.modes.matrix, own);
+    part.modes.matrix = problem.modes.matrix(own, moving);
+    if (problem.modes.precise.size() != 0) part.modes.precise = problem.modes.precise(own, moving);
   }
   part.blocks = {all_candidates(part)};
   return part;
@@ -90,13 +89,13 @@ WedgedProblem block_problem(const WedgedProblem& problem, const IndexSet& candid
 
 WedgedProblem problem_without_others(const WedgedProblem& problem, const IndexSet& candidates) {
   WedgedProblem part = block_problem(problem, candidates);
-  if (part.motions.cols() == 0) return part;
-  const bool precise = part.precise_motions.size() != 0;
-  part.precise_motions =
-      independent_columns(precise ? part.precise_motions
-                                  : numbers::PreciseMatrix(part.motions.cast<numbers::Precise>()));
-  part.motions = part.precise_motions.cast<double>();
-  if (!precise) part.precise_motions.resize(0, 0);
+  if (part.modes.matrix.cols() == 0) return part;
+  const bool precise = part.modes.precise.size() != 0;
+  part.modes.precise = independent_columns(
+      precise ? part.modes.precise
+              : numbers::PreciseMatrix(part.modes.matrix.cast<numbers::Precise>()));
+  part.modes.matrix = part.modes.precise.cast<double>();
+  if (!precise) part.modes.precise.resize(0, 0);
   return part;
 }
 

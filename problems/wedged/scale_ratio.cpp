@@ -56,7 +56,7 @@ double compliance_ratio(const WedgedProblem& problem) {
     Range compliances;
     for (const int candidate : block) {
       const Eigen::Index normal = problem.dimension * candidate;
-      compliances.add(problem.compliance(normal, normal));
+      compliances.add(problem.compliance.matrix(normal, normal));
     }
     most = std::max(most, compliances.ratio());
   }
@@ -90,10 +90,10 @@ double extent_ratio(const Structure& structure, const UnconstrainedBody& body,
 
 }  // namespace
 
-double scale_ratio(const Structure& structure, const WedgedProblem& problem) {
+double scale_ratio(const CheckedStructure& structure, const WedgedProblem& problem) {
   double most = std::max(stiffness_ratio(structure), compliance_ratio(problem));
-  for (const UnconstrainedBody& body : unconstrained_bodies(structure)) {
-    std::vector<bool> within(structure.node_names.size(), false);
+  for (const UnconstrainedBody& body : structure.unconstrained_bodies()) {
+    std::vector<bool> within(structure->node_names.size(), false);
     for (const int node : body.nodes) within[static_cast<std::size_t>(node)] = true;
     most = std::max(most, extent_ratio(structure, body, within));
   }

@@ -2,7 +2,7 @@
 // number, so small scales may be mistaken for rounding errors.
 #pragma once
 
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
@@ -11,6 +11,6 @@ namespace kusabi::problems {
 /// elements and springs; the largest and the smallest normal compliance of the candidates of a
 /// block; and for an unconstrained body, its extent and the smallest distance between the ends of a
 /// member, two nodes of an element or two candidates at different places.
-double scale_ratio(const Structure& structure, const WedgedProblem& problem);
+double scale_ratio(const CheckedStructure& structure, const WedgedProblem& problem);
 
 }  // namespace kusabi::problems

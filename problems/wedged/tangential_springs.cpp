@@ -6,7 +6,6 @@
 
 #include "problems/structure/assembly/contact_frame.hpp"
 #include "problems/structure/model/constraints.hpp"
-#include "problems/structure/model/several_normals.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -75,13 +74,12 @@ class TangentialSprings {
 double add_tangential_springs(const Structure& structure, const FreeDegrees& degrees,
                               const ScaledStiffness& stiffness,
                               numbers::PreciseMatrix& compliance) {
-  const auto corners = nodes_with_several_normals(structure);
   TangentialSprings springs(structure, degrees, stiffness);
   const auto d = static_cast<Eigen::Index>(structure.dimension);
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const ContactCandidate& candidate = structure.contact[i];
     const auto first = d * static_cast<Eigen::Index>(i);
-    compliance.block(first, first, d, d) += corners.contains(candidate.node)
+    compliance.block(first, first, d, d) += degrees.several_normals.contains(candidate.node)
                                                 ? springs.of_corner(candidate)
                                                 : springs.of_rollers(candidate);
   }

@@ -13,7 +13,6 @@
 #include "problems/structure/bodies/grounding_springs.hpp"
 #include "problems/structure/bodies/mechanism.hpp"
 #include "problems/structure/bodies/rigid_motions.hpp"
-#include "problems/structure/checks/structure_check.hpp"
 #include "problems/structure/checks/superelement_check.hpp"
 #include "problems/structure/model/truss.hpp"
 #include "problems/wedged/contact_blocks.hpp"
@@ -68,12 +67,12 @@ void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
   for (const double value : matrix.reshaped()) fingerprint.add(value);
 }
 
-/// K and F as roundings of the precise values.
-void set_compliance(WedgedProblem& problem, const Structure& structure,
-                    const Eigen::MatrixXd& forces, LoadColumns& loads,
-                    const support::LongWork& work) {
-  auto [precise, error, response] = enclosed_compliance(structure, forces, work);
-  if (!(error <= largest_compliance_error)) refuse_condition(structure);
+/// K and F as roundings of the precise values. @param grounded the structure with grounding springs
+Compliance compliance_of(const Structure& grounded, const FreeDegrees& degrees,
+                         const Eigen::MatrixXd& forces, LoadColumns& loads,
+                         const support::LongWork& work) {
+  auto [precise, error, response] = enclosed_compliance(grounded, degrees, forces, work);
+  if (!(error <= largest_compliance_error)) refuse_condition(grounded);
   if (forces.cols() > 0) {
     const Eigen::Index own = precise.rows() - forces.cols();
     loads.displacements = precise.topRightCorner(own, forces.cols());
@@ -82,15 +81,16 @@ void set_compliance(WedgedProblem& problem, const Structure& structure,
     precise.conservativeResize(own, own);
     response.conservativeResize(response.rows(), own);
   }
-  problem.stiffness = stiffness_of(precise, work).cast<double>();
-  problem.compliance = precise.cast<double>();
-  if (!problem.stiffness.allFinite() || !problem.compliance.allFinite())
-    refuse_condition(structure);
-  problem.precise_compliance = std::move(precise);
-  problem.precise_error = error;
-  problem.response = std::make_shared<const numbers::PreciseMatrix>(std::move(response));
+  Compliance result;
+  result.stiffness = stiffness_of(precise, work).cast<double>();
+  result.matrix = precise.cast<double>();
+  if (!result.stiffness.allFinite() || !result.matrix.allFinite()) refuse_condition(grounded);
+  result.precise = std::move(precise);
+  result.precise_error = error;
+  result.response = std::make_shared<const numbers::PreciseMatrix>(std::move(response));
   // |F_ij| <= sqrt(F_ii F_jj), so the rounding of an entry is at most half a unit of that.
-  problem.compliance_error = error + 1.01 * numbers::unit_roundoff<double>;
+  result.error = error + 1.01 * numbers::unit_roundoff<double>;
+  return result;
 }
 
 // Structures without constraints keep their fingerprint.
@@ -114,23 +114,24 @@ void add_constraints(const Structure& structure, support::Fingerprint& result) {
   }
 }
 
-/// Sets G and the descriptions of the unconstrained bodies.
-void set_motions(WedgedProblem& problem, const Structure& structure,
-                 std::span<const UnconstrainedBody> bodies, const Eigen::MatrixXd& forces,
-                 LoadColumns& loads) {
-  if (bodies.empty()) return;
+/// G and the descriptions of the unconstrained bodies.
+RigidModes modes_of(const CheckedStructure& structure, const Eigen::MatrixXd& forces,
+                    LoadColumns& loads) {
+  RigidModes result;
+  const auto& bodies = structure.unconstrained_bodies();
+  if (bodies.empty()) return result;
   auto [matrix, error, seen_work, unseen_work] = contact_motions(structure, bodies, forces);
   loads.motions = std::move(seen_work);
   loads.unseen_motions = std::move(unseen_work);
-  problem.motions = matrix.cast<double>();
-  problem.precise_motions = std::move(matrix);
-  problem.precise_motion_error = error;
-  problem.motion_error = error + numbers::unit_roundoff<double>;  // for entries up to 1
+  result.matrix = matrix.cast<double>();
+  result.precise = std::move(matrix);
+  result.precise_error = error;
+  result.error = error + numbers::unit_roundoff<double>;  // for entries up to 1
   for (const UnconstrainedBody& body : bodies) {
-    problem.unconstrained_bodies.push_back(
-        {structure.node_names[static_cast<std::size_t>(body.nodes.front())],
-         static_cast<int>(body.nodes.size()), described(body)});
+    result.bodies.push_back({structure->node_names[static_cast<std::size_t>(body.nodes.front())],
+                             static_cast<int>(body.nodes.size()), described(body)});
   }
+  return result;
 }
 
 std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::MatrixXd>& frames) {
@@ -203,7 +204,7 @@ double mean_normal_compliance(const WedgedProblem& problem) {
   double sum = 0;
   for (Eigen::Index i = 0; i < m; ++i) {
     const Eigen::Index normal = problem.dimension * i;
-    sum += problem.compliance(normal, normal);
+    sum += problem.compliance.matrix(normal, normal);
   }
   return sum / static_cast<double>(m);
 }
@@ -216,39 +217,38 @@ std::uint64_t wedged_fingerprint(const Structure& structure) {
   return fingerprint(structure, frames);
 }
 
-WedgedProblem wedged_problem(const Structure& structure, const support::LongWork& work) {
+WedgedProblem wedged_problem(const CheckedStructure& structure, const support::LongWork& work) {
   LoadColumns none;
   return wedged_problem(structure, {}, none, work);
 }
 
-WedgedProblem wedged_problem(const Structure& structure, const Eigen::MatrixXd& forces,
+WedgedProblem wedged_problem(const CheckedStructure& structure, const Eigen::MatrixXd& forces,
                              LoadColumns& loads, const support::LongWork& work) {
-  check_structure(structure);
   require_contact_and_stiffness(structure);
-  const FreeDegrees degrees = free_degrees(structure);
-  const auto bodies = unconstrained_bodies(structure);
-  const Structure held = grounded_structure(structure, bodies);
-  if (structure.superelements.empty()) {
-    refuse_mechanism(held, degrees);
+  const FreeDegrees& degrees = structure.degrees();
+  const auto& bodies = structure.unconstrained_bodies();
+  const Structure grounded = grounded_structure(structure, degrees, bodies);
+  if (structure->superelements.empty()) {
+    refuse_mechanism(grounded, degrees);
   } else {
-    refuse_unheld(held, degrees);
+    refuse_unheld(grounded, degrees);
   }
   WedgedProblem problem;
-  problem.name = structure.name;
-  problem.dimension = structure.dimension;
-  problem.units = structure.units;
-  for (const ContactCandidate& candidate : structure.contact) {
+  problem.dimension = structure->dimension;
+  for (const ContactCandidate& candidate : structure->contact) {
     problem.contact_names.push_back(candidate_name(structure, problem.contact_names.size()));
     problem.frames.push_back(contact_frame(candidate));
     problem.friction.push_back(candidate.friction);
   }
-  set_motions(problem, structure, bodies, forces, loads);
-  set_compliance(problem, held, forces, loads, work);
+  problem.modes = modes_of(structure, forces, loads);
+  problem.compliance = compliance_of(grounded, degrees, forces, loads, work);
   problem.blocks = contact_blocks(structure, degrees, bodies);
-  problem.nodes = static_cast<int>(structure.node_names.size());
-  problem.members = static_cast<int>(structure.members.size());
-  problem.elements = static_cast<int>(structure.elements.size());
-  problem.fingerprint = fingerprint(structure, problem.frames);
+  problem.provenance = {.name = structure->name,
+                        .units = structure->units,
+                        .nodes = static_cast<int>(structure->node_names.size()),
+                        .members = static_cast<int>(structure->members.size()),
+                        .elements = static_cast<int>(structure->elements.size()),
+                        .fingerprint = fingerprint(structure, problem.frames)};
   return problem;
 }
 

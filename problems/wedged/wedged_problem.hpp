@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "support/index_set.hpp"
 #include "support/numbers/precise.hpp"
@@ -30,51 +31,64 @@ struct UnconstrainedBodyText {
   std::string motions;  ///< "can move along x and y and turn"
 };
 
+/// Stiffness and compliance of the contact candidates, (6), with the errors of the compliance. By
+/// candidates, each (n, t1[, t2]).
+struct Compliance {
+  /// K of (6), dm x dm, force/length; exactly symmetric. With unconstrained bodies it includes
+  /// grounding springs (see `RigidModes`): it is the inverse of F and definite.
+  Eigen::MatrixXd stiffness;
+  Eigen::MatrixXd matrix;  ///< F = K^-1, dm x dm, length/force; exactly symmetric
+  /// |F - F*|_ij <= error sqrt(F*_ii F*_jj), where F* is the compliance of the structure with exact
+  /// numbers. The bound also holds for the rows and columns of any subset of the candidates.
+  double error = 0;
+  /// F in 104 bits, of which K and F above are roundings; empty if the problem was made without a
+  /// structure: its doubles then count as exact.
+  numbers::PreciseMatrix precise;
+  double precise_error = 0;  ///< the same bound for `precise`
+  /// All free displacements under unit reactions, f x dm, length/force
+  /// (EnclosedCompliance::response), of the whole structure and shared with the problems of its
+  /// blocks; null without a structure.
+  std::shared_ptr<const numbers::PreciseMatrix> response;
+};
+
+/// Rigid-body modes of unconstrained bodies (docs/theory/wedged.md, "Unconstrained bodies"). K is
+/// then only positive semidefinite, K G = 0; reactions are in equilibrium, G'r = 0, and u = F r + G
+/// alpha, where F is that of the structure with grounding springs.
+struct RigidModes {
+  /// G, dm x p, restricted to contact degrees of freedom, ordered as K, each column scaled to a
+  /// largest entry near 1. No columns: all bodies are constrained.
+  Eigen::MatrixXd matrix;
+  numbers::PreciseMatrix precise;             ///< of which `matrix` is the rounding; or empty
+  double error = 0;                           ///< bound of the error of an entry of `matrix`
+  double precise_error = 0;                   ///< the same for `precise`
+  std::vector<UnconstrainedBodyText> bodies;  ///< in the order of their first nodes
+};
+
+/// The structure of which a problem is made: names and numbers for answers.
+struct Provenance {
+  std::string name;
+  Units units;
+  int nodes = 0;  ///< including supported ones
+  int members = 0;
+  int elements = 0;
+  /// Hash of dimension, units, coordinates, members, EA, elements, supports, springs, contact,
+  /// friction and frames, in the order of the file, without names.
+  std::uint64_t fingerprint = 0;
+};
+
 /// (WP) without its friction coefficient.
 struct WedgedProblem {
-  std::string name;
-  int dimension = 0;  ///< d: 2 or 3
-  Units units;
+  Provenance provenance;
+  int dimension = 0;                       ///< d: 2 or 3
   std::vector<std::string> contact_names;  ///< m names, in the order of the file
   std::vector<Eigen::MatrixXd> frames;     ///< m, each d x d: columns n, t1 and, in space, t2
   /// m, relative friction of the candidates: mu_i is the coefficient of a search times this
   std::vector<double> friction;
-  /// K of (6), dm x dm, force/length, by candidates, each (n, t1[, t2]); exactly symmetric. With
-  /// unconstrained bodies it includes grounding springs (see `motions`): it is the inverse of F and
-  /// definite.
-  Eigen::MatrixXd stiffness;
-  Eigen::MatrixXd compliance;  ///< F = K^-1, length/force, ordered as K; exactly symmetric
+  Compliance compliance;
+  RigidModes modes;
   /// Decoupled blocks of candidates (contact_blocks.hpp): bit sets, a partition of all. K and F are
   /// zero between blocks. Empty: unknown, a single block.
   std::vector<support::IndexSet> blocks;
-  /// |F - F*|_ij <= compliance_error sqrt(F*_ii F*_jj), where F* is the compliance of the structure
-  /// with exact numbers. The bound also holds for the rows and columns of any subset of the
-  /// candidates.
-  double compliance_error = 0;
-  /// F in 104 bits, of which K and F above are roundings; empty if the problem was made without a
-  /// structure: its doubles then count as exact.
-  numbers::PreciseMatrix precise_compliance;
-  double precise_error = 0;  ///< the same bound for precise_compliance
-  /// All free displacements under unit reactions, f x dm (EnclosedCompliance::response), of the
-  /// whole structure and shared with the problems of its blocks; null without a structure.
-  std::shared_ptr<const numbers::PreciseMatrix> response;
-  /// Unconstrained bodies: G, dm x p, their rigid-body modes restricted to contact degrees of
-  /// freedom, ordered as K, each column scaled to a largest entry near 1. K is then only positive
-  /// semidefinite, K G = 0; reactions are in equilibrium, G'r = 0, and u = F r + G alpha, where F
-  /// is that of the structure with grounding springs (docs/theory/wedged.md, "Unconstrained
-  /// bodies"). No columns: all bodies are constrained.
-  Eigen::MatrixXd motions;
-  numbers::PreciseMatrix precise_motions;  ///< of which `motions` are roundings; or empty
-  /// Bound of the error of an entry of `motions` and of `precise_motions`.
-  double motion_error = 0;
-  double precise_motion_error = 0;
-  std::vector<UnconstrainedBodyText> unconstrained_bodies;  ///< in the order of their first nodes
-  int nodes = 0;     ///< of the structure, including supported ones
-  int members = 0;   ///< of the structure
-  int elements = 0;  ///< of the structure
-  /// Hash of dimension, units, coordinates, members, EA, elements, supports, springs, contact,
-  /// friction and frames, in the order of the file, without names.
-  std::uint64_t fingerprint = 0;
 };
 
 /// True if all candidates have relative friction one.
@@ -92,23 +106,23 @@ std::uint64_t wedged_fingerprint(const Structure& structure);
 struct LoadColumns {
   numbers::PreciseMatrix displacements;  ///< w, dm x L: those of the candidates under each load
   numbers::PreciseMatrix work;           ///< f_j'K^-1 f_k, L x L
-  /// b, L x p: the work of each load on the rigid-body modes `WedgedProblem::motions`, and on those
+  /// b, L x p: the work of each load on the rigid-body modes `RigidModes::matrix`, and on those
   /// that displace no candidate.
   numbers::PreciseMatrix motions, unseen_motions;
   Eigen::VectorXd sizes;  ///< sum of |f|, force
 };
 
 /// Condenses a structure onto its contact candidates.
-/// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes
+/// @throws InputError if there are no candidates; if the structure is a mechanism (with the nodes
 ///         that move); if an unconstrained body has no contact candidate, or its modes are
 ///         numerically undecided; if the stiffness is so ill-conditioned that F fails the bound
 ///         above
 /// @throws support::Stopped if the program is asked to stop
-WedgedProblem wedged_problem(const Structure& structure, const support::LongWork& work = {});
+WedgedProblem wedged_problem(const CheckedStructure& structure, const support::LongWork& work = {});
 
 /// The same, with loads. @param forces on the nodes, d nodes x L, node by node; none of the loads
 /// acts on supported displacements alone  @param loads receives their columns
-WedgedProblem wedged_problem(const Structure& structure, const Eigen::MatrixXd& forces,
+WedgedProblem wedged_problem(const CheckedStructure& structure, const Eigen::MatrixXd& forces,
                              LoadColumns& loads, const support::LongWork& work = {});
 
 }  // namespace kusabi::problems

@@ -135,23 +135,24 @@ numbers::PreciseMatrix axial_forces_of(const Structure& structure,
 
 }  // namespace
 
-WholeStructure::WholeStructure(const Structure& structure, const WedgedProblem& problem)
-    : dimension_(structure.dimension), coordinates_(structure.coordinates) {
-  const auto degrees = free_degrees(structure);
-  const auto displacements = of_all_nodes(*problem.response, degrees);
+WholeStructure::WholeStructure(const CheckedStructure& structure, const WedgedProblem& problem)
+    : dimension_(structure->dimension), coordinates_(structure->coordinates) {
+  const FreeDegrees& degrees = structure.degrees();
+  const auto displacements = of_all_nodes(*problem.compliance.response, degrees);
   displacements_ = displacements.cast<double>();
   axial_forces_ = axial_forces_of(structure, displacements).cast<double>();
   contact_forces_.setZero(displacements.rows(), displacements.cols());
   Eigen::Index column = 0;
-  for (std::size_t i = 0; i < structure.contact.size(); ++i, column += dimension_) {
-    const ContactCandidate& candidate = structure.contact[i];
+  for (std::size_t i = 0; i < structure->contact.size(); ++i, column += dimension_) {
+    const ContactCandidate& candidate = structure->contact[i];
     const auto at = [&](int node) {
       return contact_forces_.block(dimension_ * node, column, dimension_, dimension_);
     };
     at(candidate.node) += problem.frames[i];
     for (const auto& [node, weight] : candidate.against) at(node) -= weight * problem.frames[i];
   }
-  set_reactions(structure, displacements, problem.response->bottomRows(degrees.own_count));
+  set_reactions(structure, displacements,
+                problem.compliance.response->bottomRows(degrees.own_count));
   set_motions(structure, problem);
 }
 
@@ -185,10 +186,10 @@ void WholeStructure::set_reactions(const Structure& structure,
   }
 }
 
-void WholeStructure::set_motions(const Structure& structure, const WedgedProblem& problem) {
-  const auto bodies = unconstrained_bodies(structure);
+void WholeStructure::set_motions(const CheckedStructure& structure, const WedgedProblem& problem) {
+  const auto& bodies = structure.unconstrained_bodies();
   if (bodies.empty()) return;
-  compliance_ = problem.compliance;
+  compliance_ = problem.compliance.matrix;
   const Eigen::MatrixXd seen = seen_motions(structure, bodies).cast<double>();
   seen_.compute(seen);
   motions_.setZero(displacements_.rows(), seen.cols());
@@ -196,7 +197,7 @@ void WholeStructure::set_motions(const Structure& structure, const WedgedProblem
   for (const UnconstrainedBody& body : bodies) {
     for (const int node : body.nodes) {
       motions_.block(dimension_ * node, column, dimension_, body.count()) =
-          problems::displacements(body, structure.coordinates.col(node)).cast<double>();
+          problems::displacements(body, structure->coordinates.col(node)).cast<double>();
     }
     column += body.count();
   }

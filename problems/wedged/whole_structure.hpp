@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
@@ -30,7 +30,7 @@ struct WholeState {
 class WholeStructure {
  public:
   /// @param problem made by `wedged_problem` from the structure
-  WholeStructure(const Structure& structure, const WedgedProblem& problem);
+  WholeStructure(const CheckedStructure& structure, const WedgedProblem& problem);
 
   /// @param reactions r, dm, in the frame of each candidate, in equilibrium on unconstrained bodies
   /// @param displacements u, dm, likewise; required for unconstrained bodies only
@@ -47,7 +47,7 @@ class WholeStructure {
  private:
   void set_reactions(const Structure& structure, const numbers::PreciseMatrix& displacements,
                      const numbers::PreciseMatrix& own_unknowns);
-  void set_motions(const Structure& structure, const WedgedProblem& problem);
+  void set_motions(const CheckedStructure& structure, const WedgedProblem& problem);
   [[nodiscard]] double imbalance(const Eigen::MatrixXd& forces) const;
 
   int dimension_;

@@ -1,6 +1,4 @@
-// Options of the measurements, each of which is in a file of its own.
-#include "run/bench/bench.hpp"
-
+// `kusabi bench`: measurements and tests of the search engine, each in a file of its own; options.
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "run/bench/bench_schedules.hpp"
 #include "run/bench/bench_uts.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 
@@ -40,16 +39,6 @@ class Bench : public Subcommand {
 
 class Scaling final : public Bench {
  public:
-  [[nodiscard]] std::string_view name() const override { return "bench scaling"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "simulated scaling of the search";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The parallel efficiency of the search on up to 65536 ranks, simulated in virtual time.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "--nodes 262144 --most-ranks 64";
-  }
   void describe(OptionTable& table) override {
     table.number("--nodes", &options_.nodes, above(0), "number of nodes of the tree");
     table.number("--node-us", &options_.node_microseconds, above(0), "time to open a node")
@@ -76,15 +65,6 @@ class Scaling final : public Bench {
 
 class Schedules final : public Bench {
  public:
-  [[nodiscard]] std::string_view name() const override { return "bench schedules"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "search results under random schedules of messages";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "Simulates searches under random schedules of messages and compares the results with "
-           "those of one rank.";
-  }
-  [[nodiscard]] std::string_view example() const override { return "--seeds 1000"; }
   void describe(OptionTable& table) override {
     table.number("--seeds", &options_.seeds, above(0), "number of schedules");
     table.number("--first-seed", &options_.first_seed, at_least(0),
@@ -98,15 +78,6 @@ class Schedules final : public Bench {
 
 class Uts final : public Bench {
  public:
-  [[nodiscard]] std::string_view name() const override { return "bench uts"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "Unbalanced Tree Search benchmark";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The Unbalanced Tree Search benchmark: comparison with the published numbers of nodes, "
-           "and speed.";
-  }
-  [[nodiscard]] std::string_view example() const override { return "--tree T1"; }
   void describe(OptionTable& table) override {
     constexpr double about_a_second = 1e7;
     constexpr double most_rounds = 1000;
@@ -127,16 +98,33 @@ class Uts final : public Bench {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> bench_scaling_subcommand() {
-  return std::make_unique<Scaling>();
-}
+constexpr Registration bench_scaling_subcommand{
+    {.name = "bench scaling",
+     .chapter = "Measurements of the search engine",
+     .purpose = "simulated scaling of the search",
+     .description =
+         "The parallel efficiency of the search on up to 65536 ranks, simulated in virtual time.",
+     .example = "--nodes 262144 --most-ranks 64"},
+    make<Scaling>};
 
-std::unique_ptr<Subcommand> bench_schedules_subcommand() {
-  return std::make_unique<Schedules>();
-}
+constexpr Registration bench_schedules_subcommand{
+    {.name = "bench schedules",
+     .chapter = "Measurements of the search engine",
+     .purpose = "search results under random schedules of messages",
+     .description =
+         "Simulates searches under random schedules of messages and compares the results with "
+         "those of one rank.",
+     .example = "--seeds 1000"},
+    make<Schedules>};
 
-std::unique_ptr<Subcommand> bench_uts_subcommand() {
-  return std::make_unique<Uts>();
-}
+constexpr Registration bench_uts_subcommand{
+    {.name = "bench uts",
+     .chapter = "Measurements of the search engine",
+     .purpose = "Unbalanced Tree Search benchmark",
+     .description =
+         "The Unbalanced Tree Search benchmark: comparison with the published numbers of nodes, "
+         "and speed.",
+     .example = "--tree T1"},
+    make<Uts>};
 
 }  // namespace kusabi::run

@@ -15,20 +15,26 @@ std::string_view last_word(std::string_view name) {
   return name.substr(name.rfind(' ') + 1);  // npos + 1 is 0
 }
 
-CommandList::CommandList(std::vector<std::unique_ptr<Subcommand>> subcommands,
-                         std::vector<Group> groups, std::vector<Chapter> chapters)
-    : groups_(std::move(groups)), chapters_(std::move(chapters)) {
+CommandList::CommandList(const std::vector<Registration>& subcommands, std::vector<Group> groups)
+    : groups_(std::move(groups)) {
   own_.flag("--version", switched_, "print version, commit, compiler and libraries");
   own_.flag("--manual", switched_,
             "print the manual page of a subcommand or, without one, of kusabi, for man -l -");
   own_.choice<std::string>("--completion", shell_,
                            {{"bash", "bash"}, {"zsh", "zsh"}, {"fish", "fish"}},
                            "print a completion script for this shell");
-  for (auto& subcommand : subcommands) {
+  for (const auto& [text, make] : subcommands) {
     auto& entry = entries_.emplace_back();
-    entry.subcommand = std::move(subcommand);
+    entry.text = text;
+    entry.subcommand = make();
     entry.subcommand->describe(entry.table);
     entry.table.config(entry.config);
+    const auto chapter = std::ranges::find(chapters_, text.chapter, &Chapter::title);
+    if (chapter == chapters_.end()) {
+      chapters_.push_back({text.chapter, {text.name}});
+    } else {
+      chapter->names.push_back(text.name);
+    }
   }
 }
 

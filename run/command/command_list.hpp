@@ -22,24 +22,24 @@ class CommandList {
     std::string_view purpose;
   };
 
-  /// A chapter of help: a purpose, and the subcommands for it in order.
+  /// A chapter of the list of all subcommands.
   struct Chapter {
-    std::string_view question;
+    std::string_view title;
     std::vector<std::string_view> names;
   };
 
   /// A subcommand with its options.
   struct Entry {
+    SubcommandText text;
     std::unique_ptr<Subcommand> subcommand;
     OptionTable table;
     ConfigChoice config;
 
-    [[nodiscard]] std::string_view name() const { return subcommand->name(); }
+    [[nodiscard]] std::string_view name() const { return text.name; }
   };
 
-  /// @pre each subcommand is in one chapter
-  CommandList(std::vector<std::unique_ptr<Subcommand>> subcommands, std::vector<Group> groups,
-              std::vector<Chapter> chapters);
+  /// Chapters are in the order of their first subcommands.
+  CommandList(const std::vector<Registration>& subcommands, std::vector<Group> groups);
 
   [[nodiscard]] std::deque<Entry>& entries() { return entries_; }
   [[nodiscard]] const std::deque<Entry>& entries() const { return entries_; }

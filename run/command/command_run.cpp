@@ -43,14 +43,17 @@ std::string place_of(const OptionRow& row) {
 
 }  // namespace
 
-CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable& table,
-                       const Defaults& defaults)
-    : session_(session), command_(command), table_(table), defaults_(defaults) {
-  const auto* const quiet = table.find("--quiet");
+CommandRun::CommandRun(Session& session, const CommandList::Entry& entry, const Defaults& defaults)
+    : session_(session),
+      name_(entry.name()),
+      command_(*entry.subcommand),
+      table_(entry.table),
+      defaults_(defaults) {
+  const auto* const quiet = table_.find("--quiet");
   quiet_ = quiet != nullptr && quiet->given;
   if (quiet_) session_.silence_warnings();
   // Output on standard output is read by programs, so no table is printed.
-  for (const auto& row : table.rows())
+  for (const auto& row : table_.rows())
     quiet_ = quiet_ || (row.role == Role::output && row.given == standard_output);
 }
 
@@ -81,7 +84,10 @@ int CommandRun::execute() {
     const auto reached = verdict();
     const auto exit = exit_code(reached);
     print_open(reached);
-    for (const auto& remark : command_.remarks(*this)) {
+    auto remarks = command_.remarks(*this);
+    if (keeping_ && reached.ended != engine::Status::solved)
+      remarks.insert(remarks.begin(), how_to_go_on(reached.ended));
+    for (const auto& remark : remarks) {
       if (exit == solved) {
         print_message("{}\n", remark);
       } else {
@@ -246,23 +252,22 @@ void CommandRun::announce() {
   const auto line =
       command_.announcement(counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
   if (line.empty()) return;
-  auto text =
-      fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
+  auto text = fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, name_, input(), line);
   if (!defaults_.taken.empty()) text += defaults_text() + '\n';
   show_heading(folded(text, page().width));
 }
 
-std::vector<std::string> CommandRun::how_to_go_on(engine::Status why) {
-  if (!keeping_) return {};
+// The call that resumes an analysis that stopped early.
+std::string CommandRun::how_to_go_on(engine::Status why) const {
   const int ranks = session_.ranks();
-  return {fmt::format("resume with: {}kusabi {}{}",
-                      ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks), command_.name(),
-                      table_.call([&](const OptionRow& row) { return row.stops == why; }))};
+  return fmt::format("resume with: {}kusabi {}{}",
+                     ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks), name_,
+                     table_.call([&](const OptionRow& row) { return row.stops == why; }));
 }
 
 void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts problem) {
   if (choice.state.empty()) return;
-  engine::Facts facts{{"kusabi", KUSABI_VERSION}, {"command", std::string(command_.name())}};
+  engine::Facts facts{{"kusabi", KUSABI_VERSION}, {"command", std::string(name_)}};
   std::move(problem.begin(), problem.end(), std::back_inserter(facts));
   for (auto& fact : table_.facts()) facts.push_back(std::move(fact));
   support::Fingerprint question;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
 #include "engine/together.hpp"
+#include "run/command/command_list.hpp"
 #include "run/command/config_file.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand.hpp"
@@ -37,8 +39,7 @@ namespace kusabi::run {
 class CommandRun {
  public:
   /// All arguments must outlive it.
-  CommandRun(Session& session, Subcommand& command, const OptionTable& table,
-             const Defaults& defaults);
+  CommandRun(Session& session, const CommandList::Entry& entry, const Defaults& defaults);
 
   /// Runs all stages.
   /// @return the exit code, the same on every rank
@@ -46,6 +47,8 @@ class CommandRun {
   /// on one rank
   int execute();
 
+  /// Name of the subcommand.
+  [[nodiscard]] std::string_view name() const { return name_; }
   [[nodiscard]] Session& session() { return session_; }
   /// True on the rank that prints: rank 0, unless --quiet is given.
   [[nodiscard]] bool shows() { return session_.speaks() && !quiet_; }
@@ -88,10 +91,6 @@ class CommandRun {
   /// @param limits of the call
   engine::Supervision supervision(const engine::Limits& limits);
 
-  /// Lines for Subcommand::remarks: the call that resumes an analysis that stopped early, if its
-  /// state is kept.
-  [[nodiscard]] std::vector<std::string> how_to_go_on(engine::Status why);
-
   // Outputs and Steps of Subcommand::results, on rank 0. A step makes its content when its turn
   // comes, and only if the output is requested, so an error in one step does not affect the others.
 
@@ -132,8 +131,10 @@ class CommandRun {
   [[nodiscard]] Verdict verdict() const;
   [[nodiscard]] nlohmann::ordered_json last_members() const;
   void print_open(const Verdict& verdict) const;
+  [[nodiscard]] std::string how_to_go_on(engine::Status why) const;
 
   Session& session_;
+  std::string_view name_;
   Subcommand& command_;
   const OptionTable& table_;
   const Defaults& defaults_;

@@ -164,7 +164,7 @@ _kusabi() {
     fmt::format_to(out, "      '{}:{}'\n", word, zsh_text(purpose));
   };
   for (const auto& entry : list.entries()) {
-    if (group_of(entry.name()).empty()) described(entry.name(), entry.subcommand->purpose());
+    if (group_of(entry.name()).empty()) described(entry.name(), entry.text.purpose);
   }
   for (const auto& group : list.groups()) described(group.name, group.purpose);
   described("help", "help on a subcommand");
@@ -250,7 +250,7 @@ complete -c kusabi -s h -l help -d 'print help'
   fish_options(text, "__kusabi_after", list.own());
   for (const auto& entry : list.entries()) {
     const auto group = group_of(entry.name());
-    const auto purpose = entry.subcommand->purpose();
+    const auto purpose = entry.text.purpose;
     const auto word = last_word(entry.name());
     offered(group.empty() ? "__kusabi_after" : fmt::format("__kusabi_at {}", group), word, purpose);
     offered(group.empty() ? "__kusabi_at help" : fmt::format("__kusabi_at help {}", group), word,

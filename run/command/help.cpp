@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "run/output/page.hpp"
+#include "run/session/progress_text.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -114,12 +115,12 @@ std::string usage(const OptionTable& table) {
 }
 
 std::string help(const CommandList::Entry& entry) {
-  const auto& command = *entry.subcommand;
-  auto text = fmt::format("kusabi {}: {}\n", entry.name(), command.purpose());
-  if (!command.description().empty()) text += fmt::format("\n{}\n", command.description());
+  const auto& [name, chapter, purpose, description, example, progress] = entry.text;
+  auto text = fmt::format("kusabi {}: {}\n", name, purpose);
+  if (!description.empty()) text += fmt::format("\n{}\n", description);
   text = folded(text, width);
-  text += fmt::format("\nUsage:   kusabi {}{}\nExample: kusabi {} {}\n", entry.name(),
-                      usage(entry.table), entry.name(), command.example());
+  text += fmt::format("\nUsage:   kusabi {}{}\nExample: kusabi {} {}\n", name, usage(entry.table),
+                      name, example);
   std::string required;
   std::string optional;
   for (const auto& row : entry.table.rows()) {
@@ -128,8 +129,10 @@ std::string help(const CommandList::Entry& entry) {
   optional += entry_of("-h, --help", "print this help");
   if (!required.empty()) text += "\nRequired:\n" + required;
   text += "\nOptions:\n" + optional;
-  if (const auto notes = command.notes(); !notes.empty())
-    text += fmt::format("\n{}\n", folded(cut_tables(notes), width));
+  if (progress != ProgressLines::none) {
+    text += fmt::format(
+        "\n{}\n", folded(cut_tables(progress_explained(progress == ProgressLines::bounds)), width));
+  }
   return text;
 }
 
@@ -138,7 +141,7 @@ std::string help(const CommandList& list, const CommandList::Group& group) {
   std::string_view first;
   for (const auto& entry : list.entries()) {
     if (group_of(entry.name()) != group.name) continue;
-    text += line_of(entry.name(), entry.subcommand->purpose());
+    text += line_of(entry.name(), entry.text.purpose);
     if (first.empty()) first = entry.name();
   }
   return text + fmt::format("\nOptions of a subcommand: kusabi help {}\n", first);
@@ -152,9 +155,8 @@ std::string overview(const CommandList& list) {
       "         mpirun -np RANKS kusabi SUBCOMMAND FILE [options]\n"
       "Example: kusabi patterns examples/space-truss.toml --mu 0.65\n";
   for (const auto& chapter : list.chapters()) {
-    text += fmt::format("\n{}\n", chapter.question);
-    for (const auto name : chapter.names)
-      text += line_of(name, list.find(name)->subcommand->purpose());
+    text += fmt::format("\n{}\n", chapter.title);
+    for (const auto name : chapter.names) text += line_of(name, list.find(name)->text.purpose);
   }
   text += "\nOptions of kusabi itself\n";
   for (const auto& row : list.own().rows()) text += entry_of(row);

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "run/command/help.hpp"
+#include "run/session/progress_text.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -113,8 +114,8 @@ std::string options(const CommandList::Entry& entry) {
 }
 
 std::string described(const CommandList::Entry& entry) {
-  const auto text = entry.subcommand->description();
-  return text.empty() ? fmt::format("{}.", entry.subcommand->purpose()) : std::string(text);
+  const auto text = entry.text.description;
+  return text.empty() ? fmt::format("{}.", entry.text.purpose) : std::string(text);
 }
 
 }  // namespace
@@ -143,13 +144,13 @@ Each search runs in one process, or on all ranks of an MPI job.
   text += ".SH SUBCOMMANDS\nEach has a page of its own.\n";
   std::string examples, pages;
   for (const auto& chapter : list.chapters()) {
-    fmt::format_to(out, ".SS {}\n", roff(chapter.question));
+    fmt::format_to(out, ".SS {}\n", roff(chapter.title));
     for (const auto name : chapter.names) {
       const auto& entry = *list.find(name);
-      const auto purpose = roff(entry.subcommand->purpose());
+      const auto purpose = roff(entry.text.purpose);
       fmt::format_to(out, ".TP\n.BR {} (1)\n{}\n", roff(page_name(entry)), purpose);
-      examples += fmt::format(".TP\n{}:\n.B kusabi {} {}\n", purpose, roff(name),
-                              roff(entry.subcommand->example()));
+      examples +=
+          fmt::format(".TP\n{}:\n.B kusabi {} {}\n", purpose, roff(name), roff(entry.text.example));
       pages += fmt::format("{}.BR {} (1)", pages.empty() ? "" : ",\n", roff(page_name(entry)));
     }
   }
@@ -161,14 +162,16 @@ std::string manual(const CommandList& list, const CommandList::Entry& entry) {
   const auto name = page_name(entry);
   auto text = title(name);
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name),
-                 roff(entry.subcommand->purpose()), synopsis(entry));
+  fmt::format_to(out, ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name), roff(entry.text.purpose),
+                 synopsis(entry));
   fmt::format_to(out, ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}{}", roff(described(entry)),
                  options(entry), status_and_environment);
   fmt::format_to(out, ".SH EXAMPLES\n.B kusabi {} {}\n", roff(entry.name()),
-                 roff(entry.subcommand->example()));
-  if (const auto notes = entry.subcommand->notes(); !notes.empty())
-    text += fmt::format(".SH PROGRESS\n.nf\n{}\n.fi\n", roff(notes));
+                 roff(entry.text.example));
+  if (const auto progress = entry.text.progress; progress != ProgressLines::none) {
+    fmt::format_to(out, ".SH PROGRESS\n.nf\n{}\n.fi\n",
+                   roff(progress_explained(progress == ProgressLines::bounds)));
+  }
   text += signals_and_files;
   text += ".SH SEE ALSO\n.BR kusabi (1)";
   for (const auto& chapter : list.chapters()) {

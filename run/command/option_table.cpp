@@ -181,6 +181,16 @@ void OptionTable::further_output(std::string name, std::string help) {
   file(std::move(name), named_, Role::output, std::move(help));
 }
 
+void OptionTable::csv_of(const std::string& things) {
+  further_output("--csv", fmt::format("CSV file of the {}, one row each", things));
+}
+
+void OptionTable::top(std::uint64_t& rows, const std::string& order) {
+  number("--top", &rows, above(0),
+         fmt::format("maximum number of rows{}; files contain all patterns", order))
+      .varies();
+}
+
 void OptionTable::problem(std::string& file) {
   this->file("file", file, Role::input, "problem file (TOML)").required();
 }
@@ -195,6 +205,17 @@ RowBuilder OptionTable::friction(double& coefficient) {
 
 RowBuilder OptionTable::load_case(std::string& name, const std::string& otherwise) {
   return text("--case", name, "NAME", "name of the load case" + otherwise);
+}
+
+RowBuilder OptionTable::alpha(std::optional<double>& half_width, const std::string& when) {
+  return number("--alpha", &half_width, at_least(0), "half-width of each uncertain load" + when)
+      .unit("in the file's unit of force");
+}
+
+RowBuilder OptionTable::big_m(std::optional<double>& bound) {
+  return number("--big-m", &bound, above(0),
+                "M of (29), for collapse modes scaled to f_R'u = 1 in the unit of force; 5 in the "
+                "paper. Default: a safe value for each component, derived from the problem");
 }
 
 RowBuilder OptionTable::group_alpha(std::string& half_widths) {
@@ -215,7 +236,7 @@ void OptionTable::whole_states(bool& variable, const std::string& all,
                                const std::string& otherwise) {
   flag("--whole", variable,
        fmt::format("displacements of all nodes, member forces and support reactions of all {} in "
-                   "the result file; otherwise of {}",
+                   "the result file. Default: of {}",
                    all, otherwise))
       .needs("--output")
       .varies();
@@ -224,6 +245,11 @@ void OptionTable::whole_states(bool& variable, const std::string& all,
 void OptionTable::prove(bool& variable, const std::string& how) {
   flag("--prove", variable,
        how + ". Default: only if the scales of the structure are more than 1e7 apart");
+}
+
+void OptionTable::quiet_and_serial(std::string quiet) {
+  this->quiet(std::move(quiet));
+  serial();
 }
 
 void OptionTable::quiet(std::string help) {
@@ -239,7 +265,8 @@ void OptionTable::time_limit(engine::Limits& limits) {
   add({.name = "--time-limit",
        .value = "TIME",
        .range = "seconds, 90s, 1h30m or slurm",
-       .help = "time limit, as 5400, 90s or 1h30m; slurm: shortly before the end of the Slurm job",
+       .help =
+           "time limit, as 5400, 90s or 1h30m, or slurm: shortly before the end of the Slurm job",
        .matters = false,
        .take = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {
@@ -256,18 +283,20 @@ void OptionTable::time_limit(engine::Limits& limits) {
        }});
 }
 
-void OptionTable::node_limit(engine::Limits& limits) {
+void OptionTable::search_limits(engine::Limits& limits) {
+  time_limit(limits);
   number("--node-limit", &limits.nodes, above(0),
-         "maximum number of opened nodes, in all searches together")
+         "maximum number of opened nodes, over all searches")
       .stops(engine::Status::node_limit)
       .varies();
 }
 
 void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
-  file("--resume", choice.state, Role::state,
-       fmt::format("file for the state of the run, with further files beside it: the same call "
-                   "begins the run, resumes it, or repeats its result, on any number of ranks{}",
-                   help));
+  file(
+      "--resume", choice.state, Role::state,
+      fmt::format("state file of the run, with further files beside it. The first call creates it; "
+                  "the same call resumes the run, or repeats its result, on any number of ranks{}",
+                  help));
   number("--resume-wait", &choice.patience, at_least(0),
          "maximum waiting time for another run that uses this file")
       .unit("s")
@@ -285,6 +314,11 @@ void OptionTable::save_on(CheckpointChoice& choice) {
       [&choice](std::size_t word) { choice.on_improvement = word == 1; },
       "times at which the state is saved: at intervals, or also at each better solution")
       .varies();
+}
+
+void OptionTable::former_names_of_resume() {
+  former_name("--checkpoint", "--resume");
+  former_name("--restart", "--resume");
 }
 
 void OptionTable::former_name(std::string name, std::string option) {

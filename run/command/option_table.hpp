@@ -158,7 +158,10 @@ class OptionTable {
 
   // Options common to several subcommands.
   void problem(std::string& file);  ///< the problem file, required
-  void result(std::string& file);   ///< the result file that is read, required
+  /// --alpha of uncertain loads. @param when text about calls that use it
+  RowBuilder alpha(std::optional<double>& half_width, const std::string& when);
+  RowBuilder big_m(std::optional<double>& bound);
+  void result(std::string& file);  ///< the result file that is read, required
   RowBuilder friction(double& coefficient);
   /// @param otherwise meaning of a call without it, if it is permitted
   RowBuilder load_case(std::string& name, const std::string& otherwise = "");
@@ -172,13 +175,19 @@ class OptionTable {
   void whole_states(bool& variable, const std::string& all, const std::string& otherwise);
   void output(std::string help = "result file (JSON)");
   void further_output(std::string name, std::string help);
+  /// --csv. @param things objects of the rows
+  void csv_of(const std::string& things);
+  /// --top. @param order of the rows
+  void top(std::uint64_t& rows, const std::string& order = "");
+  /// --quiet and --serial, last of all.
+  void quiet_and_serial(std::string quiet = "print errors only");
   void quiet(std::string help = "print errors only");
   void serial();
-  void time_limit(engine::Limits& limits);
-  void node_limit(engine::Limits& limits);
+  /// --time-limit and --node-limit.
+  void search_limits(engine::Limits& limits);
   void resume(CheckpointChoice& choice, const std::string& help = "");
-  /// Further spelling of an option: accepted with a warning, not shown.
-  void former_name(std::string name, std::string option);
+  /// --checkpoint and --restart, former names of --resume: accepted with a warning, not shown.
+  void former_names_of_resume();
   void save_on(CheckpointChoice& choice);  ///< for searches for an optimum
   void config(ConfigChoice& choice);
 
@@ -207,6 +216,8 @@ class OptionTable {
 
  private:
   RowBuilder add(OptionRow row);
+  void time_limit(engine::Limits& limits);
+  void former_name(std::string name, std::string option);
   RowBuilder word(std::string name, std::vector<std::string> words, std::string usual,
                   std::function<void(std::size_t)> take, std::string help);
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "run/command/option_table.hpp"
+#include "run/command/subcommand_text.hpp"
 #include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
@@ -27,16 +27,6 @@ class Subcommand {
   Subcommand& operator=(const Subcommand&) = delete;
   virtual ~Subcommand() = default;
 
-  /// Name in a call: one word, or a group and a word.
-  [[nodiscard]] virtual std::string_view name() const = 0;
-  /// Purpose in a few words, for the list of all subcommands.
-  [[nodiscard]] virtual std::string_view purpose() const = 0;
-  /// Description in sentences; empty: none besides the purpose.
-  [[nodiscard]] virtual std::string_view description() const { return {}; }
-  /// A call that works from the top of the source tree, without `kusabi` and the name.
-  [[nodiscard]] virtual std::string_view example() const = 0;
-  /// Text below the options in help; empty: none. Its line breaks are kept.
-  [[nodiscard]] virtual std::string notes() const { return {}; }
   /// Adds the options to the table; their variables live as long as the subcommand.
   virtual void describe(OptionTable& table) = 0;
 
@@ -62,9 +52,19 @@ class Subcommand {
   /// file are made from it.
   [[nodiscard]] virtual Verdict verdict() const { return {}; }
 
-  /// Lines on standard error after all files are written: the call that resumes the search, outputs
-  /// that were shortened.
+  /// Lines on standard error after all files are written, such as on outputs that were shortened.
   virtual std::vector<std::string> remarks(CommandRun& /*run*/) { return {}; }
+};
+
+template <class Command>
+std::unique_ptr<Subcommand> make() {
+  return std::make_unique<Command>();
+}
+
+/// An entry of the list of all subcommands, made of constants.
+struct Registration {
+  SubcommandText text{};
+  std::unique_ptr<Subcommand> (*make)() = nullptr;
 };
 
 }  // namespace kusabi::run

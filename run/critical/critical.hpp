@@ -4,17 +4,17 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/option_table.hpp"
+#include "run/command/problem_input.hpp"
 
 namespace kusabi::run {
 
 struct CriticalOptions {
-  std::string file;  ///< problem file
+  ProblemInput input;
   wedged::CriticalQuestion question;
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of rows
   bool whole = false;       ///< whole state of every pattern in the result file
@@ -22,7 +22,5 @@ struct CriticalOptions {
   engine::Limits limits;    ///< limits of the search
   CheckpointChoice checkpoint;
 };
-
-std::unique_ptr<Subcommand> critical_subcommand();
 
 }  // namespace kusabi::run

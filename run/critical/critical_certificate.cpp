@@ -60,7 +60,7 @@ wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
              wedged::CriticalEnd end, double factor,
              std::span<const double> friction) -> std::unique_ptr<wedged::EndRecord> {
     support::Fingerprint fingerprint;
-    fingerprint.add(problem.fingerprint);
+    fingerprint.add(problem.provenance.fingerprint);
     fingerprint.add(factor);
     const char* const which = end == wedged::CriticalEnd::lower ? ".lower" : ".upper";
     return std::make_unique<EndCertificate>(session, certificates, certificates.name + which,

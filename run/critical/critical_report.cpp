@@ -197,7 +197,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   chosen["list"] = options.question.list;
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
-          {"problem", problem_json(whole.structure(), problem, options.file)},
+          {"problem", problem_json(whole.structure(), problem, options.input.file)},
           {"options", std::move(chosen)},
           {"status", status_text(critical_verdict(options, problem, findings))},
           {"result",

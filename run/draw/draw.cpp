@@ -1,6 +1,4 @@
-// Reads the result, selects one answer or all, writes the image.
-#include "run/draw/draw.hpp"
-
+// `kusabi draw RESULT`: answers of a result file as an SVG image.
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -11,6 +9,7 @@
 
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
@@ -22,24 +21,13 @@ namespace {
 
 class Draw final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "draw"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "picture of the results in a file, as SVG";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "A picture of one result in detail, or of all results in a file, as SVG.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "result.json --svg answers.svg";
-  }
   void describe(OptionTable& table) override {
     table.result(file_);
     table.further_output("--svg", "SVG file; default: standard output");
     table.number("--pattern", &pattern_, above(0),
                  "number of the pattern or ray to draw in detail; of a result of kusabi limit 1 is "
                  "the nominal load, 2 the worst case");
-    table.quiet();
-    table.serial();
+    table.quiet_and_serial();
   }
   void read(CommandRun& run) override {
     text_ = run.session().from_first_rank(
@@ -109,8 +97,12 @@ class Draw final : public Subcommand {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> draw_subcommand() {
-  return std::make_unique<Draw>();
-}
+constexpr Registration draw_subcommand{
+    {.name = "draw",
+     .chapter = "Summaries, pictures and reports",
+     .purpose = "picture of the results in a file, as SVG",
+     .description = "A picture of one result in detail, or of all results in a file, as SVG.",
+     .example = "result.json --svg answers.svg"},
+    make<Draw>};
 
 }  // namespace kusabi::run

@@ -71,7 +71,7 @@ std::string candidate_lines(const problems::WedgedProblem& problem,
 }
 
 std::string motion_lines(const problems::WedgedProblem& problem) {
-  const auto& motions = problem.motions;
+  const auto& motions = problem.modes.matrix;
   auto text = fmt::format("motions {}\n", motions.cols());
   for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
     for (Eigen::Index k = 0; k < motions.cols(); ++k)

@@ -1,6 +1,4 @@
-// Writes a generated problem file, or reports an invalid size.
-#include "run/example/example.hpp"
-
+// `kusabi example`: problem files of parametric families, used for measurements.
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -13,6 +11,7 @@
 #include "problems/families/space_truss.hpp"
 #include "problems/files/toml/structure_writer.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
@@ -26,7 +25,7 @@ class Example : public Subcommand {
       try {
         return problems::structure_text(structure());
       } catch (const std::invalid_argument& error) {
-        throw WrongInput(fmt::format("kusabi {}: {}", name(), error.what()));
+        throw WrongInput(fmt::format("kusabi {}: {}", run.name(), error.what()));
       }
     });
   }
@@ -50,16 +49,6 @@ class Example : public Subcommand {
 
 class SpaceTruss final : public Example {
  public:
-  [[nodiscard]] std::string_view name() const override { return "example space-truss"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "space truss against an inclined wall";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "A space truss against an inclined wall, with rows x depth contact candidates.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "--rows 8 --depth 5 --output truss.toml";
-  }
   void describe(OptionTable& table) override {
     table.number("--rows", &size_.rows, above(0), "number of rows of nodes along y");
     table.number("--depth", &size_.depth, above(0), "number of planes of nodes along z");
@@ -78,16 +67,6 @@ class SpaceTruss final : public Example {
 
 class PlaneTruss final : public Example {
  public:
-  [[nodiscard]] std::string_view name() const override { return "example plane-truss"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "plane truss against an inclined wall";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "A plane truss against an inclined wall, with one contact candidate in each row.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "--rows 12 --output truss.toml";
-  }
   void describe(OptionTable& table) override {
     using problems::Verticals;
     table.number("--rows", &size_.rows, above(0), "number of rows of nodes along y, 1 m apart");
@@ -125,14 +104,6 @@ class PlaneTruss final : public Example {
 
 class Grid final : public Example {
  public:
-  [[nodiscard]] std::string_view name() const override { return "example grid"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "plane grid truss for limit analysis";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "A plane grid truss with crossed diagonals and loads for limit analysis.";
-  }
-  [[nodiscard]] std::string_view example() const override { return "--bays 10 --output grid.toml"; }
   void describe(OptionTable& table) override {
     table.number("--bays", &bays_, above(0), "number of bays along each axis").required();
     describe_output(table);
@@ -148,16 +119,29 @@ class Grid final : public Example {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> example_space_truss_subcommand() {
-  return std::make_unique<SpaceTruss>();
-}
+constexpr Registration example_space_truss_subcommand{
+    {.name = "example space-truss",
+     .chapter = "Generated problem files",
+     .purpose = "space truss against an inclined wall",
+     .description = "A space truss against an inclined wall, with rows x depth contact candidates.",
+     .example = "--rows 8 --depth 5 --output truss.toml"},
+    make<SpaceTruss>};
 
-std::unique_ptr<Subcommand> example_plane_truss_subcommand() {
-  return std::make_unique<PlaneTruss>();
-}
+constexpr Registration example_plane_truss_subcommand{
+    {.name = "example plane-truss",
+     .chapter = "Generated problem files",
+     .purpose = "plane truss against an inclined wall",
+     .description =
+         "A plane truss against an inclined wall, with one contact candidate in each row.",
+     .example = "--rows 12 --output truss.toml"},
+    make<PlaneTruss>};
 
-std::unique_ptr<Subcommand> example_grid_subcommand() {
-  return std::make_unique<Grid>();
-}
+constexpr Registration example_grid_subcommand{
+    {.name = "example grid",
+     .chapter = "Generated problem files",
+     .purpose = "plane grid truss for limit analysis",
+     .description = "A plane grid truss with crossed diagonals and loads for limit analysis.",
+     .example = "--bays 10 --output grid.toml"},
+    make<Grid>};
 
 }  // namespace kusabi::run

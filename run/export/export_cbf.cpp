@@ -8,14 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
-#include "run/export/export.hpp"
+#include "run/command/registrations.hpp"
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/wedged/agreement.hpp"
+#include "run/wedged/contact_problem.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "solvers/conic/benchmark_format.hpp"
 #include "solvers/conic/cone_program.hpp"
@@ -29,17 +28,6 @@ constexpr std::string_view separators = ", ";
 
 class ExportCbf final : public ExportedFile {
  public:
-  [[nodiscard]] std::string_view name() const override { return "export cbf"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "cone program of one node of the tree, as CBF";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The cone program of one node of the tree of sign patterns in the Conic Benchmark "
-           "Format, for solvers of second-order cone programs.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/two-bars.toml --mu 2 --output node.cbf";
-  }
   void describe(OptionTable& table) override;
   void prepare(CommandRun& run) override;
 
@@ -83,7 +71,7 @@ support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view opti
     }
     if (longest == names.size()) {
       throw WrongInput(fmt::format("{}: {} has no contact candidate '{}'; expected {}", option,
-                                   file(), text.substr(0, text.find_first_of(separators)),
+                                   input().file, text.substr(0, text.find_first_of(separators)),
                                    fmt::join(names, " or ")));
     }
     set.insert(static_cast<int>(longest));
@@ -93,9 +81,8 @@ support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view opti
 }
 
 void ExportCbf::prepare(CommandRun& run) {
-  problem_ = problems::wedged_problem(problems::read_structure(text(), file()));
-  friction_ = friction_at(problem_, coefficient_, file());
-  agree(run.session(), problem_);
+  problem_ = agreed_problem(run, input().structure(run));
+  friction_ = friction_at(problem_, coefficient_, input().file);
   contact_ = set_of(contact_names_, "--contact");
   separated_ = set_of(separated_names_, "--separated");
   if (contact_.meets(separated_)) {
@@ -111,8 +98,8 @@ void ExportCbf::prepare(CommandRun& run) {
 Names ExportCbf::comments(double unit) const {
   const auto d = static_cast<std::size_t>(problem_.dimension);
   Names lines{
-      fmt::format("{}, from {}, fingerprint {}", problem_.name, file(),
-                  hexadecimal(problem_.fingerprint)),
+      fmt::format("{}, from {}, fingerprint {}", problem_.provenance.name, input().file,
+                  hexadecimal(problem_.provenance.fingerprint)),
       fmt::format("The cone program of the sign pattern with contact: {}; separated: {}; friction "
                   "coefficient {}.",
                   listed(candidate_names(problem_, contact_)),
@@ -120,7 +107,7 @@ Names ExportCbf::comments(double unit) const {
       "Maximise t; the optimal objective is the margin t*. If t* < 0, no wedged configuration has "
       "this pattern.",
       fmt::format("F is divided by its mean normal compliance, {} {}/{}, so that t has no unit.",
-                  unit, problem_.units.length, problem_.units.force)};
+                  unit, problem_.provenance.units.length, problem_.provenance.units.force)};
   for (std::size_t i = 0; i < problem_.contact_names.size(); ++i) {
     lines.push_back(fmt::format("columns {} to {}: reaction at {}: n, {}; friction {}", d * i,
                                 d * i + d - 1, problem_.contact_names[i], d == 2 ? "t1" : "t1, t2",
@@ -133,14 +120,21 @@ Names ExportCbf::comments(double unit) const {
 void ExportCbf::write(std::ostream& out) const {
   const double unit = mean_normal_compliance(problem_);
   write_benchmark_format(
-      out, conic::node_cone_program(problem_.compliance / unit, friction_, contact_, separated_),
+      out,
+      conic::node_cone_program(problem_.compliance.matrix / unit, friction_, contact_, separated_),
       comments(unit));
 }
 
 }  // namespace
 
-std::unique_ptr<Subcommand> export_cbf_subcommand() {
-  return std::make_unique<ExportCbf>();
-}
+constexpr Registration export_cbf_subcommand{
+    {.name = "export cbf",
+     .chapter = "Files for other solvers",
+     .purpose = "cone program of one node of the tree, as CBF",
+     .description =
+         "The cone program of one node of the tree of sign patterns in the Conic Benchmark "
+         "Format, for solvers of second-order cone programs.",
+     .example = "examples/two-bars.toml --mu 2 --output node.cbf"},
+    make<ExportCbf>};
 
 }  // namespace kusabi::run

@@ -7,14 +7,13 @@
 #include <fmt/ranges.h>
 
 #include "problems/files/matrices/matrix_market.hpp"
-#include "problems/files/structure_file.hpp"
 #include "problems/wedged/free_stiffness.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
-#include "run/export/export.hpp"
+#include "run/command/registrations.hpp"
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
-#include "run/wedged/agreement.hpp"
+#include "run/wedged/contact_problem.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -23,17 +22,6 @@ enum class Matrix { stiffness, compliance };
 
 class ExportMatrix final : public ExportedFile {
  public:
-  [[nodiscard]] std::string_view name() const override { return "export matrix"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "condensed stiffness or compliance, as Matrix Market";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The stiffness condensed onto the contact candidates, or its inverse, as a Matrix "
-           "Market file.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/two-bars.toml --output stiffness.mtx";
-  }
   void describe(OptionTable& table) override;
   void prepare(CommandRun& run) override;
 
@@ -57,22 +45,21 @@ void ExportMatrix::describe(OptionTable& table) {
 }
 
 void ExportMatrix::prepare(CommandRun& run) {
-  problem_ = problems::wedged_problem(problems::read_structure(text(), file()));
-  agree(run.session(), problem_);
+  problem_ = agreed_problem(run, input().structure(run));
 }
 
 std::vector<std::string> ExportMatrix::comments() const {
   const bool stiffness = choice_ == Matrix::stiffness;
   std::vector<std::string> lines{
-      fmt::format("{}, from {}, fingerprint {}", problem_.name, file(),
-                  hexadecimal(problem_.fingerprint)),
+      fmt::format("{}, from {}, fingerprint {}", problem_.provenance.name, input().file,
+                  hexadecimal(problem_.provenance.fingerprint)),
       stiffness ? fmt::format("The stiffness K condensed onto the contact candidates: r = K u, in "
                               "{}/{}.",
-                              problem_.units.force, problem_.units.length)
+                              problem_.provenance.units.force, problem_.provenance.units.length)
                 : fmt::format("The compliance F of the contact candidates: u = F r, in {}/{}.",
-                              problem_.units.length, problem_.units.force),
+                              problem_.provenance.units.length, problem_.provenance.units.force),
       "Each candidate has its own frame: n out of the obstacle, t along it."};
-  for (const auto& [node, nodes, motions] : problem_.unconstrained_bodies) {
+  for (const auto& [node, nodes, motions] : problem_.modes.bodies) {
     lines.push_back(fmt::format("The body of node {} {}: {}", node, motions,
                                 stiffness
                                     ? "K is only semidefinite."
@@ -92,15 +79,22 @@ std::vector<std::string> ExportMatrix::comments() const {
 }
 
 void ExportMatrix::write(std::ostream& out) const {
-  problems::write_matrix_market(
-      out, choice_ == Matrix::stiffness ? problems::free_stiffness(problem_) : problem_.compliance,
-      comments());
+  problems::write_matrix_market(out,
+                                choice_ == Matrix::stiffness ? problems::free_stiffness(problem_)
+                                                             : problem_.compliance.matrix,
+                                comments());
 }
 
 }  // namespace
 
-std::unique_ptr<Subcommand> export_matrix_subcommand() {
-  return std::make_unique<ExportMatrix>();
-}
+constexpr Registration export_matrix_subcommand{
+    {.name = "export matrix",
+     .chapter = "Files for other solvers",
+     .purpose = "condensed stiffness or compliance, as Matrix Market",
+     .description =
+         "The stiffness condensed onto the contact candidates, or its inverse, as a Matrix "
+         "Market file.",
+     .example = "examples/two-bars.toml --output stiffness.mtx"},
+    make<ExportMatrix>};
 
 }  // namespace kusabi::run

@@ -9,7 +9,6 @@
 #include "engine/analysis/analysis.hpp"
 #include "engine/together.hpp"
 #include "nodes/limit/root/safe_big_m.hpp"
-#include "problems/files/structure_file.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -18,7 +17,7 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/group_half_widths.hpp"
-#include "run/export/export.hpp"
+#include "run/command/registrations.hpp"
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
@@ -32,16 +31,6 @@ enum class Program { worst_case, kinematic, statics };
 
 class ExportMps final : public ExportedFile {
  public:
-  [[nodiscard]] std::string_view name() const override { return "export mps"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "programs of limit analysis, as free MPS";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The programs of limit analysis as free MPS, for solvers of (0-1) linear programs.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/gust.toml --alpha 0.5 --output gust.mps";
-  }
   void describe(OptionTable& table) override;
   void check() const override;
   void prepare(CommandRun& run) override;
@@ -73,14 +62,9 @@ void ExportMps::describe(OptionTable& table) {
                 {"static", Program::statics}},
                "program: 0-1 program (29) of the worst case, or a linear program for the nominal "
                "dead load: kinematic (15), or static (5), whose optimum is minus the load factor");
-  table
-      .number("--alpha", &alpha_, at_least(0),
-              "half-width of each uncertain load, for --program worst-case")
-      .unit("in the file's unit of force");
+  table.alpha(alpha_, ", for --program worst-case");
   table.group_alpha(group_alpha_);
-  table.number("--big-m", &asked_m_, above(0),
-               "M of (29), for motions with f_R'u = 1 in the unit of force; 5 in the paper. "
-               "Default: a safe value for each component, derived from the problem");
+  table.big_m(asked_m_);
   table.load_case(load_case_);
   describe_output(table);
 }
@@ -94,8 +78,7 @@ void ExportMps::check() const {
 }
 
 void ExportMps::prepare(CommandRun& run) {
-  problem_ = problems::limit_problem(
-      problems::in_chosen_case(problems::read_structure(text(), file()), load_case_));
+  problem_ = problems::limit_problem(problems::in_chosen_case(input().structure(run), load_case_));
   if (choice_ == Program::worst_case) settle_half_widths();
   engine::agree(run.session().transport(), problem_->fingerprint);
 }
@@ -177,7 +160,7 @@ std::vector<std::string> ExportMps::comments_on_worst_case() const {
 
 std::vector<std::string> ExportMps::comments() const {
   std::vector<std::string> lines{
-      fmt::format("{}, from {}, fingerprint {}", problem_->name, file(),
+      fmt::format("{}, from {}, fingerprint {}", problem_->name, input().file,
                   hexadecimal(problem_->fingerprint)),
       fmt::format("Forces are in {}, lengths in {}, as in the problem file.", problem_->units.force,
                   problem_->units.length)};
@@ -209,8 +192,13 @@ void ExportMps::write(std::ostream& out) const {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> export_mps_subcommand() {
-  return std::make_unique<ExportMps>();
-}
+constexpr Registration export_mps_subcommand{
+    {.name = "export mps",
+     .chapter = "Files for other solvers",
+     .purpose = "programs of limit analysis, as free MPS",
+     .description =
+         "The programs of limit analysis as free MPS, for solvers of (0-1) linear programs.",
+     .example = "examples/gust.toml --alpha 0.5 --output gust.mps"},
+    make<ExportMps>};
 
 }  // namespace kusabi::run

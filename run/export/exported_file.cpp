@@ -9,16 +9,12 @@
 namespace kusabi::run {
 
 void ExportedFile::describe_input(OptionTable& table) {
-  table.problem(file_);
+  table.problem(input_.file);
 }
 
 void ExportedFile::describe_output(OptionTable& table) {
   table.output("file to write; default: standard output");
   table.serial();
-}
-
-void ExportedFile::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::problem_text(file_); });
 }
 
 std::vector<Step> ExportedFile::results(CommandRun& run) {

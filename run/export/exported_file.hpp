@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "problems/files/problem_text.hpp"
+#include "run/command/problem_input.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
 class ExportedFile : public Subcommand {
  public:
-  void read(CommandRun& run) final;
+  void read(CommandRun& run) final { input_.read(run); }
   /// Most exports need no search.
   void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) final;
@@ -23,15 +23,13 @@ class ExportedFile : public Subcommand {
   void describe_input(OptionTable& table);
   static void describe_output(OptionTable& table);
 
-  [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] const problems::ProblemText& text() const { return text_; }
+  [[nodiscard]] const ProblemInput& input() const { return input_; }
 
   /// Writes the file, on rank 0, after the search.
   virtual void write(std::ostream& out) const = 0;
 
  private:
-  std::string file_;
-  problems::ProblemText text_;
+  ProblemInput input_;
 };
 
 }  // namespace kusabi::run

@@ -6,15 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/problem_text.hpp"
-#include "problems/files/structure_file.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/hold/hold_certificate.hpp"
 #include "run/hold/hold_report.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/session/progress_text.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
@@ -24,18 +22,8 @@ namespace {
 
 class Hold final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "hold"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "loads that contact with friction can hold";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The smallest friction coefficient at which the structure can hold its dead load; with "
-           "--mu, the factors of the reference load that it can hold in addition. With proved "
-           "bounds.";
-  }
-  [[nodiscard]] std::string_view example() const override { return "examples/ladder.toml"; }
   void describe(OptionTable& table) override;
-  void read(CommandRun& run) override;
+  void read(CommandRun& run) override { options_.input.read(run); }
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
@@ -49,17 +37,16 @@ class Hold final : public Subcommand {
   [[nodiscard]] std::uint64_t fingerprint_of_loads() const;
 
   HoldOptions options_;
-  problems::ProblemText text_;
-  problems::Structure structure_;
+  problems::CheckedStructure structure_;
   wedged::LoadedProblem loaded_;
   HoldFindings findings_;
 };
 
 void Hold::describe(OptionTable& table) {
-  table.problem(options_.file);
+  table.problem(options_.input.file);
   table.number("--mu", &options_.mu, at_least(0),
                "friction coefficient. Default: the smallest one for the dead load is computed");
-  table.text("--case", options_.load_case, "NAME", "load case of the file");
+  table.load_case(options_.load_case);
   table.number("--mu-max", &options_.question.most, above(0),
                "upper limit of the search for the smallest coefficient");
   table
@@ -78,16 +65,11 @@ void Hold::describe(OptionTable& table) {
             "certificate for kusabi verify; without --mu one for each bound, NAME.lower and "
             "NAME.upper")
       .ends_in({".lower", ".upper"});
-  table.time_limit(options_.limits);
-  table.node_limit(options_.limits);
-  table.resume(options_.checkpoint, "; with --certificate the trees of the answer are searched anew");
+  table.search_limits(options_.limits);
+  table.resume(options_.checkpoint,
+               ". With --certificate the trees of the answer are searched again");
   table.save_on(options_.checkpoint);
-  table.quiet();
-  table.serial();
-}
-
-void Hold::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
+  table.quiet_and_serial();
 }
 
 // Files without the requested load are refused.
@@ -96,7 +78,7 @@ void Hold::refuse_without_loads() const {
   if (dead || (options_.mu && loaded_.has_reference)) return;
   throw WrongInput(fmt::format(
       "{}: there is no {}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
-      options_.file, options_.mu ? "load" : "dead load",
+      options_.input.file, options_.mu ? "load" : "dead load",
       options_.mu ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
 }
 
@@ -113,7 +95,7 @@ void Hold::refuse_total() const {
 
 std::uint64_t Hold::fingerprint_of_loads() const {
   support::Fingerprint fingerprint;
-  for (const auto& load : structure_.loads) {
+  for (const auto& load : structure_->loads) {
     fingerprint.add(load.kind == problems::Load::Kind::dead ? 0.0 : 1.0);
     fingerprint.add(static_cast<double>(load.node));
     for (const double component : load.force) fingerprint.add(component);
@@ -123,22 +105,22 @@ std::uint64_t Hold::fingerprint_of_loads() const {
 }
 
 void Hold::prepare(CommandRun& run) {
-  structure_ = problems::read_structure(text_, options_.file);
-  warn_all(run.session(), structure_.warnings);
+  structure_ = options_.input.structure(run);
   if (options_.load_case.empty() && !problems::load_cases(structure_).empty()) {
     throw WrongInput(
         fmt::format("{}: the file has load cases; expected --case with one of them: {}",
-                    options_.file, problems::choice_of_load_cases(structure_)));
+                    options_.input.file, problems::choice_of_load_cases(structure_)));
   }
-  structure_ = problems::in_chosen_case(std::move(structure_), options_.load_case);
+  structure_ = problems::in_chosen_case(structure_, options_.load_case);
   loaded_ =
       run.within_limits([&](const auto& work) { return wedged::loaded_problem(structure_, work); });
-  if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.file);
+  if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.input.file);
   refuse_without_loads();
   refuse_total();
   agree(run.session(), loaded_.problem);
-  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(loaded_.problem.fingerprint)},
-                                       {"the loads", hexadecimal(fingerprint_of_loads())}});
+  run.keep_state(options_.checkpoint,
+                 {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
+                  {"the loads", hexadecimal(fingerprint_of_loads())}});
 }
 
 std::string Hold::announcement(const std::string& ranks) const {
@@ -153,7 +135,7 @@ void Hold::search(CommandRun& run) {
   auto& question = options_.question;
   question.recorder = hold_recorder(
       run.session(),
-      {options_.certificate, options_.file, options_.load_case, question.total, run.quiet()},
+      {options_.certificate, options_.input.file, options_.load_case, question.total, run.quiet()},
       loaded_);
   if (!options_.mu) {
     findings_.friction = wedged::holding_friction(analysis, loaded_, question);
@@ -183,8 +165,15 @@ std::vector<std::string> Hold::remarks(CommandRun& run) {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> hold_subcommand() {
-  return std::make_unique<Hold>();
-}
+constexpr Registration hold_subcommand{
+    {.name = "hold",
+     .chapter = "Loads held by friction",
+     .purpose = "loads that contact with friction can hold",
+     .description =
+         "The smallest friction coefficient at which the structure can hold its dead load; with "
+         "--mu, the factors of the reference load that it can hold in addition. With proved "
+         "bounds.",
+     .example = "examples/ladder.toml"},
+    make<Hold>};
 
 }  // namespace kusabi::run

@@ -3,19 +3,18 @@
 // can be held in addition.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/wedged/hold/grip_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/problem_input.hpp"
 
 namespace kusabi::run {
 
 struct HoldOptions {
-  std::string file;          ///< problem file
+  ProblemInput input;
   std::optional<double> mu;  ///< absent: the smallest coefficient is requested
   std::string load_case;
   wedged::HoldQuestion question;
@@ -43,7 +42,5 @@ struct HoldFindings {
     return all;
   }
 };
-
-std::unique_ptr<Subcommand> hold_subcommand();
 
 }  // namespace kusabi::run

@@ -98,7 +98,7 @@ wedged::HoldRecorder hold_recorder(Session& session, HoldCertificates certificat
   return [&session, &loaded, certificates = std::move(certificates)](
              wedged::HoldEnd end, double mu) -> std::unique_ptr<wedged::HoldRecord> {
     support::Fingerprint fingerprint;
-    fingerprint.add(loaded.problem.fingerprint);
+    fingerprint.add(loaded.problem.provenance.fingerprint);
     fingerprint.add(mu);
     const char* const which = end == wedged::HoldEnd::lower   ? ".lower"
                               : end == wedged::HoldEnd::upper ? ".upper"

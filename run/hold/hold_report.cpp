@@ -218,8 +218,7 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
     factors.grip = grip_of(*findings.grip);
     verdict.details.push_back(grip_sentence(*factors.grip));
   }
-  if (findings.friction && !options.certificate.empty() &&
-      verdict.ended != engine::Status::solved)
+  if (findings.friction && !options.certificate.empty() && verdict.ended != engine::Status::solved)
     verdict.missing.emplace_back("No certificate was written, since the search ended early.");
   if (!any) {
     verdict.details.emplace_back(
@@ -274,7 +273,7 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
   if (options.grip) given["grip"] = true;
   return {{"command", "hold"},
           {"version", KUSABI_VERSION},
-          {"problem", problem_json(structure, loaded.problem, options.file)},
+          {"problem", problem_json(structure, loaded.problem, options.input.file)},
           {"options", std::move(given)},
           {"status", status_text(hold_verdict(options, loaded, findings))},
           {"result", result_json(loaded, findings)},

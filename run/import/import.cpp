@@ -1,6 +1,5 @@
-// Writes the problem file, and reads it again for the summary or for what it still needs.
-#include "run/import/import.hpp"
-
+// `kusabi import DECK`: the problem file that a deck of Abaqus or CalculiX describes. The file is
+// read again for the summary, or for the parts that it still needs.
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -16,6 +15,7 @@
 #include "problems/files/sections/mesh_file.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/show/structure_summary.hpp"
@@ -28,19 +28,6 @@ namespace fs = std::filesystem;
 
 class Import final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "import"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "problem file of an input deck of Abaqus or CalculiX";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "Writes the problem file that an input deck (.inp) of Abaqus or CalculiX describes, to "
-           "be "
-           "read and edited: mesh, materials, supports, ties, and contact candidates. Each keyword "
-           "that is not understood is left out with a warning.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/wedge.inp --output wedge.toml";
-  }
   void describe(OptionTable& table) override {
     table_ = &table;
     table.file("file", file_, Role::input, "input deck (.inp)").required();
@@ -49,8 +36,7 @@ class Import final : public Subcommand {
     table.number("--gap", &gap_, at_least(0),
                  "distance up to which a node of a contact pair or a tie touches the other "
                  "surface; default: ADJUST and POSITION TOLERANCE of the deck");
-    table.quiet();
-    table.serial();
+    table.quiet_and_serial();
   }
   void check() const override {
     if (!problems::is_abaqus_file(file_))
@@ -121,8 +107,16 @@ class Import final : public Subcommand {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> import_subcommand() {
-  return std::make_unique<Import>();
-}
+constexpr Registration import_subcommand{
+    {.name = "import",
+     .chapter = "Files of other programs",
+     .purpose = "problem file of an input deck of Abaqus or CalculiX",
+     .description =
+         "Writes the problem file that an input deck (.inp) of Abaqus or CalculiX describes, to "
+         "be "
+         "read and edited: mesh, materials, supports, ties, and contact candidates. Each keyword "
+         "that is not understood is left out with a warning.",
+     .example = "examples/wedge.inp --output wedge.toml"},
+    make<Import>};
 
 }  // namespace kusabi::run

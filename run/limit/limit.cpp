@@ -12,12 +12,13 @@
 
 #include "engine/together.hpp"
 #include "nodes/limit/limit_loads.hpp"
-#include "problems/files/problem_text.hpp"
+#include "problems/files/sections/residual_strength.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/group_half_widths.hpp"
+#include "run/command/registrations.hpp"
 #include "run/limit/curve_load.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_cases.hpp"
@@ -29,27 +30,15 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/kept_state.hpp"
-#include "run/session/progress_text.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/loss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
 
 class Limit final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "limit"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "collapse load factor of a truss, and its worst case";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The load factor at which a truss collapses, and its worst case under loads that are "
-           "not known exactly.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/paper/limit-3x3.toml --alpha 40";
-  }
-  [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;
   void check() const override;
   void read(CommandRun& run) override;
@@ -58,11 +47,11 @@ class Limit final : public Subcommand {
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
-  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
-  void take_cases(problems::Structure structure);
+  void take_cases(const problems::CheckedStructure& whole);
   void settle_half_widths();
+  void refuse_with_losses() const;
   void refuse_without_worst_case() const;
   [[nodiscard]] const char* why_no_certificate() const;
 
@@ -71,19 +60,14 @@ class Limit final : public Subcommand {
   std::string certificate_;
   std::string curve_csv_;
   std::string vtu_;
-  problems::ProblemText text_;
   std::string load_text_;
   std::vector<LimitCase> cases_;  // one without a name if the file has none
 };
 
 void Limit::describe(OptionTable& table) {
   constexpr double most_samples = 1e8;
-  table.problem(options_.file);
-  table
-      .number("--alpha", &options_.asked.alpha, at_least(0),
-              "half-width of each uncertain load, unless the file gives it another one")
-      .unit("in the file's unit of force")
-      .swept();
+  table.problem(options_.input.file);
+  table.alpha(options_.asked.alpha, ", unless the file gives it another one").swept();
   table.load_case(options_.load_case, ". Default: all load cases of the file");
   table.group_alpha(group_alpha_);
   table.choice("--cuts", options_.question.method,
@@ -92,30 +76,27 @@ void Limit::describe(OptionTable& table) {
                 {"tighten", limit::LimitMethod::tightened},
                 {"static", limit::LimitMethod::static_cuts},
                 {"all", limit::LimitMethod::all}},
-               "method for the worst case: static cuts, or the 0-1 program (29) of the paper with "
-               "no cuts, disjunctive cuts (the paper's method), a tightened M, or all of these. "
-               "With --big-m, none and disjunctive are as printed in the paper");
-  table
-      .number("--big-m", &options_.question.big_m, above(0),
-              "M of (29), for motions with f_R'u = 1 in the unit of force; 5 in the paper. "
-              "Default: a safe value, derived from the problem")
-      .needs("--cuts");
+               "method for the worst case: static cuts (static), or the 0-1 program (29) of the "
+               "paper without cuts (none), with the paper's disjunctive cuts (disjunctive), with a "
+               "tightened M (tighten), or with all of these (all). With --big-m, none and "
+               "disjunctive are the algorithms printed in the paper");
+  table.big_m(options_.question.big_m).needs("--cuts");
   table.number("--samples", &options_.question.samples, between(1, most_samples),
-               "number of random dead loads for comparison; --cuts none and disjunctive start from "
-               "the worst of them");
+               "number of random admissible dead loads whose load factors are computed for "
+               "comparison; --cuts none and disjunctive start from the smallest of these factors");
   table.number("--seed", &options_.question.seed, at_least(0), "random seed for --samples");
   table.flag("--curve", options_.question.curve,
-             "curves of the load factor over multiples of the critical load, and over alpha");
+             "two curves: the load factor over multiples of the critical dead load, and the worst "
+             "case over multiples of alpha");
   table.file("--curve-load", options_.curve_load, Role::input,
              "curve of the load factor over multiples of the load in this file: [[loads]] with "
-             "nodes and forces, or the critical load of an earlier result");
+             "nodes and forces, or a result file, whose critical load is taken");
   table.number("--curve-to", &options_.question.curve_to, between(1e-9, 1e9),
-               "end of the curves, in multiples of that load or of alpha");
+               "end of the curves, as a multiple of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
              "CSV file of the curves, one row per breakpoint");
   options_.loss.describe(table);
-  table.time_limit(options_.limits);
-  table.node_limit(options_.limits);
+  table.search_limits(options_.limits);
   table.resume(options_.checkpoint);
   table.save_on(options_.checkpoint);
   table.output();
@@ -123,15 +104,12 @@ void Limit::describe(OptionTable& table) {
   table.pictures(vtu_, "collapse, nominal and worst case", "limit.pvd");
   table.file("--certificate", certificate_, Role::output, "certificate file, for kusabi verify")
       .matters();
-  table.quiet();
-  table.serial();
+  table.quiet_and_serial();
 }
 
 void Limit::check() const {
   group_half_widths(group_alpha_);
-  if (options_.loss.most > 0 && !certificate_.empty()) {
-    throw WrongInput("--certificate: not available with --lose; expected one of them");
-  }
+  if (options_.loss.most > 0) refuse_with_losses();
   if (options_.question.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: requires --curve or --curve-load");
@@ -139,6 +117,17 @@ void Limit::check() const {
   if (options_.question.curve_to != limit::LimitQuestion{}.curve_to) {
     throw WrongInput("--curve-to: requires --curve or --curve-load");
   }
+}
+
+// Options on a worst case without losses.
+void Limit::refuse_with_losses() const {
+  const auto& question = options_.question;
+  const char* option = nullptr;
+  if (question.method != limit::LimitMethod::static_cuts) option = "--cuts";
+  if (question.samples > 0) option = "--samples";
+  if (question.curve) option = "--curve";
+  if (option == nullptr) return;
+  throw WrongInput(fmt::format("{}: not available with --lose; expected one of them", option));
 }
 
 // Options that require a worst case.
@@ -166,41 +155,37 @@ void Limit::settle_half_widths() {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (options_.question.alpha) {
-    if (options_.loss.most == 0) return;
-    throw WrongInput(
-        "--lose: requires a dead load without uncertainty; expected no --alpha, no --group-alpha "
-        "and no alpha in the file");
-  }
+  if (options_.question.alpha || options_.loss.most > 0) return;
   refuse_without_worst_case();
   // The dead load exactly as given: a certificate of the case without uncertainty.
   if (!certificate_.empty()) options_.question.alpha = 0;
 }
 
 void Limit::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
+  options_.input.read(run);
   if (options_.curve_load.empty()) return;
   load_text_ = run.session().from_first_rank(
       [&] { return problems::file_text(options_.curve_load, "a result file in JSON"); });
 }
 
 // All load cases of the file, or the requested one.
-void Limit::take_cases(problems::Structure structure) {
-  structure = problems::in_chosen_case(std::move(structure), options_.load_case);
+void Limit::take_cases(const problems::CheckedStructure& whole) {
+  const auto structure = problems::in_chosen_case(whole, options_.load_case);
   auto names = problems::load_cases(structure);
   if (names.empty()) names.emplace_back();
   for (const auto& name : names) {
-    auto truss = name.empty() ? structure : problems::in_load_case(structure, name);
+    auto truss =
+        name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
     auto problem = problems::limit_problem(truss);
     cases_.push_back({name, std::move(truss), std::move(problem)});
   }
 }
 
 void Limit::prepare(CommandRun& run) {
-  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
-  auto structure = problems::read_structure(text_, options_.file);
-  warn_all(run.session(), structure.warnings);
-  take_cases(std::move(structure));
+  const auto structure = options_.input.structure(run);
+  options_.question.residual =
+      problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
+  take_cases(structure);
   settle_half_widths();
   options_.question.loss = options_.loss.question(cases_.front().problem);
   engine::Facts facts;
@@ -208,6 +193,11 @@ void Limit::prepare(CommandRun& run) {
     engine::agree(run.session().transport(), problem.fingerprint);
     facts.emplace_back(name.empty() ? "the problem" : "the problem, case " + name,
                        hexadecimal(problem.fingerprint));
+  }
+  if (options_.question.residual.size() > 0) {
+    support::Fingerprint strengths;
+    for (const double strength : options_.question.residual) strengths.add(strength);
+    facts.emplace_back("the residual strengths", hexadecimal(strengths.value()));
   }
   if (!options_.curve_load.empty()) {
     options_.question.curve_load =
@@ -260,7 +250,11 @@ std::vector<Step> Limit::results(CommandRun& run) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (have_statements(cases_)) {
+  if (options_.loss.most > 0 && have_loss_statements(cases_)) {
+    steps.push_back(run.file("--certificate", [this](std::ostream& out) {
+      out << loss_certificate_text(all_loss_statements(cases_));
+    }));
+  } else if (have_statements(cases_)) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << limit_certificate_text(all_statements(cases_));
     }));
@@ -277,23 +271,25 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
-  if (!certificate_.empty() && !have_statements(cases_)) {
+  const bool any = options_.loss.most > 0 ? have_loss_statements(cases_) : have_statements(cases_);
+  if (!certificate_.empty() && !any) {
     verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
                                           certificate_, why_no_certificate()));
   }
   return verdict;
 }
 
-std::vector<std::string> Limit::remarks(CommandRun& run) {
-  const auto ended_by = verdict().ended;
-  if (ended_by == engine::Status::solved) return {};
-  return run.how_to_go_on(ended_by);
-}
-
 }  // namespace
 
-std::unique_ptr<Subcommand> limit_subcommand() {
-  return std::make_unique<Limit>();
-}
+constexpr Registration limit_subcommand{
+    {.name = "limit",
+     .chapter = "Limit loads of trusses",
+     .purpose = "collapse load factor of a truss, and its worst case",
+     .description =
+         "The load factor at which a truss collapses, and its worst case under loads that are "
+         "not known exactly.",
+     .example = "examples/paper/limit-3x3.toml --alpha 40",
+     .progress = ProgressLines::bounds},
+    make<Limit>};
 
 }  // namespace kusabi::run

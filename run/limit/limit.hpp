@@ -2,19 +2,19 @@
 // its least value under uncertain dead loads ((13)).
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/limit/model/limit_question.hpp"
 #include "problems/limit/half_widths.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/option_table.hpp"
+#include "run/command/problem_input.hpp"
 #include "run/limit/loss_options.hpp"
 
 namespace kusabi::run {
 
 struct LimitOptions {
-  std::string file;
+  ProblemInput input;
   std::string load_case;   ///< requested load case; empty: all
   std::string curve_load;  ///< file of the load of a curve
   problems::AskedHalfWidths asked;
@@ -23,7 +23,5 @@ struct LimitOptions {
   LossOptions loss;
   CheckpointChoice checkpoint;
 };
-
-std::unique_ptr<Subcommand> limit_subcommand();
 
 }  // namespace kusabi::run

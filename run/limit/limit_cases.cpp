@@ -83,6 +83,21 @@ std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> ca
   return all;
 }
 
+bool have_loss_statements(std::span<const LimitCase> cases) {
+  return std::ranges::all_of(cases, [](const auto& each) {
+    return each.found.loss && each.found.loss->statement && each.found.loss->proved;
+  });
+}
+
+std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases) {
+  std::vector<verify::LossStatement> all;
+  for (const auto& each : cases) {
+    all.push_back(*each.found.loss->statement);
+    all.back().load_case = each.name;
+  }
+  return all;
+}
+
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
   std::vector<limit::GuaranteedInterval> intervals;
   for (const auto& each : cases) intervals.push_back(guaranteed_interval(each.found.answer));
@@ -95,7 +110,8 @@ std::string cases_text(std::span<const LimitCase> cases) {
   for (const auto& each : cases)
     fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found));
   if (cases.front().found.answer.worst)
-    fmt::format_to(out, "in all cases: {}\n", interval_text(interval_of_all(cases)));
+    fmt::format_to(out, "in all cases: {}\n  {}\n", interval_text(interval_of_all(cases)),
+                   passed_text(interval_of_all(cases)));
   fmt::format_to(
       out, "{} {}\n\nload case {}\n",
       all_whole(cases) ? "the least factor is that of" : "the least known factor is that of",

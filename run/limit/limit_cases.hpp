@@ -12,13 +12,14 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/loss_certificate.hpp"
 
 namespace kusabi::run {
 
 /// A load case and its results; a file without cases has one without a name.
 struct LimitCase {
   std::string name;
-  problems::Structure truss;
+  problems::CheckedStructure truss;
   problems::LimitProblem problem;
   limit::LimitFindings found{};
 };
@@ -35,6 +36,12 @@ bool have_statements(std::span<const LimitCase> cases);
 
 /// The proved claims of all cases, for one certificate. @pre have_statements()
 std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> cases);
+
+/// True if the loss of members has its requested result proved in each case.
+bool have_loss_statements(std::span<const LimitCase> cases);
+
+/// The proved claims on the loss of members. @pre have_loss_statements()
+std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases);
 
 /// Load factors carried in all cases, under every admissible load. @pre a worst case was requested
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases);

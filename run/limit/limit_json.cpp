@@ -10,6 +10,7 @@
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/limit/loss_report.hpp"
+#include "run/limit/strut_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
@@ -24,17 +25,6 @@ using problems::LimitProblem;
 
 const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
-}
-
-// Meaning of zeta, parameter by parameter.
-ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
-  auto list = ordered_json::array();
-  for (int j = 0; j < problem.uncertain_count(); ++j) {
-    const double half_width = problem.uncertain[static_cast<std::size_t>(j)].half_width;
-    list.push_back(
-        {{"name", problems::parameter_name(problem, j)}, {"value", half_width * zeta(j)}});
-  }
-  return list;
 }
 
 // A load by nodes; zeros are left out.
@@ -131,6 +121,7 @@ ordered_json options_json(const LimitOptions& options) {
   if (question.loss) {
     chosen["lose"] = question.loss->most;
     chosen["at_least"] = number_or_null(question.loss->at_least);
+    if (question.loss->sudden != 1) chosen["sudden"] = question.loss->sudden;
     if (!options.loss.kept.empty()) chosen["keep"] = options.loss.kept;
   }
   return chosen;
@@ -201,9 +192,10 @@ ordered_json result_json(const LimitReport& report) {
     result["nominal_support_reactions"] =
         support_reactions_json(report, *answer.nominal, problem.dead);
   }
+  if (report.residual) result["struts"] = strut_json(report);
   if (report.loss) result["member_loss"] = loss_json(problem, *report.loss);
   if (answer.worst) add_worst_case(result, report, *answer.worst);
-  if (options.question.alpha) add_interval(result, report);
+  if (options.question.alpha && !report.loss) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
   CurveReport{options, problem, answer}.add_to(result);
   return result;
@@ -213,7 +205,7 @@ ordered_json statistics_json(const LimitReport& report) {
   ordered_json statistics{{"ranks", report.ranks}};
   if (report.loss) {
     const auto& counts = report.loss->counts;
-    statistics["member_loss"] = {{"searches", counts.searches},
+    statistics["member_loss"] = {{"rounds", counts.rounds},
                                  {"nodes", counts.nodes},
                                  {"states", counts.states},
                                  {"programs", counts.programs}};
@@ -230,10 +222,21 @@ ordered_json statistics_json(const LimitReport& report) {
 
 }  // namespace
 
+// Meaning of zeta, parameter by parameter.
+ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+  auto list = ordered_json::array();
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    const double half_width = problem.uncertain[static_cast<std::size_t>(j)].half_width;
+    list.push_back(
+        {{"name", problems::parameter_name(problem, j)}, {"value", half_width * zeta(j)}});
+  }
+  return list;
+}
+
 ordered_json LimitReport::json() const {
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
-          {"problem", limit_problem_json(problem, truss, options.file)},
+          {"problem", limit_problem_json(problem, truss, options.input.file)},
           {"options", options_json(options)},
           {"status", status_text(limit_verdict(options, cases))},
           {"result", result_json(*this)},

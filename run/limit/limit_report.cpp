@@ -13,6 +13,7 @@
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/limit/loss_report.hpp"
+#include "run/limit/strut_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
@@ -87,6 +88,7 @@ void write_interval(std::string& text, const LimitProblem& problem,
                     const limit::LimitAnswer& answer) {
   const auto interval = guaranteed_interval(answer);
   text += "  " + interval_text(interval) + '\n';
+  text += "  " + passed_text(interval) + '\n';
   const auto& reversed = answer.reversed;
   if (!reversed || reversed->zeta.size() == 0 || interval.least.upper <= 0) return;
   text += "  load with the largest least factor:\n" + critical_load_text(problem, reversed->zeta);
@@ -160,8 +162,9 @@ std::string LimitReport::table(const Page& page) const {
   write_zero(text, "the dead load", *answer.nominal);
   write_mode(text, problem, *answer.nominal);
   text += utilisation_text(problem, *answer.nominal);
-  if (loss) text += loss_text(problem, *loss);
+  if (loss) text += loss_text(problem, truss, *loss);
   if (answer.worst) write_worst(text, options, problem, answer);
+  if (residual) text += strut_text(*this);
   if (!answer.samples.empty()) {
     const auto [least, greatest] = std::ranges::minmax(answer.samples);
     double sum = 0;

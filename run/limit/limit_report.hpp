@@ -26,6 +26,7 @@ struct LimitReport {
         truss(governs.truss),
         problem(governs.problem),
         answer(governs.found.answer),
+        residual(governs.found.residual),
         loss(governs.found.loss),
         load_case(governs.name),
         ranks(on_ranks) {}
@@ -35,6 +36,7 @@ struct LimitReport {
   const problems::Structure& truss;
   const problems::LimitProblem& problem;
   const limit::LimitAnswer& answer;
+  const std::optional<limit::LimitAnswer>& residual;  ///< struts at their residual strength
   const std::optional<limit::LossAnswer>& loss;
   const std::string& load_case;  ///< empty: the file has none
   int ranks;
@@ -43,5 +45,9 @@ struct LimitReport {
   [[nodiscard]] std::string table(const Page& page) const;
   [[nodiscard]] nlohmann::ordered_json json() const;
 };
+
+/// zeta of each uncertain load, by its name: the key `critical_parameters`. @param zeta m
+nlohmann::ordered_json parameters_json(const problems::LimitProblem& problem,
+                                       const Eigen::VectorXd& zeta);
 
 }  // namespace kusabi::run

@@ -18,6 +18,7 @@
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
 #include "run/limit/loss_report.hpp"
+#include "run/limit/strut_report.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
 
@@ -195,6 +196,7 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   } else if (answer.nominal) {
     yields(*answer.nominal, "Then");
   }
+  if (governs.found.residual) verdict.details.push_back(strut_sentence(*governs.found.residual));
   interval.incomplete = !all_whole(cases);
   verdict.answer = interval;
   const bool of_losses =

@@ -52,8 +52,8 @@ std::vector<int> kept_members(const LimitProblem& problem, const std::string& na
 
 void LossOptions::describe(OptionTable& table) {
   table.number("--lose", &most, between(1, 1000),
-               "least load factor over all losses of up to this number of members, for the dead "
-               "load as given");
+               "least load factor over all losses of up to this number of members and, with "
+               "half-widths of uncertain loads, over these loads");
   table
       .number("--at-least", &at_least, Range{},
               "decides if this load factor is carried after every such loss")
@@ -63,11 +63,17 @@ void LossOptions::describe(OptionTable& table) {
             "members that are not lost, as NODE-NODE, and nodes whose members are not, separated "
             "by blanks")
       .needs("--lose");
+  table
+      .number(
+          "--sudden", &sudden, between(1, 100),
+          "dynamic factor of all loads after a sudden loss: the yield forces are divided by it. "
+          "1: a slow loss, or unlimited ductility; 2: an elastic structure")
+      .needs("--lose");
 }
 
 std::optional<limit::LossQuestion> LossOptions::question(const LimitProblem& problem) const {
   if (most == 0) return std::nullopt;
-  return limit::LossQuestion{most, at_least, kept_members(problem, kept)};
+  return limit::LossQuestion{most, at_least, kept_members(problem, kept), sudden};
 }
 
 }  // namespace kusabi::run

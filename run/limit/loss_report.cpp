@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/output/values.hpp"
 
@@ -40,12 +41,6 @@ double value_of(const SingleLoss& single) {
   return single.factor;
 }
 
-const char* state_of(LoadStatus status) {
-  return status == LoadStatus::collapses     ? "collapses"
-         : status == LoadStatus::not_carried ? "not-carried"
-                                             : "undetermined";
-}
-
 std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   if (loss.singles.empty()) return {};
   auto singles = loss.singles;
@@ -54,7 +49,9 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   const auto lowers = [&](const SingleLoss& single) {
     return value_of(single) < nominal - lowers_by * std::abs(nominal);
   };
-  std::string text = "  loss of one member (computed by the simplex method):\n";
+  std::string text = loss.uncertain
+                         ? "  loss of one member (upper bounds, by alternating linear programs):\n"
+                         : "  loss of one member (computed by the simplex method):\n";
   const auto out = std::back_inserter(text);
   std::size_t shown = 0;
   for (const auto& single : singles) {
@@ -74,6 +71,34 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   fmt::format_to(out, "    {} of {} do not lower the factor\n", singles.size() - shown - failed,
                  counted(singles.size(), "member"));
   return text;
+}
+
+// Remark on a loss after which one node alone moves under its load.
+std::string fatal_text(const LimitProblem& problem, const problems::Structure& truss,
+                       const LossAnswer& loss) {
+  if (loss.fatal_motion.size() == 0) return {};
+  const auto moving = problems::collapse_mode(problem, loss.fatal_motion).moving;
+  if (moving.size() != 1) return {};
+  const int node = moving.front().node;
+  const auto height = [&](int of) { return truss.coordinates(truss.dimension - 1, of); };
+  std::size_t below = 0;
+  std::size_t lost_below = 0;
+  std::size_t lost_there = 0;
+  for (int i = 0; i < problem.member_count(); ++i) {
+    const auto& bar = problem.members[static_cast<std::size_t>(i)];
+    if (bar.first != node && bar.second != node) continue;
+    const bool is_lost = std::ranges::find(loss.lost, i) != loss.lost.end();
+    const bool is_below = height(bar.first == node ? bar.second : bar.first) < height(node);
+    lost_there += is_lost ? 1 : 0;
+    below += is_below ? 1 : 0;
+    lost_below += is_lost && is_below ? 1 : 0;
+  }
+  const auto& name = problem.node_names[static_cast<std::size_t>(node)];
+  if (lost_below == loss.lost.size() && lost_below == below)
+    return fmt::format("  these are all members below node {}, which is loaded\n", name);
+  if (lost_there == loss.lost.size())
+    return fmt::format("  node {}, where these members end, cannot carry its load\n", name);
+  return {};
 }
 
 void write_ends(std::string& text, const LossAnswer& loss) {
@@ -104,9 +129,19 @@ void write_ends(std::string& text, const LossAnswer& loss) {
 
 }  // namespace
 
-std::string loss_text(const LimitProblem& problem, const LossAnswer& loss) {
-  std::string text = fmt::format("\nloss of up to {} of {}\n", loss.most,
-                                 counted(static_cast<std::uint64_t>(loss.eligible), "member"));
+const char* loss_state(LoadStatus status) {
+  return status == LoadStatus::collapses     ? "collapses"
+         : status == LoadStatus::not_carried ? "not-carried"
+                                             : "undetermined";
+}
+
+std::string loss_text(const LimitProblem& problem, const problems::Structure& truss,
+                      const LossAnswer& loss) {
+  std::string text = fmt::format(
+      "\nloss of up to {} of {}{}{}\n", loss.most,
+      counted(static_cast<std::uint64_t>(loss.eligible), "member"),
+      loss.uncertain ? ", under every admissible load" : "",
+      loss.sudden == 1 ? std::string() : fmt::format(", dynamic factor {}", loss.sudden));
   write_ends(text, loss);
   const auto out = std::back_inserter(text);
   if (loss.lost.empty()) {
@@ -114,6 +149,8 @@ std::string loss_text(const LimitProblem& problem, const LossAnswer& loss) {
   } else {
     fmt::format_to(out, "  worst loss known: {}\n", fmt::join(names_of(problem, loss.lost), " "));
   }
+  if (loss.is_fatal()) text += fatal_text(problem, truss, loss);
+  if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(problem, loss.zeta);
   if (loss.collapse && loss.collapse->factor < 0)
     text += "  negative: the dead load alone collapses the structure then\n";
   if (loss.undecided > 0)
@@ -123,7 +160,7 @@ std::string loss_text(const LimitProblem& problem, const LossAnswer& loss) {
   if (loss.search != engine::Status::solved)
     fmt::format_to(out, "  stopped early ({})\n", status_name(loss.search));
   const auto& counts = loss.counts;
-  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.searches, "tree"),
+  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.rounds, "round"),
                  counted(counts.nodes, "node"), counted(counts.states, "carrying stress state"),
                  counted(counts.programs, "linear program"));
   return text;
@@ -132,6 +169,8 @@ std::string loss_text(const LimitProblem& problem, const LossAnswer& loss) {
 ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
   ordered_json json{
       {"most", loss.most},
+      {"uncertain", loss.uncertain},
+      {"sudden", loss.sudden},
       {"eligible", loss.eligible},
       {"lower", number_or_null(loss.ends.lower)},
       {"upper", number_or_null(loss.ends.upper)},
@@ -149,9 +188,10 @@ ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
     singles.push_back({{"member", problems::member_name(problem, single.member)},
                        {"index", single.member},
                        {"factor", finite ? ordered_json(single.factor) : ordered_json()},
-                       {"state", state_of(single.status)}});
+                       {"state", loss_state(single.status)}});
   }
   json["single"] = std::move(singles);
+  if (loss.zeta.size() > 0) json["critical_parameters"] = parameters_json(problem, loss.zeta);
   if (loss.collapse) {
     json["forces"] = numbers(loss.collapse->forces);
   }
@@ -162,7 +202,9 @@ MemberLoss member_loss(std::span<const LimitCase> cases) {
   const auto& governs = governing(cases);
   const auto& worst = *governs.found.loss;
   const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
-  MemberLoss answer{.most = static_cast<std::uint64_t>(worst.most), .cases = cases.size()};
+  MemberLoss answer{.most = static_cast<std::uint64_t>(worst.most),
+                    .cases = cases.size(),
+                    .uncertain = worst.uncertain};
   answer.lost = names_of(governs.problem, worst.lost);
   answer.target = worst.target;
   if (worst.is_fatal()) {

@@ -14,8 +14,12 @@
 
 namespace kusabi::run {
 
+/// The word in results for what remains after a loss.
+const char* loss_state(limit::LoadStatus status);
+
 /// The worst loss, and the members whose loss alone lowers the factor.
-std::string loss_text(const problems::LimitProblem& problem, const limit::LossAnswer& loss);
+std::string loss_text(const problems::LimitProblem& problem, const problems::Structure& truss,
+                      const limit::LossAnswer& loss);
 
 /// The key `member_loss` of a result.
 nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,

@@ -1,10 +1,12 @@
 // Columns named as in the result file.
 #include "run/limit/members_csv.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/utilisation.hpp"
+#include "run/limit/loss_report.hpp"
 #include "run/output/csv.hpp"
 
 namespace kusabi::run {
@@ -40,6 +42,28 @@ class Collapse {
   Eigen::VectorXd elongation_;  // 0: elastic
 };
 
+/// Cells on the loss of each member.
+class Losses {
+ public:
+  explicit Losses(const limit::LossAnswer& loss) : loss_(loss) {}
+
+  void add_member(CsvWriter& csv, int member) const {
+    const auto single = std::ranges::find(loss_.singles, member, &limit::SingleLoss::member);
+    if (single == loss_.singles.end()) {
+      csv.nothing().word("kept");
+    } else if (single->status == limit::LoadStatus::collapses) {
+      csv.number(single->factor).word("collapses");
+    } else {
+      csv.nothing().word(loss_state(single->status));
+    }
+    const bool lost = std::ranges::find(loss_.lost, member) != loss_.lost.end();
+    csv.word(lost ? "lost" : "");
+  }
+
+ private:
+  const limit::LossAnswer& loss_;
+};
+
 }  // namespace
 
 void write_members_csv(std::ostream& out, const LimitReport& report) {
@@ -52,6 +76,7 @@ void write_members_csv(std::ostream& out, const LimitReport& report) {
        {"member", "first", "second", "yield_tension", "yield_compression", "nominal_forces",
         "nominal_utilisation", "nominal_mode", "forces", "utilisation", "collapse_mode"})
     csv.word(column);
+  if (report.loss) csv.word("factor_after_loss").word("state_after_loss").word("worst_loss");
   csv.end_row();
   for (int i = 0; i < problem.member_count(); ++i) {
     const auto& bar = problem.members[static_cast<std::size_t>(i)];
@@ -61,6 +86,7 @@ void write_members_csv(std::ostream& out, const LimitReport& report) {
     csv.number(problem.tension(i)).number(problem.compression(i));
     nominal.add_member(csv, i);
     worst.add_member(csv, i);
+    if (report.loss) Losses(*report.loss).add_member(csv, i);
     csv.end_row();
   }
 }

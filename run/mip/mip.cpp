@@ -13,10 +13,10 @@
 #include "engine/signals.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/values.hpp"
 #include "run/session/kept_state.hpp"
-#include "run/session/progress_text.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -49,17 +49,6 @@ std::uint64_t program_fingerprint(const ProgramFile& file) {
 
 class Mip final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "mip"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "optimum of a mixed zero-one linear program";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The optimum of a mixed zero-one linear program, with a bound that proves it.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "tests/programs/assignment.mps";
-  }
-  [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;
   void read(CommandRun& run) override;
   void prepare(CommandRun& run) override;
@@ -67,7 +56,6 @@ class Mip final : public Subcommand {
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
-  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   MipOptions options_;
@@ -101,19 +89,16 @@ void Mip::describe(OptionTable& table) {
   table.flag("--no-dive", options_.dive, "do not dive for a first point before the search", false);
   table.output();
   table.further_output("--csv", "CSV file of the best point, one row per nonzero column");
-  table.time_limit(options_.limits);
-  table.node_limit(options_.limits);
+  table.search_limits(options_.limits);
   table
       .number("--gap", &options_.limits.gap, above(0),
               "relative difference of objective and bound at which the search stops")
       .stops(engine::Status::gap_limit)
       .varies();
   table.resume(options_.checkpoint);
-  table.former_name("--checkpoint", "--resume");
-  table.former_name("--restart", "--resume");
+  table.former_names_of_resume();
   table.save_on(options_.checkpoint);
-  table.quiet();
-  table.serial();
+  table.quiet_and_serial();
 }
 
 void Mip::read(CommandRun& run) {
@@ -161,16 +146,15 @@ Verdict Mip::verdict() const {
   return MipReport{options_, program_, fingerprint_, *found_}.verdict();
 }
 
-std::vector<std::string> Mip::remarks(CommandRun& run) {
-  const auto& outcome = found_->outcome;
-  if (outcome.status == engine::Status::solved) return {};
-  return run.how_to_go_on(outcome.status);
-}
-
 }  // namespace
 
-std::unique_ptr<Subcommand> mip_subcommand() {
-  return std::make_unique<Mip>();
-}
+constexpr Registration mip_subcommand{
+    {.name = "mip",
+     .chapter = "Mixed zero-one programs",
+     .purpose = "optimum of a mixed zero-one linear program",
+     .description = "The optimum of a mixed zero-one linear program, with a bound that proves it.",
+     .example = "tests/programs/assignment.mps",
+     .progress = ProgressLines::bounds},
+    make<Mip>};
 
 }  // namespace kusabi::run

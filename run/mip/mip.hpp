@@ -2,13 +2,12 @@
 // 4.2 and 5.1 of the limit paper).
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/option_table.hpp"
 
 namespace kusabi::run {
 
@@ -22,7 +21,5 @@ struct MipOptions {
   engine::Limits limits;                             ///< limits of the search
   CheckpointChoice checkpoint;                       ///< files of its state
 };
-
-std::unique_ptr<Subcommand> mip_subcommand();
 
 }  // namespace kusabi::run

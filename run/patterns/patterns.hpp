@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/wedged/tree/pattern_options.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/option_table.hpp"
+#include "run/command/problem_input.hpp"
 #include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::run {
@@ -23,7 +23,7 @@ enum class PatternSort {
 };
 
 struct PatternsOptions {
-  std::string file;                             ///< problem file
+  ProblemInput input;
   double friction = 0;                          ///< friction coefficient mu
   double tolerance = conic::Tolerances{}.sign;  ///< margins |t*| up to this are degenerate
   wedged::Tightening tightening = wedged::Tightening::automatic;  ///< use of cuts
@@ -49,7 +49,5 @@ struct PatternsOptions {
   /// Facets of polyhedral cones; 0: second-order cones.
   [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }
 };
-
-std::unique_ptr<Subcommand> patterns_subcommand();
 
 }  // namespace kusabi::run

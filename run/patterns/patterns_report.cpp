@@ -83,7 +83,7 @@ Verdict PatternsReport::verdict() const {
   // test has decided them.
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
-                                 : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
+                                 : findings_.flat == 0 && problem_.modes.bodies.empty();
   // A pattern answers --exists; a search that is complete has listed all of them.
   const bool example = options_.exists && findings_.count() != 0U &&
                        findings_.outcome.status == engine::Status::solution_limit;
@@ -294,7 +294,7 @@ void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const 
   json.begin_object();
   json.member("command", "patterns");
   json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(whole.structure(), problem_, options_.file));
+  json.member("problem", problem_json(whole.structure(), problem_, options_.input.file));
   json.member("options", chosen_json());
   json.member("status", status_text(verdict()));
   json.key("result");

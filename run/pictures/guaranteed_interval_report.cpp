@@ -47,6 +47,12 @@ std::string interval_text(const GuaranteedInterval& interval) {
       bound_text(least.lower), bound_text(largest.upper));
 }
 
+std::string passed_text(const GuaranteedInterval& interval) {
+  const auto passed = interval.passed();
+  const char* const answer = !passed ? "open" : *passed ? "passed, proved" : "not passed, proved";
+  return fmt::format("every load factor from 0 to 1: {}", answer);
+}
+
 ordered_json interval_json(const GuaranteedInterval& interval) {
   const auto known = [&]() -> ordered_json {
     if (interval.is_empty()) return true;
@@ -56,6 +62,7 @@ ordered_json interval_json(const GuaranteedInterval& interval) {
   return {{"lower", bracket_json(interval.least)},
           {"upper", bracket_json(interval.largest)},
           {"empty", known()},
+          {"passed", interval.passed() ? ordered_json(*interval.passed()) : ordered_json()},
           {"proved", interval.decided()}};
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,30 @@ ordered_json elements_json(const std::vector<problems::Element>& all) {
   auto list = ordered_json::array();
   for (auto& [shape, nodes] : by_shape)
     list.push_back({{"shape", problems::shape_traits(shape).name}, {"nodes", std::move(nodes)}});
+  return list;
+}
+
+// Distinct materials of the elements with the number of their elements, in the order of their first
+// ones.
+ordered_json materials_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  std::map<std::tuple<double, double, double, problems::PlaneState>, std::size_t> places;
+  for (const auto& element : structure.elements) {
+    const bool plane = structure.dimension == 2;
+    const auto [place, is_new] =
+        places.try_emplace({element.modulus, element.ratio, plane ? element.thickness : 0,
+                            plane ? element.state : problems::PlaneState::stress},
+                           list.size());
+    if (is_new) {
+      list.push_back({{"E", element.modulus}, {"nu", element.ratio}, {"elements", 0}});
+      if (plane) {
+        list.back()["thickness"] = element.thickness;
+        list.back()["plane"] = element.state == problems::PlaneState::stress ? "stress" : "strain";
+      }
+    }
+    auto& count = list[place->second]["elements"];
+    count = count.get<std::size_t>() + 1;
+  }
   return list;
 }
 
@@ -158,6 +183,7 @@ ordered_json structure_json(const Structure& structure) {
   add_if_any(json, "axial_stiffnesses", axial_stiffnesses_json(structure));
   add_if_any(json, "yield_forces", yield_forces_json(structure));
   add_if_any(json, "elements", elements_json(structure.elements));
+  add_if_any(json, "materials", materials_json(structure));
   add_if_any(json, "outlines", elements_json(structure.outlines));
   add_if_any(json, "fixed", fixed_json(structure));
   add_if_any(json, "inclined_supports", inclined_supports_json(structure));

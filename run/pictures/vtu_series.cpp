@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "run/pictures/paraview_script.hpp"
+
 namespace kusabi::run {
 
 void VtuSeries::add(const std::string& file, const pictures::UnstructuredGrid& grid) {
@@ -13,6 +15,8 @@ void VtuSeries::add(const std::string& file, const pictures::UnstructuredGrid& g
 }
 
 void VtuSeries::finish(const std::string& file, const std::string& remark) {
+  const auto stem = file.substr(0, file.rfind('.'));
+  folder_.write(stem + ".py", [](std::ostream& out) { out << paraview_script; });
   folder_.write(file, [&](std::ostream& out) { write_pvd(out, entries_, remark); });
 }
 

@@ -20,7 +20,7 @@ class VtuSeries {
   /// Writes the next file. @throws as OutputFolder
   void add(const std::string& file, const pictures::UnstructuredGrid& grid);
 
-  /// Writes the PVD file, with times 1, 2, …
+  /// Writes a script for ParaView of the same name, then the PVD file, with times 1, 2, …
   void finish(const std::string& file, const std::string& remark);
 
  private:

@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,19 +14,15 @@
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/rays/divided_rays.hpp"
 #include "nodes/wedged/rays/ray_search.hpp"
-#include "problems/files/problem_text.hpp"
-#include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
 #include "run/rays/rays_report.hpp"
-#include "run/session/kept_state.hpp"
-#include "run/session/progress_text.hpp"
-#include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/contact_problem.hpp"
 #include "run/wedged/exact_json.hpp"
-#include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -51,20 +46,9 @@ std::vector<pictures::ContactState> contact_states_of(const rays::Supports& supp
 
 class Rays final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "rays"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "all extremal rays and maximal cones, in the plane";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "All extremal rays of wedged configurations in the plane, and all maximal cones.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/plane-truss.toml --mu 0.8";
-  }
-  [[nodiscard]] std::string notes() const override { return progress_explained(false); }
   void describe(OptionTable& table) override;
   void check() const override;
-  void read(CommandRun& run) override;
+  void read(CommandRun& run) override { options_.input.read(run); }
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
@@ -78,9 +62,7 @@ class Rays final : public Subcommand {
 
   RaysOptions options_;
   std::string vtu_;
-  problems::ProblemText text_;
-  problems::Structure structure_;
-  problems::WedgedProblem problem_;
+  ContactProblem contact_;
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
   wedged::RayFindings found_;  // on rank 0
@@ -90,28 +72,27 @@ class Rays final : public Subcommand {
 };
 
 void Rays::describe(OptionTable& table) {
-  table.problem(options_.file);
+  table.problem(options_.input.file);
   table.friction(options_.friction);
   table.choice("--method", options_.method,
                {{"auto", RayMethod::automatic},
                 {"double-description", RayMethod::double_description},
                 {"tree", RayMethod::tree}},
-               "method: Algorithm 4.2 with all rays on every rank (double-description), pattern by "
-               "pattern (tree), or the faster of both by a trial, with the list divided among the "
-               "ranks (auto): the same rays");
+               "method: Algorithm 4.2 with all rays on every rank (double-description), the rays "
+               "of one sign pattern after the other (tree), or the faster of both in a trial, with "
+               "the rays divided among the ranks (auto). The rays are the same");
   table.output();
   table.pictures(vtu_, "ray", "rays.pvd");
-  table.further_output("--csv", "CSV file of the rays, one row each");
-  table.further_output("--dot", "graph of cones and their rays for Graphviz; up to 200 rays");
+  table.csv_of("rays");
+  table.further_output(
+      "--dot", "graph of the maximal cones and their rays for Graphviz, of at most 200 rays");
   table.whole_states(options_.whole, "rays", "none");
-  table.time_limit(options_.limits);
-  table.node_limit(options_.limits);
-  table.resume(options_.checkpoint, "; short steps that all ranks make together are repeated");
+  table.search_limits(options_.limits);
+  table.resume(options_.checkpoint, ". Short steps that all ranks make together are repeated");
   table.prove(options_.prove,
-              "compare the cones with a list of patterns that is tested exactly, as by kusabi "
-              "verify");
-  table.quiet();
-  table.serial();
+              "compare the cones with a list of patterns whose nodes are tested in exact "
+              "arithmetic, as kusabi verify does");
+  table.quiet_and_serial();
 }
 
 void Rays::check() const {
@@ -122,38 +103,26 @@ void Rays::check() const {
   }
 }
 
-void Rays::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
-}
-
 void Rays::prepare(CommandRun& run) {
-  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
-  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
-  structure_ = std::move(structure);
-  warn_all(run.session(), structure_.warnings);
-  warn_all(run.session(), ignored_loads(structure_, "rays"));
-  warn_all(run.session(), facet_warnings(facets, options_.friction, options_.file));
-  problem_ = run.within_limits(
-      [&](const auto& work) { return problems::wedged_problem(structure_, work); });
-  agree(run.session(), problem_);
-  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
+  contact_ = contact_problem(run, options_.input, options_.friction);
   check_problem();
-  friction_ = friction_at(problem_, options_.friction, options_.file);
-  cone_ = wedged::reaction_cone(problem_, friction_);
+  friction_ = friction_at(contact_.problem, options_.friction, options_.input.file);
+  keep_state(run, options_.checkpoint, contact_.problem);
+  cone_ = wedged::reaction_cone(contact_.problem, friction_);
 }
 
 void Rays::check_problem() const {
-  if (problem_.dimension != 2) {
+  if (contact_.problem.dimension != 2) {
     throw WrongInput(
         fmt::format("{}: dimension is 3; expected 2, since circular friction cones have no finite "
                     "list of extremal rays; kusabi patterns has no such limit",
-                    options_.file));
+                    options_.input.file));
   }
-  const auto candidates = std::ssize(problem_.contact_names);
+  const auto candidates = std::ssize(contact_.problem.contact_names);
   if (candidates > rays::most_candidates) {
     throw WrongInput(fmt::format(
         "{}: {} contact candidates; expected at most {}; kusabi patterns has no such limit",
-        options_.file, candidates, rays::most_candidates));
+        options_.input.file, candidates, rays::most_candidates));
   }
 }
 
@@ -161,9 +130,8 @@ std::string Rays::announcement(const std::string& ranks) const {
   const bool by_pattern = options_.method == RayMethod::tree;
   const auto megabytes =
       std::max<std::uint64_t>(wedged::memory_of_lists(cone_->candidates()) >> 20U, 1);
-  return fmt::format("{}; friction coefficient {}{}; {} on {}{}", problem_line(problem_),
-                     options_.friction,
-                     uniform_friction(problem_) ? "" : " times that of each candidate",
+  return fmt::format("{}; friction coefficient {}; {} on {}{}", problem_line(contact_.problem),
+                     friction_text(contact_.problem, options_.friction),
                      by_pattern ? "the tree of sign patterns" : "double description", ranks,
                      options_.method == RayMethod::automatic
                          ? fmt::format(", lists of rays in {} MB each", megabytes)
@@ -172,11 +140,12 @@ std::string Rays::announcement(const std::string& ranks) const {
 
 void Rays::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
-  found_ = wedged::find_rays(analysis, problem_, friction_, *cone_, options_.method);
+  found_ = wedged::find_rays(analysis, contact_.problem, friction_, *cone_, options_.method);
   const bool searched = run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;
   const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
-  exact_ = wedged::tested_cones(analysis, {structure_, problem_, proving}, friction_, found_.cones);
+  exact_ = wedged::tested_cones(analysis, {contact_.structure, contact_.problem, proving},
+                                friction_, found_.cones);
 }
 
 void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
@@ -188,15 +157,16 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
     const auto ray = cone_->ray(found_.rays[i], health);
     series.add(
         numbered_vtu("ray", i + 1, count),
-        grids.grid(fmt::format("ray {} at friction coefficient {}", i + 1, options_.friction),
+        grids.grid({fmt::format("ray {} at friction coefficient {}", i + 1, options_.friction),
+                    options_.friction},
                    numbers(ray.reaction), numbers(ray.displacement),
                    contact_states_of({found_.rays[i], cone_->all()}, cone_->candidates())));
   }
-  series.finish("rays.pvd", problem_line(problem_));
+  series.finish("rays.pvd", problem_line(contact_.problem));
 }
 
 std::vector<Step> Rays::results(CommandRun& run) {
-  const auto states = std::make_shared<const WholeStates>(structure_, problem_);
+  const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
   const auto report =
       std::make_shared<RaysReport>(options_, *states, *cone_, found_, exact_, CommandRun::page());
   // Table, CSV and JSON are written in one pass over the rays, whose numbers are computed once.
@@ -217,7 +187,7 @@ Verdict Rays::verdict() const {
   return {.ended = found_.status,
           .answer = Sticking{.thing = "extremal ray",
                              .friction = options_.friction,
-                             .factor = !uniform_friction(problem_),
+                             .factor = !uniform_friction(contact_.problem),
                              .count = found_.rays.size(),
                              .standing = Standing::computed,
                              .ambiguous = !found_.health.sound(),
@@ -240,15 +210,19 @@ std::vector<std::string> Rays::remarks(CommandRun& run) {
                     "rays of each cone, that of --csv a row per ray",
                     found_.rays.size(), most_drawn_rays));
   }
-  if (whole()) return remarks;
-  std::ranges::move(run.how_to_go_on(found_.status), std::back_inserter(remarks));
   return remarks;
 }
 
 }  // namespace
 
-std::unique_ptr<Subcommand> rays_subcommand() {
-  return std::make_unique<Rays>();
-}
+constexpr Registration rays_subcommand{
+    {.name = "rays",
+     .chapter = "Wedged configurations",
+     .purpose = "all extremal rays and maximal cones, in the plane",
+     .description = "All extremal rays of the wedged configurations of a plane structure, and all "
+                    "maximal cones, each with its rays.",
+     .example = "examples/plane-truss.toml --mu 0.8",
+     .progress = ProgressLines::solutions},
+    make<Rays>};
 
 }  // namespace kusabi::run

@@ -2,17 +2,17 @@
 // plane (Algorithms 4.1 to 4.3 of the wedged paper).
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/wedged/rays/ray_search.hpp"
-#include "run/command/subcommand.hpp"
+#include "run/command/option_table.hpp"
+#include "run/command/problem_input.hpp"
 
 namespace kusabi::run {
 
 struct RaysOptions {
-  std::string file;     ///< problem file
+  ProblemInput input;
   double friction = 0;  ///< friction coefficient mu
   wedged::RayMethod method = wedged::RayMethod::automatic;
   bool whole = false;     ///< all displacements and support reactions in the result file
@@ -20,7 +20,5 @@ struct RaysOptions {
   engine::Limits limits;  ///< limits of the search; wedged::RayMethod::tree only
   CheckpointChoice checkpoint;
 };
-
-std::unique_ptr<Subcommand> rays_subcommand();
 
 }  // namespace kusabi::run

@@ -150,7 +150,7 @@ std::string RaysReport::summary() const {
   fmt::format_to(
       out, "\n{}{} in {} at friction coefficient {}{}, by {}\n",
       counted(found_.rays.size(), "extremal ray"),
-      problem_.unconstrained_bodies.empty()
+      problem_.modes.bodies.empty()
           ? ""
           : fmt::format(" and {} without reactions",
                         counted(found_.motions.size(), "extremal motion")),
@@ -168,7 +168,7 @@ void RaysReport::begin(JsonWriter& json) const {
   json.begin_object();
   json.member("command", "rays");
   json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(whole_.structure(), problem_, options_.file));
+  json.member("problem", problem_json(whole_.structure(), problem_, options_.input.file));
   json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
   json.member("status", status_name(found_.status));
   json.key("result");
@@ -183,7 +183,7 @@ void RaysReport::begin(JsonWriter& json) const {
 // The numerical health includes the numbers of the rays, which are computed while they are written.
 void RaysReport::end_rays_and_all(JsonWriter& json) {
   json.end_list();
-  if (!problem_.unconstrained_bodies.empty()) {
+  if (!problem_.modes.bodies.empty()) {
     json.key("motions");
     json.begin_list();
     for (std::size_t at = 0; at < found_.motions.size(); ++at) json.value(motion_json(at));
@@ -235,7 +235,7 @@ ordered_json RaysReport::cone_json(const rays::Cone& each) const {
       {"separated", candidate_names(problem_, each.separated)},
       {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))},
       {"rays", numbers}};
-  if (problem_.unconstrained_bodies.empty()) return json;
+  if (problem_.modes.bodies.empty()) return json;
   std::vector<std::size_t> motions;
   for (std::size_t number = 0; number < found_.motions.size(); ++number) {
     if (belongs({found_.motions[number], cone_.all()}, each)) motions.push_back(number + 1);

@@ -1,6 +1,11 @@
 // Patterns, rays and critical patterns have a contact set and, mostly, a reaction.
 #include "run/report/answers.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <string_view>
 
 namespace kusabi::run {
@@ -19,27 +24,97 @@ void read_states(const ResultReader& reader, const ResultJson& ray, Answer& answ
   }
 }
 
+std::string in_words(const std::string& state) {
+  if (state == "alive") return {};
+  if (state == "flat") return "some candidates are inactive";
+  if (state == "marginal" || state == "undecided") return "numerically undecided";
+  return state;
+}
+
 void read_sets(const ResultReader& reader, const ResultJson& pattern, Answer& answer) {
   answer.contact = reader.names(pattern, "contact");
   answer.separated = reader.names(pattern, "separated");
   if (ResultReader::find(pattern, "at_rest") != nullptr)
     answer.at_rest = reader.names(pattern, "at_rest");
-  if (ResultReader::find(pattern, "state") != nullptr) answer.state = reader.text(pattern, "state");
+  if (ResultReader::find(pattern, "state") != nullptr)
+    answer.state = in_words(reader.text(pattern, "state"));
+}
+
+// Coefficients that candidates need, and those on the edge of their cones at the largest.
+void take_needs(const std::vector<std::pair<std::string, double>>& needs, Answer& answer) {
+  constexpr double alike = 1.01;  // as in the conclusion of a run
+  constexpr double none = 1e-9;   // rounding of reactions along the normal
+  double most = 0;
+  for (const auto& [name, need] : needs) most = std::max(most, need);
+  answer.needed = most > none ? most : 0;
+  for (const auto& [name, need] : needs) {
+    if (need > none && need * alike > most) answer.slips.push_back(name);
+  }
+}
+
+// From the rows of all candidates.
+void read_need(const ResultReader& reader, const ResultJson& candidates, Answer& answer) {
+  const auto d = static_cast<int>(reader.number(reader.at(reader.all(), "problem"), "d"));
+  std::vector<std::pair<std::string, double>> needs;
+  bool friction = false;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Eigen::Vector3d force = reader.vector((*answer.reaction)[i], d);
+    const double cone = reader.number(candidates[i], "friction") * force.x();
+    friction = friction || cone > 0;
+    if (cone > 0)
+      needs.emplace_back(reader.text(candidates[i], "node"), force.tail<2>().norm() / cone);
+  }
+  if (friction) take_needs(needs, answer);
+}
+
+// States of equilibrium under load.
+std::vector<Answer> states(const ResultReader& reader) {
+  std::map<std::string, double> friction;
+  const auto& problem = reader.at(reader.all(), "problem");
+  for (const auto& each : reader.list(problem, "contact"))
+    friction[reader.text(each, "node")] = reader.number(each, "friction");
+  const auto d = static_cast<int>(reader.number(problem, "d"));
+  std::vector<Answer> all;
+  for (const auto* const entry : held_states(reader)) {
+    Answer answer{};
+    answer.number = all.size() + 1;
+    read_sets(reader, reader.at(*entry, "pattern"), answer);
+    for (const char* const key : {"lower", "upper", "low", "high"}) {
+      const auto* const value = ResultReader::find(*entry, key);
+      if (value == nullptr || !value->is_number()) continue;
+      answer.numbers.emplace_back(key, value);
+      if (key == std::string_view("upper")) answer.order = value->get<double>();
+    }
+    std::vector<std::pair<std::string, double>> needs;
+    for (const auto& [name, value] : reader.at(reader.at(*entry, "state"), "reactions").items()) {
+      const Eigen::Vector3d force = reader.vector(value, d);
+      const double cone = friction[name] * force.x();
+      needs.emplace_back(name, cone > 0 ? force.tail<2>().norm() / cone : 0);
+    }
+    take_needs(needs, answer);
+    all.push_back(std::move(answer));
+  }
+  return all;
+}
+
+// Keys of the numbers of an answer; the second is that of its order.
+std::pair<std::vector<const char*>, std::string_view> keys_of(const std::string& command) {
+  if (command == "rays") return {{}, {}};
+  if (command == "critical") return {{"lower", "upper"}, "upper"};
+  return {{"margin", "margin_upper"}, "margin"};
 }
 
 }  // namespace
 
-std::vector<Answer> answers(const ResultReader& reader, const ResultScenes& scenes) {
+std::vector<Answer> answers(const ResultReader& reader) {
   std::vector<Answer> all;
   const auto command = reader.text(reader.all(), "command");
-  if (command == "limit" || command == "sweep") return all;
+  if (command == "hold") return states(reader);
+  if (command != "patterns" && command != "rays" && command != "critical") return all;
   const bool rays = command == "rays";
-  const std::vector<const char*> keys = rays ? std::vector<const char*>{}
-                                        : command == "critical"
-                                            ? std::vector<const char*>{"lower", "upper"}
-                                            : std::vector<const char*>{"margin", "margin_upper"};
+  const auto [keys, order] = keys_of(command);
   const auto& list = reader.list(reader.at(reader.all(), "result"), rays ? "rays" : "patterns");
-  const auto candidates = reader.list(reader.at(reader.all(), "problem"), "contact").size();
+  const auto& candidates = reader.list(reader.at(reader.all(), "problem"), "contact");
   for (const auto& entry : list) {
     Answer answer{};
     answer.number = all.size() + 1;
@@ -48,21 +123,40 @@ std::vector<Answer> answers(const ResultReader& reader, const ResultScenes& scen
     } else {
       read_sets(reader, entry, answer);
     }
-    const char* const order = command == "critical" ? "upper" : "margin";
     for (const char* const key : keys) {
       const auto* const value = ResultReader::find(entry, key);
       answer.numbers.emplace_back(key, value);
       if (value == nullptr) continue;
       const double number = reader.number(entry, key);
-      if (key == std::string_view(order)) answer.order = number;
+      if (key == order) answer.order = number;
     }
-    if (ResultReader::find(entry, "reaction") != nullptr)
-      answer.reaction = &reader.list(entry, "reaction", candidates);
+    if (ResultReader::find(entry, "reaction") != nullptr) {
+      answer.reaction = &reader.list(entry, "reaction", candidates.size());
+      read_need(reader, candidates, answer);
+    }
     all.push_back(std::move(answer));
   }
-  for (std::size_t i = 0; i < scenes.entries.size(); ++i)
-    all.at(scenes.entries[i]).scene = &scenes.scenes[i];
   return all;
+}
+
+std::vector<std::size_t> by_rank(const ResultReader& reader, const std::vector<Answer>& answers) {
+  constexpr double last = std::numeric_limits<double>::infinity();
+  const auto command = reader.text(reader.all(), "command");
+  const auto weakness = [&](std::size_t i) {
+    const auto& answer = answers[i];
+    if (command == "rays") return answer.needed.value_or(last);
+    const double order = answer.order.value_or(command == "critical" ? last : -last);
+    return command == "critical" ? order : -order;
+  };
+  std::vector<std::size_t> order(answers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, weakness);
+  return order;
+}
+
+void attach(const ResultScenes& scenes, std::vector<Answer>& answers) {
+  for (std::size_t i = 0; i < scenes.entries.size(); ++i)
+    answers.at(scenes.entries[i]).scene = &scenes.scenes[i];
 }
 
 }  // namespace kusabi::run

@@ -17,17 +17,25 @@ struct Answer {
   std::vector<std::string> contact;
   std::vector<std::string> separated;
   std::vector<std::string> at_rest;
-  std::string state;  ///< empty: not in the file
+  std::string state;  ///< in words; empty: it holds, or the file does not say
   /// Named numbers: margin, or lower and upper bound. Null: unknown.
   std::vector<std::pair<std::string, const ResultJson*>> numbers;
   std::optional<double> order;             ///< margin or upper bound, for sorting
+  std::optional<double> needed;            ///< friction coefficient that its reactions need
+  std::vector<std::string> slips;          ///< candidates that slip at this coefficient
   const ResultJson* reaction = nullptr;    ///< one row per candidate; null: not in the file
   const pictures::Scene* scene = nullptr;  ///< null: none
 };
 
-/// Empty if the file is not of patterns, rays or critical. Answers point into the reader and the
-/// scenes.
+/// Empty if the file is not of patterns, rays or critical. Answers point into the reader.
 /// @throws WrongInput
-std::vector<Answer> answers(const ResultReader& reader, const ResultScenes& scenes);
+std::vector<Answer> answers(const ResultReader& reader);
+
+/// Indices of the answers, the leading one first: largest margin, or least friction coefficient.
+/// Those without are last.
+std::vector<std::size_t> by_rank(const ResultReader& reader, const std::vector<Answer>& answers);
+
+/// Gives the answers their scenes. @param scenes of these answers; they must outlive them
+void attach(const ResultScenes& scenes, std::vector<Answer>& answers);
 
 }  // namespace kusabi::run

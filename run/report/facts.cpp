@@ -1,6 +1,8 @@
 // All keys of an object are shown, since the file may be of another version.
 #include "run/report/facts.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "support/exact_count.hpp"
@@ -27,15 +29,15 @@ void add_value(Markup& page, const ResultJson& value) {
     page.words(value.get<std::string>());
   } else if (value.is_boolean()) {
     page.words(value.get<bool>() ? "yes" : "no");
-  } else if (value.is_array() && value.size() > longest_list) {
-    page.words(fmt::format("{} entries", value.size()));
+  } else if (value.is_array() &&
+             (value.size() > longest_list ||
+              std::ranges::any_of(value, [](const auto& each) { return each.is_structured(); }))) {
+    page.words(fmt::format("{} in the result file", value.size()));
   } else if (value.is_array() && !value.empty()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (i > 0) page.words(", ");
       add_value(page, value[i]);
     }
-  } else if (value.is_object()) {
-    page.words(fmt::format("{} entries", value.size()));
   } else {
     page.words(nothing);
   }
@@ -74,6 +76,16 @@ void add_count(Markup& page, const ResultJson* value) {
   page.element("data", count ? count->text() : digits, {{"value", digits}});
 }
 
+void begin_facts(Markup& page, std::string_view caption) {
+  open_table(page, caption);
+  page.open("tbody");
+}
+
+void add_fact(Markup& page, std::string_view name, std::string_view words) {
+  if (words.empty()) return;
+  page.open("tr").element("th", name, {{"scope", "row"}}).element("td", words).close();
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -107,22 +119,6 @@ void add_facts(Markup& page, std::string_view caption, const ResultJson& object)
   page.close().close().close();
 }
 
-void add_problem(Markup& page, const ResultReader& reader) {
-  const auto& problem = reader.at(reader.all(), "problem");
-  auto facts = ResultJson::object();
-  for (const auto& [key, value] : problem.items()) {
-    if (key != "structure" && key != "contact" && key != "d" && key != "m") facts[key] = value;
-  }
-  facts["dimension"] = reader.at(problem, "d");
-  const bool wedged = ResultReader::find(problem, "contact") != nullptr;
-  if (const auto* const m = ResultReader::find(problem, "m"))
-    facts[wedged ? "contact candidates" : "uncertain loads"] = *m;
-  const auto& result = reader.at(reader.all(), "result");
-  if (const auto* const friction = ResultReader::find(result, "friction"))
-    facts["friction coefficient"] = *friction;
-  add_facts(page, "The problem", facts);
-}
-
 void add_origin(Markup& page, const ResultReader& reader) {
   const auto& all = reader.all();
   auto call = ResultJson::object();
@@ -130,6 +126,10 @@ void add_origin(Markup& page, const ResultReader& reader) {
   for (const char* const key : {"certificate", "digest"}) {
     if (const auto* const value = ResultReader::find(all, key)) call[key] = *value;
   }
+  const auto& problem = reader.at(all, "problem");
+  call["file"] = reader.text(problem, "file");
+  if (const auto* const mark = ResultReader::find(problem, "fingerprint"))
+    call["fingerprint of the problem"] = *mark;
   add_facts(page, "Call", call);
   if (const auto* const options = ResultReader::find(all, "options"))
     add_facts(page, "Options", *options);

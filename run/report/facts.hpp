@@ -35,8 +35,9 @@ void end_table(pictures::Markup& page);
 /// of long lists is shown.
 void add_facts(pictures::Markup& page, std::string_view caption, const ResultJson& object);
 
-/// Name, file, sizes, units, fingerprint. @throws WrongInput
-void add_problem(pictures::Markup& page, const ResultReader& reader);
+/// The same, row by row: a row without words is left out. The caller ends it by end_table.
+void begin_facts(pictures::Markup& page, std::string_view caption);
+void add_fact(pictures::Markup& page, std::string_view name, std::string_view words);
 
 /// Call, search tree, fingerprints. @throws WrongInput
 void add_origin(pictures::Markup& page, const ResultReader& reader);

@@ -1,5 +1,5 @@
 // Each answer has data attributes for the script to sort and filter by; without a script it is a
-// plain list.
+// plain list. On paper there are the first ten and a table.
 #include "run/report/gallery.hpp"
 
 #include <algorithm>
@@ -7,81 +7,62 @@
 #include <fmt/format.h>
 
 #include "pictures/svg/inline_picture.hpp"
+#include "pictures/svg/legend.hpp"
+#include "run/report/answer_parts.hpp"
 #include "run/report/facts.hpp"
+#include "run/report/page_parts.hpp"
+#include "run/report/turning_view.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using pictures::Markup;
 
-std::string with_capital(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text;
-}
-
-std::string meaning(std::string_view key) {
-  if (key == "margin") return "margin t*";
-  if (key == "margin_upper") return "t* is at most";
-  if (key == "lower") return "cannot stick at μ";
-  return "sticks at μ";
-}
-
-// Largest distance of lower and upper bound that are displayed as one number.
-int digits_of(std::string_view key) {
-  return key == "lower" || key == "upper" ? many_digits : few_digits;
+std::string description(const AnswerList& list, const Answer& answer) {
+  return fmt::format("In contact: {}. Separated: {}.", list.names.of(answer.contact),
+                     list.names.of(answer.separated));
 }
 
 class Gallery {
  public:
-  Gallery(Markup& page, const ResultReader& reader, std::string things,
-          const std::vector<Answer>& answers)
-      : page_(page), reader_(reader), things_(std::move(things)), answers_(answers) {
-    problem_ = &reader.at(reader.all(), "problem");
-    force_ = reader.text(reader.at(*problem_, "units"), "force");
-    thing_ = things_.substr(0, things_.size() - 1);
+  Gallery(Markup& page, const ResultReader& reader, const AnswerList& list)
+      : page_(page), reader_(reader), list_(list), rank_(list.answers.size()) {
+    for (std::size_t i = 0; i < list.order.size(); ++i) rank_[list.order[i]] = i;
   }
 
   void add() {
     page_.open("section", {{"id", "answers"}});
-    page_.element("h2", with_capital(things_));
+    page_.element("h2", fmt::format("All {}, {} first", list_.things, list_.ranked_by));
     draw();
-    if (pictures_.size() < answers_.size()) {
-      page_.element("p", fmt::format("Pictures show the first {} of {} {}; the others are rows of "
-                                     "the table below. kusabi draw --pattern N draws any of them.",
-                                     pictures_.size(), answers_.size(), things_));
+    const auto drawn = list_.answers.size() -
+                       static_cast<std::size_t>(std::ranges::count(pictures_, std::string()));
+    if (drawn < list_.answers.size()) {
+      page_.element("p", fmt::format("Pictures show {} of {} {}; the others are rows of the table "
+                                     "below. kusabi draw --pattern N draws any of them.",
+                                     drawn, list_.answers.size(), list_.things));
     }
     controls();
-    page_.open("ul", {{"class", "gallery sorted"}});
-    for (std::size_t i = 0; i < pictures_.size(); ++i) card(answers_[i], pictures_[i]);
-    page_.close();
-    if (pictures_.size() < answers_.size()) table();
+    for (std::size_t i = 0; i < list_.groups.groups.size(); ++i) group(i);
+    table();
     page_.close();
   }
 
  private:
   void draw() {
     std::size_t bytes = 0;
-    for (const auto& answer : answers_) {
-      std::string picture;
-      if (answer.scene != nullptr) {
-        picture = inline_svg(
-            {fmt::format("picture-{}", answer.number),
-             with_capital(fmt::format("{} {}", thing_, answer.number)),
-             fmt::format("In contact: {}. Separated: {}. Inactive: {}.", joined(answer.contact),
-                         joined(answer.separated), joined(answer.at_rest))},
-            *answer.scene);
-      }
-      bytes += picture.size();
-      if (pictures_.size() == most_pictures || bytes > most_picture_bytes) return;
-      pictures_.push_back(std::move(picture));
+    pictures_.resize(list_.answers.size());
+    for (const auto i : list_.order) {
+      const auto& answer = list_.answers[i];
+      if (answer.scene == nullptr || bytes > most_picture_bytes) continue;
+      pictures_[i] = inline_svg({fmt::format("picture-{}", answer.number), title_of(list_, answer),
+                                 description(list_, answer)},
+                                *answer.scene);
+      bytes += pictures_[i].size();
     }
   }
 
   // Hidden until the script shows them.
   void controls() {
-    const bool has_order = std::ranges::any_of(
-        answers_, [](const Answer& answer) { return answer.order.has_value(); });
     page_.open("form", {{"id", "controls"}, {"hidden", ""}});
     page_.open("p").element("label", "In contact at ", {{"for", "filter"}});
     page_.single("input", {{"id", "filter"},
@@ -90,122 +71,166 @@ class Gallery {
                            {"autocomplete", "off"},
                            {"placeholder", "name of a candidate"}});
     page_.open("datalist", {{"id", "candidates"}});
-    for (const auto& each : reader_.list(*problem_, "contact"))
+    for (const auto& each : reader_.list(reader_.at(reader_.all(), "problem"), "contact"))
       page_.single("option", {{"value", reader_.text(each, "node")}});
     page_.close().close();
     page_.open("p").element("label", "Sort by ", {{"for", "order"}});
-    page_.open("select", {{"id", "order"}}).element("option", "number", {{"value", "number"}});
-    if (has_order) {
-      const auto critical = reader_.text(reader_.all(), "command") == "critical";
-      page_.element("option", critical ? "friction coefficient" : "largest margin first",
-                    {{"value", critical ? "friction" : "margin"}});
-    }
+    page_.open("select", {{"id", "order"}});
+    page_.element("option", "groups", {{"value", "groups"}});
+    page_.element("option", list_.ranked_by + " first", {{"value", "rank"}});
+    page_.element("option", "number", {{"value", "number"}});
     page_.element("option", "number of candidates in contact", {{"value", "size"}}).close().close();
     page_.open("p").element("button", "Show all", {{"type", "reset"}}).words(" ");
     page_.element("output", "", {{"id", "shown"}, {"aria-live", "polite"}}).close();
     page_.close();
   }
 
-  // Data attributes for the script.
-  void open_answer(std::string_view tag, std::string_view kind, const Answer& answer) {
-    page_.open(tag, {{"class", std::string(kind)},
-                     {"id", fmt::format("answer-{}", answer.number)},
-                     {"data-number", std::to_string(answer.number)},
-                     {"data-order", answer.order ? fmt::format("{}", *answer.order) : ""},
-                     {"data-size", std::to_string(answer.contact.size())},
-                     {"data-contact", ResultJson(answer.contact).dump()}});
+  void group(std::size_t number) {
+    const auto& own = list_.groups.groups[number];
+    page_.open("div", {{"class", "group"}});
+    if (list_.groups.groups.size() > 1) {
+      page_.element("h3", own.members.size() == 1
+                              ? fmt::format("Group {}: one of the {}", number + 1, list_.things)
+                              : fmt::format("Group {}: {} {} that differ in up to {} candidates",
+                                            number + 1, own.members.size(), list_.things,
+                                            std::min(2 * list_.groups.apart, own.varying.size())));
+    }
+    if (own.members.size() > 1) {
+      page_.element("p",
+                    fmt::format("In contact in all of them: {}; in some: {}.",
+                                list_.names.of(own.always), list_.names.of(own.varying)),
+                    {{"class", "remark"}});
+    }
+    page_.open("ul", {{"class", "gallery sorted"}});
+    for (const auto i : own.members) {
+      if (!pictures_[i].empty()) card(i);
+    }
+    page_.close().close();
   }
 
-  void card(const Answer& answer, const std::string& picture) {
-    open_answer("li", "answer", answer);
-    page_.element("h3", with_capital(fmt::format("{} {}", thing_, answer.number)));
-    page_.verbatim(picture);
-    page_.open("dl");
-    const auto names = [this](const char* what, const std::vector<std::string>& set) {
-      page_.element("dt", what).element("dd", joined(set));
+  void card(std::size_t i) {
+    const auto& answer = list_.answers[i];
+    open_answer(page_, "li", rank_[i] < most_printed ? "answer firm" : "answer", answer, rank_[i]);
+    page_.element(list_.groups.groups.size() > 1 ? "h4" : "h3", title_of(list_, answer));
+    page_.verbatim(pictures_[i]);
+    add_terms(page_, list_, answer);
+    add_reactions(page_, reader_, list_, answer);
+    page_.close();
+  }
+
+  // Rows of answers without a picture; those of others are on paper only.
+  void table() {
+    if (list_.answers.size() <= most_printed && std::ranges::count(pictures_, std::string()) == 0)
+      return;
+    open_table(page_, fmt::format("The {} as rows", list_.things));
+    page_.open("thead").open("tr");
+    const auto column = [this](const std::string& name) {
+      page_.element("th", name, {{"scope", "col"}});
     };
-    names("in contact", answer.contact);
-    names("separated", answer.separated);
-    if (!answer.at_rest.empty()) names("inactive", answer.at_rest);
-    if (!answer.state.empty()) page_.element("dt", "state").element("dd", answer.state);
+    column("number"), column("in contact"), column("separated");
+    for (const auto& [key, value] : list_.answers.front().numbers) column(meaning(list_, key));
+    column("needs μ");
+    page_.close().close().open("tbody", {{"class", "sorted"}});
+    for (const auto i : list_.order) row(i);
+    page_.close().close().close();
+  }
+
+  void row(std::size_t i) {
+    const auto& answer = list_.answers[i];
+    if (!pictures_[i].empty()) {
+      if (rank_[i] >= most_printed_rows) return;
+      page_.open("tr", {{"class", "on-paper"}});
+    } else {
+      open_answer(page_, "tr", rank_[i] < most_printed_rows ? "answer" : "answer late", answer,
+                  rank_[i]);
+    }
+    page_.element("th", std::to_string(answer.number), {{"scope", "row"}});
+    page_.element("td", list_.names.of(answer.contact));
+    page_.element("td", list_.names.of(answer.separated));
     for (const auto& [key, value] : answer.numbers) {
-      page_.element("dt", meaning(key)).open("dd", {{"class", key}});
+      page_.open("td", {{"class", key}});
       add_number(page_, value, digits_of(key));
       page_.close();
     }
-    page_.close();
-    if (answer.reaction != nullptr) reactions(answer);
-    page_.close();
-  }
-
-  void reactions(const Answer& answer) {
-    constexpr const char* components[] = {"r_n", "r_t1", "r_t2"};
-    const auto& candidates = reader_.list(*problem_, "contact");
-    const auto d = static_cast<int>(reader_.number(*problem_, "d"));
-    page_.open("details").element("summary", fmt::format("Reactions, {}", force_));
-    open_table(page_,
-               fmt::format("Reactions of {} {} along n and t, {}", thing_, answer.number, force_));
-    page_.open("thead").open("tr").element("th", "candidate", {{"scope", "col"}});
-    for (int axis = 0; axis < d; ++axis) page_.element("th", components[axis], {{"scope", "col"}});
-    page_.close().close().open("tbody");
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const auto& row = (*answer.reaction)[i];
-      if (reader_.vector(row, d).isZero(0)) continue;
-      page_.open("tr").element("th", reader_.text(candidates[i], "node"), {{"scope", "row"}});
-      for (const auto& component : row) {
-        page_.open("td");
-        add_number(page_, &component);
-        page_.close();
-      }
-      page_.close();
-    }
-    page_.close().close().close();
-    page_.element("p", "All other reactions are zero.", {{"class", "remark"}}).close();
-  }
-
-  void table() {
-    open_table(page_, fmt::format("The other {}", things_));
-    page_.open("thead").open("tr");
-    const auto column = [this](std::string_view title) {
-      page_.element("th", title, {{"scope", "col"}});
-    };
-    column("number");
-    column("in contact");
-    column("separated");
-    column("state");
-    for (const auto& [key, value] : answers_.front().numbers) column(meaning(key));
-    page_.close().close().open("tbody", {{"class", "sorted"}});
-    for (std::size_t i = pictures_.size(); i < answers_.size(); ++i) {
-      const auto& answer = answers_[i];
-      open_answer("tr", "answer", answer);
-      page_.element("th", std::to_string(answer.number), {{"scope", "row"}});
-      page_.element("td", joined(answer.contact)).element("td", joined(answer.separated));
-      page_.element("td", answer.state.empty() ? "–" : answer.state);
-      for (const auto& [key, value] : answer.numbers) {
-        page_.open("td", {{"class", key}});
-        add_number(page_, value, digits_of(key));
-        page_.close();
-      }
-      page_.close();
-    }
-    page_.close().close().close();
+    page_.open("td");
+    const ResultJson needed = answer.needed ? ResultJson(*answer.needed) : ResultJson();
+    add_number(page_, &needed);
+    page_.close().close();
   }
 
   Markup& page_;
   const ResultReader& reader_;
-  std::string things_;
-  const std::vector<Answer>& answers_;
-  const ResultJson* problem_ = nullptr;
-  std::string force_;
-  std::string thing_;
-  std::vector<std::string> pictures_;
+  const AnswerList& list_;
+  std::vector<std::size_t> rank_;      // of each answer
+  std::vector<std::string> pictures_;  // empty: none
 };
 
 }  // namespace
 
-void add_gallery(Markup& page, const ResultReader& reader, const std::string& things,
-                 const std::vector<Answer>& answers) {
-  Gallery(page, reader, things, answers).add();
+AnswerList answer_list(const ResultReader& reader) {
+  static_cast<void>(reader.at(reader.all(), "problem"));  // the first that another file lacks
+  const auto command = reader.text(reader.all(), "command");
+  AnswerList list{.things = command == "rays"   ? "rays"
+                            : command == "hold" ? "states"
+                                                : "patterns",
+                  .ranked_by = command == "patterns" ? "largest margin" : "least friction",
+                  .answers = answers(reader),
+                  .order = {},
+                  .groups = {},
+                  .names = ShortNames(reader)};
+  list.order = by_rank(reader, list.answers);
+  list.groups = answer_groups(list.answers, list.order, most_groups);
+  return list;
+}
+
+std::vector<std::size_t> pictured(const AnswerList& list) {
+  std::vector<bool> chosen(list.answers.size());
+  std::size_t count = 0;
+  const auto choose = [&](std::size_t i) {
+    if (chosen[i] || count == most_pictures) return;
+    chosen[i] = true;
+    ++count;
+  };
+  for (const auto& group : list.groups.groups) choose(group.members.front());
+  for (const auto i : list.order) choose(i);
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) indices.push_back(i);
+  }
+  return indices;
+}
+
+void add_leading(Markup& page, const ResultReader& reader, const AnswerList& list) {
+  const auto& answer = list.answers[list.order.front()];
+  const bool alone = list.answers.size() == 1;
+  page.open("section", {{"id", "leading"}, {"class", "beside"}});
+  if (answer.scene != nullptr) {
+    open_figure(page, turning_data(*answer.scene));
+    page.verbatim(
+        inline_svg({"leading-picture", title_of(list, answer), description(list, answer), true},
+                   *answer.scene));
+    page.close();
+  }
+  if (alone) {
+    open_answer(page, "div", "answer firm", answer, 0);
+  } else {
+    page.open("div");
+  }
+  page.element("h2", alone ? title_of(list, answer)
+                           : fmt::format("{}, {}", title_of(list, answer), list.ranked_by));
+  add_terms(page, list, answer);
+  add_reactions(page, reader, list, answer);
+  if (answer.scene != nullptr) {
+    const auto& units = reader.at(reader.at(reader.all(), "problem"), "units");
+    page.verbatim(inline_legend(
+        {"legend", "Legend", "Legend of the picture above."},
+        legend(*answer.scene, {reader.text(units, "length"), reader.text(units, "force")})));
+  }
+  page.close().close();
+}
+
+void add_gallery(Markup& page, const ResultReader& reader, const AnswerList& list) {
+  Gallery(page, reader, list).add();
 }
 
 }  // namespace kusabi::run

@@ -1,21 +1,48 @@
-// Answers of a page: pictures with numbers, to be filtered and sorted.
+// Answers of a page: the leading one large, the others in groups, with pictures and numbers, to be
+// filtered and sorted.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "pictures/html/markup.hpp"
+#include "run/report/answer_groups.hpp"
 #include "run/report/answers.hpp"
+#include "run/report/short_names.hpp"
 
 namespace kusabi::run {
 
 /// Maximum number of pictures, and maximum size of all of them in bytes, so that a phone can open
 /// the page.
-inline constexpr std::size_t most_pictures = 300;
-inline constexpr std::size_t most_picture_bytes = 24'000'000;
+inline constexpr std::size_t most_pictures = 60;
+inline constexpr std::size_t most_picture_bytes = 12'000'000;
 
-/// A list of answers with pictures, and a table of the others.
-/// @param things plural noun for answers: "patterns"
-void add_gallery(pictures::Markup& page, const ResultReader& reader, const std::string& things,
-                 const std::vector<Answer>& answers);
+/// Maximum number of groups, and of the answers that are printed with a picture, and as rows.
+inline constexpr std::size_t most_groups = 12;
+inline constexpr std::size_t most_printed = 10;
+inline constexpr std::size_t most_printed_rows = 100;
+
+/// The answers of a page, in their order and in groups.
+struct AnswerList {
+  std::string things;     ///< plural noun: "patterns"
+  std::string ranked_by;  ///< "largest margin"
+  std::vector<Answer> answers;
+  std::vector<std::size_t> order;  ///< the leading one first
+  AnswerGroups groups;
+  ShortNames names;
+};
+
+/// @throws WrongInput
+AnswerList answer_list(const ResultReader& reader);
+
+/// Indices of the answers that have pictures: the first of each group, then by rank; ascending.
+std::vector<std::size_t> pictured(const AnswerList& list);
+
+/// The leading answer: a large picture, which turns if it is in space, with numbers and reactions.
+void add_leading(pictures::Markup& page, const ResultReader& reader, const AnswerList& list);
+
+/// Groups of answers with pictures, and a table of the others. @pre more than one answer
+void add_gallery(pictures::Markup& page, const ResultReader& reader, const AnswerList& list);
 
 }  // namespace kusabi::run

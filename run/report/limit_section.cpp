@@ -2,6 +2,7 @@
 #include "run/report/limit_section.hpp"
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,21 +27,31 @@ class LimitSection {
 
   void add() {
     page_.open("section", {{"id", "factors"}}).element("h2", "Load factors");
+    // The worst case, which is the answer if it is known, comes last in the file.
+    for (auto scene = scenes_.scenes.rbegin(); scene != scenes_.scenes.rend(); ++scene)
+      collapse(*scene);
+    if (ResultReader::find(result_, "collapse_mode") == nullptr) critical_load();
     factors();
-    for (const auto& scene : scenes_.scenes) {
-      page_.element("h3", "Collapse under the " + scene.name);
-      const auto id = scene.name == "worst case" ? "collapse-worst" : "collapse-nominal";
-      page_.verbatim(inline_svg(
-          {id, "Collapse mode, " + scene.name, "The structure at collapse, " + scene.note, true},
-          scene));
-      mode(scene.name == "worst case" ? "collapse_mode" : "nominal_mode");
-    }
-    critical_load();
     utilisation();
     page_.close();
   }
 
  private:
+  // A large picture, and the members that yield beside it.
+  void collapse(const pictures::Scene& scene) {
+    const bool worst = scene.name == "worst case";
+    page_.element("h3", fmt::format("Collapse under the {}, {}", scene.name, scene.note));
+    page_.open("div", {{"class", "beside"}}).open("figure");
+    page_.verbatim(
+        inline_svg({worst ? "collapse-worst" : "collapse-nominal", "Collapse mode, " + scene.name,
+                    "The structure at collapse, " + scene.note, true},
+                   scene));
+    page_.close().open("div");
+    mode(worst ? "collapse_mode" : "nominal_mode");
+    if (worst) critical_load();
+    page_.close().close();
+  }
+
   void factors() {
     auto facts = ResultJson::object();
     const auto take = [&](const ResultJson& object, const char* key, const char* name) {
@@ -53,11 +64,13 @@ class LimitSection {
                             : "α, half-width of the factor of each uncertain load";
     take(result_, "alpha", alpha.c_str());
     if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
-      take(*worst, "lower", "worst case, at least");
-      take(*worst, "lower_proved", "at least: proved");
-      take(*worst, "upper", "worst case, at most");
-      take(*worst, "upper_proved", "at most: proved");
-      take(*worst, "from", "method for the worst case");
+      for (const auto& [key, proved, name] :
+           {std::tuple{"lower", "lower_proved", "worst case, at least"},
+            std::tuple{"upper", "upper_proved", "worst case, at most"}}) {
+        if (ResultReader::find(*worst, key) == nullptr) continue;
+        take(*worst, key, name);
+        take(*worst, proved, fmt::format("{}: proved", name).c_str());
+      }
     }
     if (const auto* const interval = ResultReader::find(result_, "guaranteed_interval")) {
       const auto* const empty = ResultReader::find(*interval, "empty");

@@ -1,7 +1,6 @@
 // Sections of a page, from the verdict to the origin of the result.
 #include "run/report/page.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,11 +13,14 @@
 #include "pictures/svg/inline_picture.hpp"
 #include "run/report/answers.hpp"
 #include "run/report/facts.hpp"
+#include "run/report/first_sentence.hpp"
 #include "run/report/gallery.hpp"
 #include "run/report/limit_section.hpp"
+#include "run/report/page_parts.hpp"
 #include "run/report/page_script.hpp"
-#include "run/report/page_style.hpp"
+#include "run/report/problem_facts.hpp"
 #include "run/report/sweep_section.hpp"
+#include "run/report/turning_script.hpp"
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
 #include "run/verdict/words.hpp"
@@ -28,42 +30,24 @@ namespace {
 
 using pictures::Markup;
 
-// Content security policy: the page loads nothing, whatever the file contains.
-constexpr const char* nothing_from_elsewhere =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
-    "form-action 'none'";
-
-void add_head(Markup& page, const std::string& title) {
-  page.open("head").single("meta", {{"charset", "utf-8"}});
-  page.single("meta",
-              {{"http-equiv", "Content-Security-Policy"}, {"content", nothing_from_elsewhere}});
-  page.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-  page.single("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  page.element("title", title);
-  page.open("style").verbatim(page_style).verbatim(pictures::inline_style()).close();
-  page.close();
-}
-
-void add_list(Markup& page, const char* id, const std::vector<std::string>& sentences) {
-  if (sentences.empty()) return;
-  page.open("ul", {{"id", id}});
-  for (const auto& each : sentences) page.element("li", each);
-  page.close();
-}
-
-void add_verdict(Markup& page, const Verdict& verdict) {
+// The answer in a sentence, the verdict, and all that qualifies it.
+void add_verdict(Markup& page, const Verdict& verdict, const std::string& sentence) {
+  if (!sentence.empty()) page.element("p", sentence, {{"id", "answer"}});
   page.element("p", headline(verdict), {{"id", "verdict"}});
-  for (const auto& each : verdict.details) page.element("p", each);
   std::vector<std::string> sentences;
-  for (const auto& each : reservations(verdict)) sentences.push_back(each.sentence);
-  add_list(page, "reservations", sentences);
-  sentences.clear();
   for (const auto& each : verdict.warnings) sentences.push_back("Warning: " + each);
   add_list(page, "warnings", sentences);
+  sentences.clear();
+  for (const auto& each : reservations(verdict)) sentences.push_back(each.sentence);
+  add_list(page, "reservations", sentences);
+  // Names of the first way are in the sentence already; a state under load needs its explanation.
+  if (!sentence.empty() && !std::holds_alternative<HoldingBracket>(verdict.answer)) return;
+  for (const auto& each : verdict.details) page.element("p", each);
 }
 
-// Facts on one side, structure and legend on the other.
-void add_problem_section(Markup& page, const ResultReader& reader, const ResultScenes& scenes) {
+// Facts, and the undeformed structure.
+void add_problem_section(Markup& page, const ResultReader& reader, const ResultScenes& scenes,
+                         bool with_legend) {
   page.open("section", {{"id", "problem"}}).element("h2", "Problem");
   page.verbatim(
       inline_svg({"structure", "The undeformed structure",
@@ -72,11 +56,11 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
                   true},
                  scenes.structure));
   add_problem(page, reader);
-  if (!scenes.scenes.empty()) {
+  if (with_legend && !scenes.scenes.empty()) {
     page.element("h3", "Legend of the pictures");
     page.verbatim(inline_legend(
         {"legend", "Legend", "Legend of the pictures; pointing at a dot shows its name."},
-        scenes.scenes));
+        pictures::common_legend(scenes.scenes)));
   }
   page.close();
 }
@@ -100,26 +84,29 @@ void add_bracket(Markup& page, const CriticalBracket& found) {
 }  // namespace
 
 std::string report_page(const ResultReader& reader) {
-  const auto scenes = chosen_scenes(reader, {.most = most_pictures});
-  const auto list = answers(reader, scenes);
+  auto list = answer_list(reader);
+  const auto scenes = chosen_scenes(reader, {.most = most_pictures, .entries = pictured(list)});
+  attach(scenes, list.answers);
+  const auto* const leading = list.answers.empty() ? nullptr : &list.answers[list.order.front()];
   const auto command = reader.text(reader.all(), "command");
   Markup page;
-  page.verbatim("<!DOCTYPE html>\n").open("html", {{"lang", "en"}});
-  add_head(page, scenes.picture.title + " · kusabi " + command);
-  page.open("body").open("header").element("h1", scenes.picture.title);
+  begin_page(page, scenes.picture.title + " · kusabi " + command);
+  page.open("header").element("h1", scenes.picture.title);
   const auto verdict = result_verdict(reader);
-  add_verdict(page, verdict);
+  add_verdict(page, verdict, first_sentence(reader, leading, list.names));
   page.close().open("main");
+  if (leading != nullptr) add_leading(page, reader, list);
   if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
     add_bracket(page, *found);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
-  add_problem_section(page, reader, scenes);
-  if (!list.empty()) add_gallery(page, reader, scenes.things, list);
+  if (list.answers.size() > 1) add_gallery(page, reader, list);
+  add_problem_section(page, reader, scenes, leading == nullptr);
   page.open("section", {{"id", "origin"}}).element("h2", "Details of the run");
+  page.open("details").element("summary", "Options, counts and fingerprints");
   add_origin(page, reader);
-  page.close().close();
-  page.open("script").verbatim(page_script).close();
+  page.close().close().close();
+  page.open("script").verbatim(page_script).verbatim(turning_script).close();
   page.close().close();
   return page.text();
 }

@@ -16,19 +16,17 @@ inline constexpr std::string_view page_script = R"(
   const answers = [...document.querySelectorAll(".answer")].map(element => ({
     element,
     list: element.closest(".sorted"),
+    rank: Number(element.dataset.rank),
     number: Number(element.dataset.number),
-    value: element.dataset.order === "" ? null : Number(element.dataset.order),
     size: Number(element.dataset.size),
     contact: JSON.parse(element.dataset.contact),
   }));
   const names = new Set([...document.querySelectorAll("#candidates option")].map(each => each.value));
-  // Answers without a margin or coefficient come last in both orders.
-  const byValue = way => (a, b) =>
-    (a.value === null) - (b.value === null) || way * (a.value - b.value) || a.number - b.number;
+  const first = document.querySelector("ul.sorted");
   const orders = {
+    groups: (a, b) => a.rank - b.rank,
+    rank: (a, b) => a.rank - b.rank,
     number: (a, b) => a.number - b.number,
-    margin: byValue(-1),
-    friction: byValue(1),
     size: (a, b) => a.size - b.size || a.number - b.number,
   };
   // A complete name matches that candidate, any other text a part of names.
@@ -45,7 +43,11 @@ inline constexpr std::string_view page_script = R"(
   };
   const sort = () => {
     answers.sort(orders[order.value]);
-    for (const answer of answers) answer.list.append(answer.element);
+    // In another order than by groups, all pictures are in the first group's list.
+    const grouped = order.value === "groups";
+    document.getElementById("answers").classList.toggle("ungrouped", !grouped);
+    for (const answer of answers)
+      (grouped || answer.list.tagName !== "UL" ? answer.list : first).append(answer.element);
   };
   filter.addEventListener("input", show);
   order.addEventListener("change", sort);

@@ -1,12 +1,11 @@
-// `kusabi report`: reads the result, writes the page.
-#include "run/report/report.hpp"
-
+// `kusabi report RESULT`: a result file as a self-contained HTML page.
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/report/page.hpp"
 
 namespace kusabi::run {
@@ -14,19 +13,10 @@ namespace {
 
 class Report final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "report"; }
-  [[nodiscard]] std::string_view purpose() const override { return "HTML page of a result file"; }
-  [[nodiscard]] std::string_view description() const override {
-    return "A self-contained HTML page of a result file, with conclusion, pictures and numbers.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "result.json --output report.html";
-  }
   void describe(OptionTable& table) override {
     table.result(file_);
     table.output("HTML file; default: standard output");
-    table.quiet();
-    table.serial();
+    table.quiet_and_serial();
   }
   void read(CommandRun& run) override {
     text_ = run.session().from_first_rank(
@@ -48,8 +38,13 @@ class Report final : public Subcommand {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> report_subcommand() {
-  return std::make_unique<Report>();
-}
+constexpr Registration report_subcommand{
+    {.name = "report",
+     .chapter = "Summaries, pictures and reports",
+     .purpose = "HTML page of a result file",
+     .description =
+         "A self-contained HTML page of a result file, with conclusion, pictures and numbers.",
+     .example = "result.json --output report.html"},
+    make<Report>};
 
 }  // namespace kusabi::run

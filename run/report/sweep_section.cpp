@@ -116,7 +116,8 @@ class SweepSection {
       number(pattern, "upper");
       names(pattern, "contact");
       names(pattern, "separated");
-      words(reader_.text(pattern, "state"));
+      const auto state = reader_.text(pattern, "state");
+      words(state == "alive" ? "solid" : state);
       bracket(ResultReader::find(pattern, "absorbed"));
       page_.close();
     }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "problems/structure/geometry/element_faces.hpp"
@@ -36,9 +37,12 @@ std::optional<problems::ElementShape> shape_named(const std::string& name) {
   return {};
 }
 
-// Faces by their vertices; one that occurs twice is inside.
+// Faces by their vertices; one that occurs twice is inside. The others are turned outwards, also
+// those of elements that are mirror images.
 class Surface {
  public:
+  explicit Surface(const Eigen::Matrix3Xd& positions) : positions_(positions) {}
+
   void add(problems::ElementShape shape, const Nodes& nodes) {
     const auto& traits = problems::shape_traits(shape);
     if (traits.dimension == 2) {
@@ -51,7 +55,9 @@ class Surface {
       const auto corners = traits.quadratic ? face.size() / 2 : face.size();
       Nodes key(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(corners));
       std::ranges::sort(key);
-      const auto [at, is_new] = faces_.try_emplace(std::move(key), around(face, corners));
+      face = around(face, corners);
+      if (is_inwards(face, nodes)) std::ranges::reverse(face);
+      const auto [at, is_new] = faces_.try_emplace(std::move(key), std::move(face));
       if (!is_new) at->second.clear();
     }
   }
@@ -65,6 +71,22 @@ class Surface {
   }
 
  private:
+  [[nodiscard]] Eigen::Vector3d middle(const Nodes& nodes) const {
+    return positions_(Eigen::all, nodes).rowwise().mean();
+  }
+  // True if the face of an element, seen from outside, runs clockwise.
+  [[nodiscard]] bool is_inwards(const Nodes& face, const Nodes& element) const {
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    const Eigen::Vector3d first = positions_.col(face.front());
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      const Eigen::Vector3d here = positions_.col(face[i]);
+      const Eigen::Vector3d next = positions_.col(face[i + 1]);
+      area += (here - first).cross(next - first);
+    }
+    return area.dot(middle(face) - middle(element)) < 0;
+  }
+
+  const Eigen::Matrix3Xd& positions_;
   std::vector<Nodes> outlines_;
   std::map<Nodes, Nodes> faces_;
 };
@@ -85,7 +107,7 @@ class StructureReader {
     dimension_ = scene().dimension = static_cast<int>(d);
     read_nodes();
     read_members();
-    Surface surface;
+    Surface surface(scene().positions);
     for (const char* const key : {"elements", "outlines"}) read_elements(key, surface);
     scene().faces = surface.faces();
     read_supports();

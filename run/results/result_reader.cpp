@@ -29,8 +29,8 @@ ResultReader::ResultReader(const std::string& text, std::string file) : file_(st
 
 void ResultReader::refuse(std::string_view what) const {
   throw WrongInput(fmt::format(
-      "{}: {}; expected a result file of kusabi patterns, rays, critical, limit or sweep", file_,
-      what));
+      "{}: {}; expected a result file of kusabi patterns, rays, critical, hold, limit or sweep",
+      file_, what));
 }
 
 const ResultJson* ResultReader::find(const ResultJson& object, const char* key) {

@@ -1,6 +1,7 @@
 // Scenes of each subcommand.
 #include "run/results/result_scenes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -40,7 +41,7 @@ class SceneReader {
  public:
   SceneReader(const ResultReader& reader, SceneChoice choice)
       : reader_(reader),
-        choice_(choice),
+        choice_(std::move(choice)),
         result_(reader.at(reader.all(), "result")),
         structure_(drawn_structure(reader)),
         dimension_(structure_.scene.dimension) {}
@@ -55,7 +56,10 @@ class SceneReader {
     all.structure = structure_.scene;
     all.structure.name = "structure";
     const auto command = reader_.text(reader_.all(), "command");
-    all.things = command == "rays" ? "rays" : command == "limit" ? "collapses" : "patterns";
+    all.things = command == "rays"    ? "rays"
+                 : command == "limit" ? "collapses"
+                 : command == "hold"  ? "states"
+                                      : "patterns";
     if (command == "patterns") {
       read_patterns(all);
     } else if (command == "rays") {
@@ -64,6 +68,8 @@ class SceneReader {
       read_critical(all);
     } else if (command == "limit") {
       read_collapses(all);
+    } else if (command == "hold") {
+      read_states(all);
     } else if (command != "sweep") {  // a sweep is a chart
       reader_.refuse(fmt::format("is a result of kusabi {}", command));
     }
@@ -72,8 +78,9 @@ class SceneReader {
 
  private:
   // Counts a scene. @return true if it is to be made
-  [[nodiscard]] bool is_chosen(ResultScenes& all) const {
+  [[nodiscard]] bool is_chosen(ResultScenes& all, std::size_t entry = 0) const {
     const std::size_t number = all.count++;
+    if (!choice_.entries.empty()) return std::ranges::binary_search(choice_.entries, entry);
     return number >= choice_.first && number - choice_.first < choice_.most;
   }
 
@@ -99,15 +106,15 @@ class SceneReader {
     all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
                                      counted(patterns.size(), "sign pattern"), friction)};
     for (const auto& pattern : patterns) {
-      if (!is_chosen(all)) continue;
+      if (!is_chosen(all, all.count)) continue;
       add_remark_on_whole(all, pattern, "patterns");
       auto scene = at_friction(friction);
       scene.name = fmt::format("pattern {}", all.count);
       const auto state = reader_.text(pattern, "state");
       const bool has_margin = ResultReader::find(pattern, "margin") != nullptr;
-      scene.note = state != "alive" || !has_margin
-                       ? state
-                       : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
+      scene.note = state != "alive" ? state
+                   : !has_margin    ? std::string()
+                                    : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
       if (state == "alive" && has_margin)
         add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
       add_signs(scene, pattern);
@@ -127,7 +134,8 @@ class SceneReader {
     std::size_t entry = 0;
     for (const auto& pattern : reader_.list(result_, "patterns")) {
       ++entry;
-      if (ResultReader::find(pattern, "reaction") == nullptr || !is_chosen(all)) continue;
+      if (ResultReader::find(pattern, "reaction") == nullptr || !is_chosen(all, entry - 1))
+        continue;
       const double friction = reader_.number(pattern, "upper");
       auto scene = at_friction(friction);
       scene.name = fmt::format("pattern {}", all.count);
@@ -146,7 +154,7 @@ class SceneReader {
                                      counted(rays.size(), "extremal ray"), friction)};
     if (!rays.empty()) add_remark_on_whole(all, rays.front(), "rays");
     for (const auto& ray : rays) {
-      if (!is_chosen(all)) continue;
+      if (!is_chosen(all, all.count)) continue;
       auto scene = at_friction(friction);
       scene.name = fmt::format("ray {}", all.count);
       const auto states = reader_.names(ray, "state");
@@ -167,17 +175,46 @@ class SceneReader {
     }
   }
 
+  // Friction coefficient of a state: that of the question, or the one found.
+  [[nodiscard]] double friction_of(const ResultJson& entry) const {
+    const auto& options = reader_.at(reader_.all(), "options");
+    return ResultReader::find(options, "mu") != nullptr ? reader_.number(options, "mu")
+                                                        : reader_.number(entry, "upper");
+  }
+
+  void read_states(ResultScenes& all) {
+    for (const auto* const entry : held_states(reader_)) {
+      if (!is_chosen(all, all.count)) continue;
+      const double friction = friction_of(*entry);
+      auto scene = at_friction(friction);
+      scene.name = fmt::format("state {}", all.count);
+      scene.note = fmt::format("μ {:.6g}", friction);
+      add_signs(scene, reader_.at(*entry, "pattern"));
+      const auto& state = reader_.at(*entry, "state");
+      for (const auto& [name, force] : reader_.at(state, "reactions").items()) {
+        const auto i = candidate_named(name);
+        scene.candidates[i].reaction = structure_.frames[i] * reader_.vector(force, dimension_);
+      }
+      const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
+      add_loads(scene, pictures::DrawnLoad::Kind::dead, structure, "dead_loads");
+      const double factor = reader_.number(state, "factor");
+      if (factor != 0)
+        add_loads(scene, pictures::DrawnLoad::Kind::reference, structure, "reference_loads");
+      add_line(scene, fmt::format("held at factor {:.10g} of the reference load", factor));
+      all.picture.lines = {
+          fmt::format("states of equilibrium at friction coefficient {:.10g}", friction)};
+      all.entries.push_back(all.count - 1);
+      all.scenes.push_back(std::move(scene));
+    }
+  }
+
   void read_collapses(ResultScenes& all) {
     const auto* const nominal = ResultReader::find(result_, "nominal_mode");
     if (nominal != nullptr && is_chosen(all)) {
       const double factor = reader_.number(result_, "nominal");
       all.scenes.push_back(collapse("nominal load", factor, *nominal));
-      const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
-      if (ResultReader::find(structure, "dead_loads") != nullptr) {
-        for (const auto& load : reader_.list(structure, "dead_loads"))
-          add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
-                   reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
-      }
+      add_loads(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
+                reader_.at(reader_.at(reader_.all(), "problem"), "structure"), "dead_loads");
     }
     const auto* const worst_mode = ResultReader::find(result_, "collapse_mode");
     if (worst_mode != nullptr && is_chosen(all)) {
@@ -219,11 +256,17 @@ class SceneReader {
                                                               : pictures::BarYield::compression;
       }
     }
-    const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
-    for (const auto& load : reader_.list(structure, "reference_loads"))
-      add_load(scene, pictures::DrawnLoad::Kind::reference,
-               reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
+    add_loads(scene, pictures::DrawnLoad::Kind::reference,
+              reader_.at(reader_.at(reader_.all(), "problem"), "structure"), "reference_loads");
     return scene;
+  }
+
+  // Loads of the structure under this key, if there are any.
+  void add_loads(Scene& scene, pictures::DrawnLoad::Kind kind, const ResultJson& structure,
+                 const char* key) const {
+    if (ResultReader::find(structure, key) == nullptr) return;
+    for (const auto& load : reader_.list(structure, key))
+      add_load(scene, kind, reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
   }
 
   void add_load(Scene& scene, pictures::DrawnLoad::Kind kind, int node,
@@ -237,17 +280,19 @@ class SceneReader {
     return found->second;
   }
 
+  [[nodiscard]] std::size_t candidate_named(const std::string& name) const {
+    const auto found = structure_.candidates.find(name);
+    if (found == structure_.candidates.end())
+      reader_.refuse(fmt::format("there is no candidate '{}'", name));
+    return found->second;
+  }
+
   // States of the candidates of a pattern.
   void add_signs(Scene& scene, const ResultJson& pattern) const {
     const auto set = [&](const char* key, const char* what, ContactState state) {
       if (ResultReader::find(pattern, key) == nullptr) return;
       const auto names = reader_.names(pattern, key);
-      for (const auto& name : names) {
-        const auto found = structure_.candidates.find(name);
-        if (found == structure_.candidates.end())
-          reader_.refuse(fmt::format("there is no candidate '{}'", name));
-        scene.candidates[found->second].state = state;
-      }
+      for (const auto& name : names) scene.candidates[candidate_named(name)].state = state;
       add_line(scene, listed_names(what, names));
     };
     set("contact", "in contact", ContactState::contact);
@@ -287,13 +332,28 @@ class SceneReader {
 
 }  // namespace
 
+std::vector<const ResultJson*> held_states(const ResultReader& reader) {
+  const auto& result = reader.at(reader.all(), "result");
+  std::vector<const ResultJson*> states;
+  const auto take = [&](const ResultJson& entry) {
+    if (ResultReader::find(entry, "state") != nullptr &&
+        ResultReader::find(entry, "pattern") != nullptr)
+      states.push_back(&entry);
+  };
+  if (const auto* const holding = ResultReader::find(result, "holding_friction")) take(*holding);
+  if (ResultReader::find(result, "intervals") != nullptr) {
+    for (const auto& each : reader.list(result, "intervals")) take(each);
+  }
+  return states;
+}
+
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {
-  return SceneReader(reader, choice).read();
+  return SceneReader(reader, std::move(choice)).read();
 }
 
 ResultScenes result_scenes(const ResultReader& reader, const std::string& file,
                            SceneChoice choice) {
-  auto all = chosen_scenes(reader, choice);
+  auto all = chosen_scenes(reader, std::move(choice));
   if (all.count == 0) {
     throw WrongInput(fmt::format("{}: has no {}; expected at least one", file, all.things));
   }

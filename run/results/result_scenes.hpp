@@ -14,6 +14,8 @@ namespace kusabi::run {
 struct SceneChoice {
   std::size_t first = 0;  ///< index, from 0
   std::size_t most;       ///< maximum number of scenes
+  /// Of patterns and rays: indices in the list, ascending. Empty: by `first` and `most`.
+  std::vector<std::size_t> entries{};
 };
 
 struct ResultScenes {
@@ -22,8 +24,12 @@ struct ResultScenes {
   std::vector<std::size_t> entries;     ///< of patterns and rays: index in the list
   std::size_t count = 0;                ///< number of all scenes
   pictures::Scene structure;            ///< undeformed, without an answer
-  std::string things;                   ///< "patterns", "rays", "collapses"
+  std::string things;                   ///< "patterns", "rays", "collapses", "states"
 };
+
+/// Entries of a result of `hold` with a known state, each with `pattern` and `state`: that of the
+/// holding friction coefficient, or one at an end of each interval of factors. @throws WrongInput
+std::vector<const ResultJson*> held_states(const ResultReader& reader);
 
 /// The list of scenes may be empty.
 /// @throws WrongInput in one line if it is not a result that can be drawn

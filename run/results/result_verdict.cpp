@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,10 @@ class WrittenVerdict {
       verdict.answer = sticking(answer);
     } else if (kind == "critical") {
       verdict.answer = critical(answer);
+    } else if (kind == "holding-friction") {
+      verdict.answer = holding_friction(answer);
+    } else if (kind == "holding-factors") {
+      verdict.answer = holding_factors(answer);
     } else if (kind == "friction-steps") {
       verdict.answer = friction_steps(answer);
     } else if (kind == "load-interval") {
@@ -124,6 +129,35 @@ class WrittenVerdict {
             .doubt = doubt(answer),
             .example = ResultReader::find(answer, "example") != nullptr};
   }
+  [[nodiscard]] HoldReason hold_reason(const ResultJson& answer) const {
+    const auto word = reader_.text(answer, "reason");
+    const auto found = std::ranges::find(hold_reasons, word);
+    if (found == hold_reasons.end()) reader_.refuse("'reason' is none of an answer about loads");
+    return static_cast<HoldReason>(found - hold_reasons.begin());
+  }
+  [[nodiscard]] HoldingBracket holding_friction(const ResultJson& answer) const {
+    return {.bracket = bracket(answer, "bracket"),
+            .factor = truth(answer, "factor"),
+            .most = reader_.number(answer, "most"),
+            .reason = hold_reason(answer)};
+  }
+  [[nodiscard]] HoldingFactors holding_factors(const ResultJson& answer) const {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    HoldingFactors found{.friction = reader_.number(answer, "friction"),
+                         .factor = truth(answer, "factor"),
+                         .of_reference = truth(answer, "of_reference"),
+                         .intervals = {},
+                         .outside = standing(answer, "outside"),
+                         .open = truth(answer, "open"),
+                         .reason = hold_reason(answer)};
+    for (const auto& each : reader_.list(answer, "intervals")) {
+      found.intervals.push_back({some_number(each, "low").value_or(-unbounded),
+                                 some_number(each, "high").value_or(unbounded),
+                                 standing(each, "standing"), bracket(each, "below"),
+                                 bracket(each, "above")});
+    }
+    return found;
+  }
   [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),
             .factor = truth(answer, "factor"),
@@ -164,6 +198,8 @@ class WrittenVerdict {
                      .reached = {},
                      .cases = count(answer, "cases")};
     if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
+    if (ResultReader::find(answer, "uncertain") != nullptr)
+      found.uncertain = truth(answer, "uncertain");
     return found;
   }
   [[nodiscard]] LoadSteps load_steps(const ResultJson& answer) const {

@@ -22,9 +22,9 @@ using pictures::Chart;
 using pictures::ChartSeries;
 
 /// Parts common to both.
-class Swept {
+class SweepPage {
  public:
-  Swept(const ResultReader& reader, std::string sentence)
+  SweepPage(const ResultReader& reader, std::string sentence)
       : reader_(reader),
         sentence_(std::move(sentence)),
         problem_(reader.at(reader.all(), "problem")),
@@ -51,9 +51,9 @@ class Swept {
   const ResultJson& result_;
 };
 
-class SweptFriction : public Swept {
+class SweptFriction : public SweepPage {
  public:
-  using Swept::Swept;
+  using SweepPage::SweepPage;
 
   [[nodiscard]] std::optional<Chart> chart() const {
     if (list("staircase").empty()) return {};
@@ -143,9 +143,9 @@ class SweptFriction : public Swept {
       product_of([](const ResultJson&) { return true; }).log10() < 64 * std::log10(2.0);
 };
 
-class SweptLoads : public Swept {
+class SweptLoads : public SweepPage {
  public:
-  using Swept::Swept;
+  using SweepPage::SweepPage;
 
   [[nodiscard]] std::optional<Chart> chart() const {
     auto line = curve();

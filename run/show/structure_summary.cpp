@@ -17,6 +17,8 @@
 #include "problems/structure/model/element_shape.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
+#include "run/show/contact_checks.hpp"
+#include "run/show/expectation.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -46,15 +48,15 @@ std::string bodies(const Structure& structure) {
 }
 
 // Connected bodies with their supports.
-std::string connected(const Structure& structure) {
+std::string connected(const problems::CheckedStructure& structure) {
   constexpr std::size_t most = 12;
   const auto all = problems::connected_bodies(structure);
-  const auto loose = problems::unconstrained_bodies(structure);
+  const auto& unconstrained = structure.unconstrained_bodies();
   const auto held = [&](const std::set<int>& nodes) {
     const auto own = std::ranges::find_if(
-        loose, [&](const auto& body) { return nodes.contains(body.nodes.front()); });
-    if (own != loose.end()) return "unconstrained, " + described(*own);
-    const bool is_given = std::ranges::any_of(structure.superelements, [&](const auto& each) {
+        unconstrained, [&](const auto& body) { return nodes.contains(body.nodes.front()); });
+    if (own != unconstrained.end()) return "unconstrained, " + described(*own);
+    const bool is_given = std::ranges::any_of(structure->superelements, [&](const auto& each) {
       return std::ranges::any_of(each.rows,
                                  [&](const auto& row) { return nodes.contains(row.node); });
     });
@@ -65,7 +67,7 @@ std::string connected(const Structure& structure) {
   if (all.size() == 1) return fmt::format("  bodies      one, {}\n", held(all.front()));
   auto text = fmt::format("  bodies      {}, not connected with each other\n", all.size());
   for (const auto& nodes : std::span(all).first(std::min(all.size(), most))) {
-    const auto& first = structure.node_names[static_cast<std::size_t>(*nodes.begin())];
+    const auto& first = structure->node_names[static_cast<std::size_t>(*nodes.begin())];
     text += fmt::format("              {}, the first {}, {}\n", counted(nodes.size(), "node"),
                         support::in_quotes(first), held(nodes));
   }
@@ -121,6 +123,22 @@ std::string candidates(const Structure& structure) {
   return text;
 }
 
+// Surfaces of the candidates, a line each.
+std::string touching(const Structure& structure) {
+  constexpr std::size_t most = 12;
+  const auto lines = touching_surfaces(structure);
+  std::string text;
+  for (const auto& line : std::span(lines).first(std::min(lines.size(), most)))
+    text += fmt::format("              {}\n", line);
+  if (lines.size() > most) text += fmt::format("              and {} more\n", lines.size() - most);
+  return text;
+}
+
+std::string expected(const Structure& structure) {
+  const auto text = expectation(structure.dimension, structure.contact.size());
+  return text.empty() ? text : fmt::format("  expect      {}\n", text);
+}
+
 std::string loads(const Structure& structure) {
   std::vector<std::string> parts;
   for (const auto& [kind, name] : {std::pair{problems::Load::Kind::dead, "dead load"},
@@ -143,13 +161,13 @@ std::string loads(const Structure& structure) {
 
 }  // namespace
 
-std::string structure_summary(const Structure& structure) {
+std::string structure_summary(const problems::CheckedStructure& structure) {
   return fmt::format(
-      "{}: {}\n  consists of {}\n{}  extent      {}\n  supports    {}\n  candidates  {}\n"
-      "  loads       {}\n",
-      structure.name, structure.dimension == 2 ? "in the plane" : "in space", bodies(structure),
-      connected(structure), extent(structure), supports(structure), candidates(structure),
-      loads(structure));
+      "{}: {}\n  consists of {}\n{}  extent      {}\n  coincident  {}\n  supports    {}\n"
+      "  candidates  {}\n{}  loads       {}\n{}",
+      structure->name, structure->dimension == 2 ? "in the plane" : "in space", bodies(structure),
+      connected(structure), extent(structure), coincident_nodes(structure), supports(structure),
+      candidates(structure), touching(structure), loads(structure), expected(structure));
 }
 
 }  // namespace kusabi::run

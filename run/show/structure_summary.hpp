@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 
 namespace kusabi::run {
 
 /// Sizes, supports, candidates and loads, one line each, with a final line end.
-std::string structure_summary(const problems::Structure& structure);
+std::string structure_summary(const problems::CheckedStructure& structure);
 
 }  // namespace kusabi::run

@@ -15,7 +15,7 @@
 #include "run/sweep/swept.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
-#include "run/wedged/agreement.hpp"
+#include "run/wedged/contact_problem.hpp"
 #include "run/wedged/exact_json.hpp"
 #include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -25,38 +25,32 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* times(const problems::WedgedProblem& problem) {
-  return problems::uniform_friction(problem) ? "" : " times that of each candidate";
-}
-
 class FrictionSweep final : public Swept {
  public:
-  FrictionSweep(const SweepOptions& options, problems::Structure structure,
-                std::vector<double> points, double most)
+  FrictionSweep(const SweepOptions& options, std::vector<double> points, double most)
       : options_(options),
-        structure_(std::move(structure)),
         points_(std::move(points)),
         question_{.most = most, .width = options.width} {}
 
   void prepare(CommandRun& run) override {
-    problem_ = run.within_limits(
-        [&](const auto& work) { return problems::wedged_problem(structure_, work); });
-    friction_at(problem_, question_.most, options_.file);
-    agree(run.session(), problem_);
-    run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
+    contact_ =
+        contact_problem(run, options_.input, points_.empty() ? question_.most : points_.front());
+    friction_at(contact_.problem, question_.most, options_.input.file);
+    keep_state(run, options_.checkpoint, contact_.problem);
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
-    return fmt::format("{}; up to a friction coefficient of {}{}; {}", problem_line(problem_),
-                       question_.most, times(problem_), ranks);
+    return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
+                       friction_text(contact_.problem, question_.most), ranks);
   }
   void search(CommandRun& run) override {
     engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
-    found_ = wedged::sweep_friction(analysis, problem_, question_);
+    found_ = wedged::sweep_friction(analysis, contact_.problem, question_);
     const bool searched =
         run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
     if (!searched) return;
     const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
-    exact_ = wedged::tested_counts(analysis, {structure_, problem_, proving}, points_, found_);
+    exact_ = wedged::tested_counts(analysis, {contact_.structure, contact_.problem, proving},
+                                   points_, found_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
@@ -72,12 +66,11 @@ class FrictionSweep final : public Swept {
   [[nodiscard]] std::string cones_text() const;
   [[nodiscard]] std::string ranks_text() const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const {
-    return with_ranges(candidate_names(problem_, candidates));
+    return with_ranges(candidate_names(contact_.problem, candidates));
   }
 
   const SweepOptions& options_;
-  problems::Structure structure_;
-  problems::WedgedProblem problem_;
+  ContactProblem contact_;
   std::vector<double> points_;
   wedged::SweepQuestion question_;
   wedged::SweepFindings found_;
@@ -123,7 +116,7 @@ ordered_json FrictionSweep::json() const {
   }
   auto patterns = ordered_json::array();
   for (const auto& cone : found_.cones) {
-    auto json = pattern_json(problem_, cone.block, cone.pattern);
+    auto json = pattern_json(contact_.problem, cone.block, cone.pattern);
     json["state"] = cone.solid() ? "alive" : "flat";
     json["lower"] = cone.begins.lower;
     json["upper"] = cone.begins.upper;
@@ -132,7 +125,7 @@ ordered_json FrictionSweep::json() const {
   }
   auto open = ordered_json::array();
   for (const auto& leaf : found_.open) {
-    auto json = pattern_json(problem_, leaf.block, leaf.pattern);
+    auto json = pattern_json(contact_.problem, leaf.block, leaf.pattern);
     json["lower"] = leaf.lower;
     open.push_back(std::move(json));
   }
@@ -140,7 +133,7 @@ ordered_json FrictionSweep::json() const {
   return {
       {"command", "sweep"},
       {"version", KUSABI_VERSION},
-      {"problem", problem_json(structure_, problem_, options_.file)},
+      {"problem", problem_json(contact_.structure, contact_.problem, options_.input.file)},
       {"options", std::move(chosen)},
       {"status", status_text(verdict())},
       {"result",
@@ -224,7 +217,7 @@ std::string FrictionSweep::ranks_text() const {
 
 Verdict FrictionSweep::verdict() const {
   FrictionSteps steps{.most = question_.most,
-                      .factor = !problems::uniform_friction(problem_),
+                      .factor = !problems::uniform_friction(contact_.problem),
                       .open_patterns = found_.open.size()};
   if (found_.enumerated) {
     double infeasible = question_.most;
@@ -244,9 +237,9 @@ Verdict FrictionSweep::verdict() const {
 
 }  // namespace
 
-std::unique_ptr<Swept> swept_friction(const SweepOptions& options, problems::Structure structure,
-                                      std::vector<double> points, double most) {
-  return std::make_unique<FrictionSweep>(options, std::move(structure), std::move(points), most);
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options, std::vector<double> points,
+                                      double most) {
+  return std::make_unique<FrictionSweep>(options, std::move(points), most);
 }
 
 }  // namespace kusabi::run

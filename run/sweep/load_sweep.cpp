@@ -12,6 +12,7 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "run/command/group_half_widths.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
@@ -43,10 +44,11 @@ std::string lower_end_text(const limit::GuaranteedInterval& interval) {
 
 class LoadSweep final : public Swept {
  public:
-  LoadSweep(const SweepOptions& options, problems::Structure truss, std::vector<double> points)
-      : options_(options), truss_(std::move(truss)), alphas_(std::move(points)) {}
+  LoadSweep(const SweepOptions& options, std::vector<double> points)
+      : options_(options), alphas_(std::move(points)) {}
 
   void prepare(CommandRun& run) override {
+    truss_ = problems::in_chosen_case(options_.input.structure(run), options_.load_case);
     problem_ = problems::limit_problem(truss_);
     fix_groups();
     const auto& uncertain = problem_.uncertain;
@@ -86,7 +88,7 @@ class LoadSweep final : public Swept {
   void fix_groups();
 
   const SweepOptions& options_;
-  problems::Structure truss_;
+  problems::CheckedStructure truss_;
   problems::LimitProblem problem_;
   std::vector<double> alphas_;
   int ranks_ = 1;
@@ -145,7 +147,7 @@ ordered_json LoadSweep::json() const {
   }
   return {{"command", "sweep"},
           {"version", KUSABI_VERSION},
-          {"problem", limit_problem_json(problem_, truss_, options_.file)},
+          {"problem", limit_problem_json(problem_, truss_, options_.input.file)},
           {"options", std::move(chosen)},
           {"status", status_text(verdict())},
           {"result", std::move(result)},
@@ -246,9 +248,8 @@ Verdict LoadSweep::verdict() const {
 
 }  // namespace
 
-std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::Structure truss,
-                                   std::vector<double> points) {
-  return std::make_unique<LoadSweep>(options, std::move(truss), std::move(points));
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options, std::vector<double> points) {
+  return std::make_unique<LoadSweep>(options, std::move(points));
 }
 
 }  // namespace kusabi::run

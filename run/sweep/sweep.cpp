@@ -1,6 +1,6 @@
-// `kusabi sweep`: options, and the choice between friction and loads.
-#include "run/sweep/sweep.hpp"
-
+// `kusabi sweep FILE --mu …`: number of sign patterns over the friction coefficient, exact between
+// points; `kusabi sweep FILE --alpha …`: worst-case limit load over the uncertainty of loads.
+// Options, and the choice between both.
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,40 +9,23 @@
 #include <fmt/format.h>
 
 #include "nodes/wedged/critical/critical_findings.hpp"
-#include "problems/files/problem_text.hpp"
-#include "problems/files/structure_file.hpp"
-#include "problems/structure/model/load_cases.hpp"
 #include "run/command/group_half_widths.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
-#include "run/session/kept_state.hpp"
 #include "run/sweep/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/words.hpp"
-#include "run/wedged/ignored_loads.hpp"
 
 namespace kusabi::run {
 namespace {
 
 class Sweep final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "sweep"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "patterns over friction, or limit load over uncertainty";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "The number of sign patterns as a function of the friction coefficient, or the "
-           "worst-case limit load as a function of the load uncertainty, exact between the points.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "examples/two-bars.toml --mu 1.25:2.75:0.5";
-  }
   void describe(OptionTable& table) override;
   void check() const override;
-  void read(CommandRun& run) override {
-    text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
-  }
+  void read(CommandRun& run) override { options_.input.read(run); }
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
     return swept_->announcement(ranks);
@@ -60,13 +43,12 @@ class Sweep final : public Subcommand {
   SweepOptions options_;
   std::string csv_;
   std::string svg_;
-  problems::ProblemText text_;
   std::unique_ptr<Swept> swept_;
   std::optional<pictures::Chart> chart_;  // on rank 0
 };
 
 void Sweep::describe(OptionTable& table) {
-  table.problem(options_.file);
+  table.problem(options_.input.file);
   table.text("--mu", options_.mu, "POINTS",
              "friction coefficients: START:END:STEP, or a list with commas");
   table.number("--mu-max", &options_.mu_max, above(0),
@@ -82,14 +64,12 @@ void Sweep::describe(OptionTable& table) {
   table.output();
   table.file("--csv", csv_, Role::output, "CSV file of the points and the steps");
   table.file("--svg", svg_, Role::output, "chart of the points and the steps (SVG)");
-  table.time_limit(options_.limits);
-  table.node_limit(options_.limits);
+  table.search_limits(options_.limits);
   table.resume(options_.checkpoint);
   table.prove(options_.prove,
-              "compare the numbers of patterns with lists that are tested exactly, as by kusabi "
-              "verify");
-  table.quiet();
-  table.serial();
+              "compare the numbers of patterns with lists whose nodes are tested in exact "
+              "arithmetic, as kusabi verify does");
+  table.quiet_and_serial();
 }
 
 void Sweep::check() const {
@@ -117,20 +97,12 @@ void Sweep::check() const {
 }
 
 void Sweep::prepare(CommandRun& run) {
-  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
-  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
-  warn_all(run.session(), structure.warnings);
   if (options_.alpha.empty()) {
     auto points = friction_points();
     const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
-    warn_all(run.session(), ignored_loads(structure, "sweep"));
-    warn_all(run.session(),
-             facet_warnings(facets, points.empty() ? most : points.front(), options_.file));
-    swept_ = swept_friction(options_, std::move(structure), std::move(points), most);
+    swept_ = swept_friction(options_, std::move(points), most);
   } else {
-    swept_ =
-        swept_loads(options_, problems::in_chosen_case(std::move(structure), options_.load_case),
-                    sweep_points("--alpha", options_.alpha, true));
+    swept_ = swept_loads(options_, sweep_points("--alpha", options_.alpha, true));
   }
   swept_->prepare(run);
 }
@@ -150,8 +122,6 @@ std::vector<Step> Sweep::results(CommandRun& run) {
 
 std::vector<std::string> Sweep::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
-  const auto ended = verdict().ended;
-  if (ended != engine::Status::solved) remarks = run.how_to_go_on(ended);
   if (run.wants("--svg") && !chart_) {
     remarks.push_back(fmt::format("--svg: there are no results to draw; {} is unchanged", svg_));
   }
@@ -160,8 +130,14 @@ std::vector<std::string> Sweep::remarks(CommandRun& run) {
 
 }  // namespace
 
-std::unique_ptr<Subcommand> sweep_subcommand() {
-  return std::make_unique<Sweep>();
-}
+constexpr Registration sweep_subcommand{
+    {.name = "sweep",
+     .chapter = "Wedged configurations",
+     .purpose = "patterns over friction, or limit load over uncertainty",
+     .description =
+         "The number of sign patterns as a function of the friction coefficient, or the "
+         "worst-case limit load as a function of the load uncertainty, exact between the points.",
+     .example = "examples/two-bars.toml --mu 1.25:2.75:0.5"},
+    make<Sweep>};
 
 }  // namespace kusabi::run

@@ -11,14 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/options.hpp"
-#include "problems/structure/model/structure.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/problem_input.hpp"
 
 namespace kusabi::run {
 
 /// Options as in the call.
 struct SweepOptions {
-  std::string file;
+  ProblemInput input;
   std::string mu;                ///< points of the friction coefficient; empty: none
   std::optional<double> mu_max;  ///< the largest coefficient
   double width = 1e-8;           ///< of the brackets of friction coefficients
@@ -48,12 +48,11 @@ class Swept {
   [[nodiscard]] virtual Verdict verdict() const = 0;
 };
 
-/// @param structure of the file @param points increasing; may be empty @param most the largest
-std::unique_ptr<Swept> swept_friction(const SweepOptions& options, problems::Structure structure,
-                                      std::vector<double> points, double most);
+/// @param points increasing; may be empty @param most the largest
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options, std::vector<double> points,
+                                      double most);
 
 /// @param points increasing, at least one
-std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::Structure truss,
-                                   std::vector<double> points);
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options, std::vector<double> points);
 
 }  // namespace kusabi::run

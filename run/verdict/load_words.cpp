@@ -60,30 +60,7 @@ std::string proved_or(const Bracket& bracket) {
   return standing == Standing::proved ? ", proved" : unless_proved(standing);
 }
 
-// The factors that are carried under every load of the last point, after its worst case.
-std::string guaranteed(const LoadSteps& found) {
-  const auto& from = found.least.upper;
-  const auto& to = found.worst.lower;
-  const auto& above = found.least.lower;
-  if (above && above->value > found.worst.upper->value) {
-    return fmt::format("; no load factor is carried under all admissible loads{}",
-                       unless_proved(of_both(*above, *found.worst.upper)));
-  }
-  if (!from) return "; the least factor that is carried under all admissible loads is open";
-  if (from->value > to->value)
-    return "; it is numerically undecided whether any factor is carried under all admissible loads";
-  return fmt::format("; factors from {}{} to {} are carried under all admissible loads",
-                     rounded_up(from->value), unless_proved(from->standing),
-                     rounded_down(to->value));
-}
-
-}  // namespace
-
-std::string half_width_text(double half_width, const std::optional<std::string>& force) {
-  return fmt::format("± {} {}", half_width, force.value_or("times its uncertain part"));
-}
-
-std::string headline_of(const LoadInterval& found, engine::Status /*ended*/) {
+std::string factors_headline(const LoadInterval& found) {
   if (!found.uncertain) return nominal(found);
   if (found.carried_at_none) {
     return fmt::format(
@@ -108,6 +85,51 @@ std::string headline_of(const LoadInterval& found, engine::Status /*ended*/) {
   return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}.",
                      rounded_up(from->value), unless_proved(from->standing),
                      rounded_down(to->value), if_large(found), unless_proved(to->standing), loads);
+}
+
+// True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.
+std::optional<bool> passed(const LoadInterval& found) {
+  const auto proved = [&](const std::optional<Bound>& bound) {
+    return bound && bound->standing == Standing::proved && !found.if_big_m;
+  };
+  if (found.carried_at_none == Standing::proved || empty(found) == Standing::proved) return false;
+  if (proved(found.least.lower) && found.least.lower->value > 0) return false;
+  if (proved(found.most.upper) && found.most.upper->value < 1) return false;
+  const bool whole = proved(found.least.upper) && proved(found.most.lower) &&
+                     found.least.upper->value <= 0 && found.most.lower->value >= 1;
+  return whole ? std::optional(true) : std::nullopt;
+}
+
+// The factors that are carried under every load of the last point, after its worst case.
+std::string guaranteed(const LoadSteps& found) {
+  const auto& from = found.least.upper;
+  const auto& to = found.worst.lower;
+  const auto& above = found.least.lower;
+  if (above && above->value > found.worst.upper->value) {
+    return fmt::format("; no load factor is carried under all admissible loads{}",
+                       unless_proved(of_both(*above, *found.worst.upper)));
+  }
+  if (!from) return "; the least factor that is carried under all admissible loads is open";
+  if (from->value > to->value)
+    return "; it is numerically undecided whether any factor is carried under all admissible loads";
+  return fmt::format("; factors from {}{} to {} are carried under all admissible loads",
+                     rounded_up(from->value), unless_proved(from->standing),
+                     rounded_down(to->value));
+}
+
+}  // namespace
+
+std::string half_width_text(double half_width, const std::optional<std::string>& force) {
+  return fmt::format("± {} {}", half_width, force.value_or("times its uncertain part"));
+}
+
+std::string headline_of(const LoadInterval& found, engine::Status ended) {
+  const auto text = factors_headline(found);
+  if (!found.uncertain || ended != engine::Status::solved) return text;
+  const auto known = passed(found);
+  if (!known) return text;
+  return text + (*known ? " Passed: 0 to 1 is within them."
+                        : " Not passed: some factor from 0 to 1 is not carried.");
 }
 
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all) {

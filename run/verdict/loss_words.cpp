@@ -20,6 +20,7 @@ std::string after_worst(const MemberLoss& found) {
 std::string after_any(const MemberLoss& found) {
   auto text = found.most == 1 ? std::string("after the loss of any one member")
                               : fmt::format("after the loss of any {} members", found.most);
+  if (found.uncertain) text += " and under every admissible load";
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
   return text;
 }
@@ -32,8 +33,9 @@ std::string capital(std::string text) {
 std::string at_most(const MemberLoss& found) {
   if (!found.factor.upper) return {};
   const auto& [value, standing] = *found.factor.upper;
-  return fmt::format("{} the limit load factor is at most {}{}", after_worst(found),
-                     rounded_up(value), unless_proved(standing));
+  return fmt::format("{} {}the limit load factor is at most {}{}", after_worst(found),
+                     found.uncertain ? "and under the worst load " : "", rounded_up(value),
+                     unless_proved(standing));
 }
 
 std::string of_target(const MemberLoss& found) {
@@ -52,8 +54,9 @@ std::string of_target(const MemberLoss& found) {
 
 std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
   if (found.fatal) {
-    return capital(fmt::format("{} it does not carry its dead load at any load factor{}.",
-                               after_worst(found), unless_proved(*found.fatal)));
+    return capital(fmt::format("{} it does not carry {} dead load at any load factor{}.",
+                               after_worst(found), found.uncertain ? "some admissible" : "its",
+                               unless_proved(*found.fatal)));
   }
   if (found.target) return of_target(found);
   if (const auto& lower = found.factor.lower) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "run/output/values.hpp"
 #include "run/verdict/answer_words.hpp"
@@ -115,6 +116,22 @@ std::string of_held(const CertificateCheck::Held& held) {
   return text;
 }
 
+std::string of_loss(const CertificateCheck::Loss& loss) {
+  const auto lost = loss.lost.empty()
+                        ? std::string("without any loss")
+                        : fmt::format("after the loss of {}", fmt::join(loss.lost, " and "));
+  if (loss.fatal)
+    return fmt::format("PROVED: {} {} dead load is carried at no load factor", lost,
+                       loss.uncertain ? "some admissible" : "the");
+  const auto upper = fmt::format("{} it is at most {:.17g}", lost, loss.upper);
+  if (!loss.lower) return fmt::format("PROVED, for the load factor: {}", upper);
+  return fmt::format(
+      "PROVED: after the loss of any {}{}{} the load factor is at least {:.17g}; {}",
+      loss.most == 1 ? std::string("member") : fmt::format("{} members", loss.most),
+      loss.kept == 0 ? std::string() : fmt::format(" except {} that are kept", loss.kept),
+      loss.uncertain ? " and under every admissible load" : "", *loss.lower, upper);
+}
+
 }  // namespace
 
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
@@ -175,6 +192,8 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
     return of_factor(*factor);
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim))
     return of_held(*held);
+  if (const auto* const loss = std::get_if<CertificateCheck::Loss>(&found.claim))
+    return of_loss(*loss);
   return "NOT PROVED";
 }
 

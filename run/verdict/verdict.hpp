@@ -166,6 +166,7 @@ struct MemberLoss {
   std::optional<double> target{};   ///< the factor in question; absent: the least one
   std::optional<bool> reached{};    ///< true if the target remains after each loss; absent: open
   std::uint64_t cases = 1;          ///< load cases
+  bool uncertain = false;           ///< over all admissible loads
 };
 
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
@@ -240,8 +241,18 @@ struct CertificateCheck {
                                    ///< strains
     double far_motion = 0;
   };
+  /// Least load factor over all losses of some members.
+  struct Loss {
+    std::uint64_t most = 1, cases = 1;
+    bool uncertain = false;           ///< over all admissible loads
+    std::uint64_t kept = 0;           ///< members that are not lost
+    std::vector<std::string> lost{};  ///< the worst loss
+    bool fatal = false;               ///< no factor remains after it
+    std::optional<double> lower{};    ///< absent: only the upper bound is proved
+    double upper = 0;
+  };
   std::uint64_t refusals = 0;
-  std::variant<std::monostate, List, Example, Factor, Held> claim{};
+  std::variant<std::monostate, List, Example, Factor, Loss, Held> claim{};
 };
 
 /// A measurement, and its agreement with the reference: `bench`.

@@ -135,7 +135,8 @@ ordered_json answer_json(const MemberLoss& found) {
           {"lost", found.lost},
           {"target", number_or_null(found.target)},
           {"reached", found.reached ? ordered_json(*found.reached) : ordered_json()},
-          {"cases", found.cases}};
+          {"cases", found.cases},
+          {"uncertain", found.uncertain}};
 }
 
 ordered_json answer_json(const LoadSteps& found) {

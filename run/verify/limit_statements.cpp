@@ -60,10 +60,11 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
 // The first load case that the statement refers to, or the reason why there is none. @throws
 // InputError if it is no truss
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
-                                                const problems::Structure& structure) {
+                                                const problems::CheckedStructure& structure) {
   std::vector<std::string> whys;
   for (const auto& name : cases_for(statement, structure)) {
-    const auto of_case = name.empty() ? structure : problems::in_load_case(structure, name);
+    const auto of_case =
+        name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
     const auto fingerprint = problems::limit_problem(of_case).fingerprint;
     auto truss = evidence::verified_structure(of_case);
     if (statement.claim == LimitClaim::least) {
@@ -89,7 +90,7 @@ struct Checking {
 
 // Truss of the certificate, or that of the structure; nothing if they disagree.
 std::optional<Checking> checking(const LimitStatement& statement,
-                                 const std::optional<problems::Structure>& structure,
+                                 const std::optional<problems::CheckedStructure>& structure,
                                  const std::string& file, CheckedStatement& checked) {
   auto truss = verify::recorded_truss(statement.evidence);
   auto names = statement.evidence.names;
@@ -190,7 +191,7 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
 }  // namespace
 
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
-                                   const std::optional<problems::Structure>& structure,
+                                   const std::optional<problems::CheckedStructure>& structure,
                                    std::span<const LimitStatement> statements) {
   CheckedStatements result;
   auto& all = result.statements;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/outcome.hpp"
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
 #include "verify/limit/limit_certificate.hpp"
@@ -37,7 +37,7 @@ struct CheckedStatements {
 /// @param structure of the problem file to prove them for, if any
 /// @throws support::InputError if limit analysis does not apply to the structure
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
-                                   const std::optional<problems::Structure>& structure,
+                                   const std::optional<problems::CheckedStructure>& structure,
                                    std::span<const verify::LimitStatement> statements);
 
 }  // namespace kusabi::run

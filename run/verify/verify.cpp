@@ -15,14 +15,17 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/registrations.hpp"
 #include "run/output/page.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/verify_hold.hpp"
 #include "run/verify/verify_limit.hpp"
+#include "run/verify/verify_loss.hpp"
 #include "run/verify/verify_patterns.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/loss_certificate.hpp"
 #include "verify/wedged/hold_certificate.hpp"
 
 namespace kusabi::run {
@@ -48,31 +51,18 @@ std::string content(const std::string& file) {
 
 class Verify final : public Subcommand {
  public:
-  [[nodiscard]] std::string_view name() const override { return "verify"; }
-  [[nodiscard]] std::string_view purpose() const override {
-    return "exact proof of a result from its certificate";
-  }
-  [[nodiscard]] std::string_view description() const override {
-    return "Proves a list of patterns, a critical friction coefficient or a worst-case load factor "
-           "from "
-           "its certificate, in exact arithmetic.";
-  }
-  [[nodiscard]] std::string_view example() const override {
-    return "answer.cert --problem examples/space-truss.toml";
-  }
   void describe(OptionTable& table) override;
   void read(CommandRun& run) override;
   void prepare(CommandRun& run) override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
-  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   VerifyOptions options_;
   std::string text_;
   problems::ProblemText problem_text_;
-  std::optional<problems::Structure> structure_;
+  std::optional<problems::CheckedStructure> structure_;
   VerifyFindings findings_;
 };
 
@@ -86,9 +76,8 @@ void Verify::describe(OptionTable& table) {
       "problem file (TOML) to which the proof applies; its stiffness is recomputed with bounds for "
       "all rounding errors. Default: the proof applies to the numbers in the certificate");
   table.resume(options_.checkpoint,
-               "; the verification trusts this file, so nobody else may have access to it");
-  table.quiet("print errors and refused claims only");
-  table.serial();
+               ". The verification trusts this file, so nobody else may have access to it");
+  table.quiet_and_serial("print errors and refused claims only");
 }
 
 void Verify::read(CommandRun& run) {
@@ -117,12 +106,15 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
-  if (text_.starts_with(verify::limit_first_words))
+  if (text_.starts_with(verify::loss_first_words)) {
+    findings_ = verify_loss(run, options_, structure_, text_);
+  } else if (text_.starts_with(verify::limit_first_words)) {
     findings_ = verify_limit(run, options_, structure_, text_);
-  else if (text_.starts_with(verify::hold_first_words))
+  } else if (text_.starts_with(verify::hold_first_words)) {
     findings_ = verify_hold(run, options_, structure_, text_);
-  else
+  } else {
     findings_ = verify_patterns(run, options_, structure_, text_);
+  }
 }
 
 std::vector<Step> Verify::results(CommandRun& run) {
@@ -136,15 +128,17 @@ Verdict Verify::verdict() const {
   return {.ended = findings_.status, .answer = findings_.check};
 }
 
-std::vector<std::string> Verify::remarks(CommandRun& run) {
-  if (findings_.status == engine::Status::solved) return {};
-  return run.how_to_go_on(findings_.status);
-}
-
 }  // namespace
 
-std::unique_ptr<Subcommand> verify_subcommand() {
-  return std::make_unique<Verify>();
-}
+constexpr Registration verify_subcommand{
+    {.name = "verify",
+     .chapter = "Verification",
+     .purpose = "exact proof of a result from its certificate",
+     .description =
+         "Proves a list of patterns, a critical friction coefficient or a worst-case load factor "
+         "from "
+         "its certificate, in exact arithmetic.",
+     .example = "answer.cert --problem examples/space-truss.toml"},
+    make<Verify>};
 
 }  // namespace kusabi::run

@@ -2,7 +2,6 @@
 // exact arithmetic.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "run/command/subcommand.hpp"
@@ -22,7 +21,5 @@ struct VerifyFindings {
   std::string refusals = {};                       ///< one line each
   std::string summary = {};                        ///< claims that are proved, and the method
 };
-
-std::unique_ptr<Subcommand> verify_subcommand();
 
 }  // namespace kusabi::run

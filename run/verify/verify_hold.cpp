@@ -152,7 +152,7 @@ CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction
 }  // namespace
 
 VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
-                           const std::optional<problems::Structure>& structure,
+                           const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text) {
   if (!structure) {
     throw WrongInput(fmt::format(
@@ -216,9 +216,9 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
       "contact candidates: {}\nproblem: {}, from {}, fingerprint {}\n"
       "friction coefficient: {}{}\n"
       "K and the loads were recomputed from the structure with errors up to {:.1e}\n",
-      fmt::join(certificate.header.names, " "), structure->name, options.problem,
+      fmt::join(certificate.header.names, " "), (*structure)->name, options.problem,
       hexadecimal(problems::wedged_fingerprint(*structure)), friction,
-      std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
+      std::ranges::all_of((*structure)->contact, [](const auto& c) { return c.friction == 1; })
           ? ""
           : " times that of each candidate",
       enclosure.problem.stiffness.radius.nearest());

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
 
@@ -14,7 +14,7 @@ namespace kusabi::run {
 /// @param text of the certificate
 /// @throws WrongInput if it is malformed, or there is no problem file
 VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
-                           const std::optional<problems::Structure>& structure,
+                           const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text);
 
 }  // namespace kusabi::run

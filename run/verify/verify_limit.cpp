@@ -156,7 +156,7 @@ std::string cases_left_text(const std::vector<CheckedStatement>& statements,
 }  // namespace
 
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
-                            const std::optional<problems::Structure>& structure,
+                            const std::optional<problems::CheckedStructure>& structure,
                             const std::string& text) {
   const auto recorded = statements_in(text, options.certificate);
   const auto [statements, status] = check_statements(run, options, structure, recorded);
@@ -174,7 +174,7 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
         std::back_inserter(summary),
         "problem: {}, from {}, fingerprint {}\n"
         "direction cosines were recomputed from the truss; yield forces and loads were compared\n",
-        structure->name, options.problem, hexadecimal(statements.front().fingerprint));
+        (*structure)->name, options.problem, hexadecimal(statements.front().fingerprint));
   } else {
     summary +=
         "the truss is that of the certificate; --problem FILE proves the result for a problem "

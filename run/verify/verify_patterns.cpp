@@ -68,7 +68,7 @@ std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOp
 // Claims that are proved, and their problem.
 void write_subject(std::string& text, const VerifyOptions& options,
                    const verify::Certificate& certificate,
-                   const std::optional<problems::Structure>& structure,
+                   const std::optional<problems::CheckedStructure>& structure,
                    const std::optional<verify::ConsistentStructure>& consistent) {
   fmt::format_to(std::back_inserter(text), "contact candidates: {}\n",
                  fmt::join(certificate.names, " "));
@@ -79,11 +79,11 @@ void write_subject(std::string& text, const VerifyOptions& options,
     return;
   }
   fmt::format_to(std::back_inserter(text), "problem: {}, from {}, fingerprint {}\n",
-                 structure->name, options.problem,
+                 (*structure)->name, options.problem,
                  hexadecimal(problems::wedged_fingerprint(*structure)));
   fmt::format_to(
       std::back_inserter(text), "friction coefficient: {}{}\n", consistent->friction,
-      std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
+      std::ranges::all_of((*structure)->contact, [](const auto& c) { return c.friction == 1; })
           ? ""
           : " times that of each candidate");
   fmt::format_to(std::back_inserter(text),
@@ -149,7 +149,7 @@ engine::Outcome<Verification> verified(CommandRun& run, Verification& verificati
 }  // namespace
 
 VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
-                               const std::optional<problems::Structure>& structure,
+                               const std::optional<problems::CheckedStructure>& structure,
                                const std::string& text) {
   // Every rank reads the certificate and proves the parts that all nodes depend on.
   const auto certificate = certificate_in(text, options.certificate);

@@ -8,8 +8,8 @@ namespace kusabi::run {
 
 void agree(Session& session, const problems::WedgedProblem& problem) {
   support::Fingerprint computed;
-  computed.add(problem.fingerprint);
-  for (const auto* matrix : {&problem.stiffness, &problem.compliance}) {
+  computed.add(problem.provenance.fingerprint);
+  for (const auto* matrix : {&problem.compliance.stiffness, &problem.compliance.matrix}) {
     for (const double number : matrix->reshaped()) computed.add(number);
   }
   engine::agree(session.transport(), computed.value());

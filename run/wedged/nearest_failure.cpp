@@ -47,7 +47,7 @@ std::string amount_in(double amount, const std::string& unit, const char* what) 
 
 std::string contact_text(const problems::WedgedProblem& problem, const Slack& slack) {
   const auto& name = problem.contact_names[static_cast<std::size_t>(slack.candidate)];
-  const auto force = amount_in(slack.amount, problem.units.force, "force");
+  const auto force = amount_in(slack.amount, problem.provenance.units.force, "force");
   constexpr double half = 0.5;
   if (slack.used < half)
     return fmt::format("{} is closest to separation, with mu r_n - |r_t| = {}", name, force);
@@ -59,7 +59,7 @@ std::string contact_text(const problems::WedgedProblem& problem, const Slack& sl
 std::string gap_text(const problems::WedgedProblem& problem, const Slack& slack) {
   return fmt::format("{} is closest to touching, at a gap of {}",
                      problem.contact_names[static_cast<std::size_t>(slack.candidate)],
-                     amount_in(slack.amount, problem.units.length, "length"));
+                     amount_in(slack.amount, problem.provenance.units.length, "length"));
 }
 
 }  // namespace
@@ -105,7 +105,8 @@ NearestFailure nearest_failure(const problems::WedgedProblem& problem, double co
 std::string nearest_failure_text(const problems::WedgedProblem& problem,
                                  const NearestFailure& nearest) {
   if (!nearest.contact) return {};
-  const auto scale = problem.units.force.empty() ? std::string("1") : "1 " + problem.units.force;
+  const auto scale = problem.provenance.units.force.empty() ? std::string("1")
+                                                            : "1 " + problem.provenance.units.force;
   auto text = contact_text(problem, *nearest.contact);
   if (nearest.gap) {
     const auto gap = gap_text(problem, *nearest.gap);

@@ -40,7 +40,7 @@ ordered_json contact_frames(const problems::WedgedProblem& problem) {
 // Unconstrained bodies: first node, number of nodes, and a sentence about their rigid-body modes.
 ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
   auto list = ordered_json::array();
-  for (const auto& [node, nodes, motions] : problem.unconstrained_bodies)
+  for (const auto& [node, nodes, motions] : problem.modes.bodies)
     list.push_back({{"node", node}, {"nodes", nodes}, {"motions", motions}});
   return list;
 }
@@ -48,13 +48,15 @@ ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
 }  // namespace
 
 std::string problem_line(const problems::WedgedProblem& problem) {
-  std::string sizes = fmt::format("{} nodes", problem.nodes);
-  if (problem.members > 0) sizes += fmt::format(", {} members", problem.members);
-  if (problem.elements > 0) sizes += fmt::format(", {} elements", problem.elements);
-  auto line = fmt::format("{}: {}, {}, {} contact candidates", problem.name,
+  std::string sizes = fmt::format("{} nodes", problem.provenance.nodes);
+  if (problem.provenance.members > 0)
+    sizes += fmt::format(", {} members", problem.provenance.members);
+  if (problem.provenance.elements > 0)
+    sizes += fmt::format(", {} elements", problem.provenance.elements);
+  auto line = fmt::format("{}: {}, {}, {} contact candidates", problem.provenance.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
                           problem.contact_names.size());
-  const auto& loose = problem.unconstrained_bodies;
+  const auto& loose = problem.modes.bodies;
   constexpr std::size_t most_described = 3;
   for (std::size_t k = 0; k < std::min(loose.size(), most_described); ++k) {
     line += loose.size() == 1 ? "; unconstrained: "
@@ -66,19 +68,26 @@ std::string problem_line(const problems::WedgedProblem& problem) {
   return line;
 }
 
+std::string friction_text(const problems::WedgedProblem& problem, double coefficient) {
+  return fmt::format("{}{}", coefficient,
+                     problems::uniform_friction(problem) ? "" : " times that of each candidate");
+}
+
 ordered_json problem_json(const problems::Structure& structure,
                           const problems::WedgedProblem& problem, const std::string& file) {
-  ordered_json json{{"file", file},
-                    {"name", problem.name},
-                    {"d", problem.dimension},
-                    {"m", problem.contact_names.size()},
-                    {"nodes", problem.nodes},
-                    {"members", problem.members},
-                    {"elements", problem.elements},
-                    {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-                    {"contact", contact_frames(problem)},
-                    {"fingerprint", hexadecimal(problem.fingerprint)}};
-  if (!problem.unconstrained_bodies.empty()) json["rigid_motions"] = rigid_motions_json(problem);
+  ordered_json json{
+      {"file", file},
+      {"name", problem.provenance.name},
+      {"d", problem.dimension},
+      {"m", problem.contact_names.size()},
+      {"nodes", problem.provenance.nodes},
+      {"members", problem.provenance.members},
+      {"elements", problem.provenance.elements},
+      {"units",
+       {{"length", problem.provenance.units.length}, {"force", problem.provenance.units.force}}},
+      {"contact", contact_frames(problem)},
+      {"fingerprint", hexadecimal(problem.provenance.fingerprint)}};
+  if (!problem.modes.bodies.empty()) json["rigid_motions"] = rigid_motions_json(problem);
   json["structure"] = structure_json(structure);
   return json;
 }

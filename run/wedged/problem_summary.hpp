@@ -16,6 +16,9 @@ namespace kusabi::run {
 /// One line: name, dimension, sizes.
 std::string problem_line(const problems::WedgedProblem& problem);
 
+/// "0.65", or "0.65 times that of each candidate".
+std::string friction_text(const problems::WedgedProblem& problem, double coefficient);
+
 /// The member `problem` of a result file. @param problem of the structure
 nlohmann::ordered_json problem_json(const problems::Structure& structure,
                                     const problems::WedgedProblem& problem,

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "problems/wedged/whole_structure.hpp"
@@ -13,7 +14,7 @@ namespace kusabi::run {
 class WholeStates {
  public:
   /// Both must outlive it.
-  WholeStates(const problems::Structure& structure, const problems::WedgedProblem& problem)
+  WholeStates(const problems::CheckedStructure& structure, const problems::WedgedProblem& problem)
       : structure_(structure), problem_(problem) {}
 
   [[nodiscard]] const problems::Structure& structure() const { return structure_; }
@@ -24,7 +25,7 @@ class WholeStates {
   }
 
  private:
-  const problems::Structure& structure_;
+  const problems::CheckedStructure& structure_;
   const problems::WedgedProblem& problem_;
   mutable std::optional<problems::WholeStructure> whole_;
 };

@@ -18,7 +18,7 @@
 
 #include "solvers/rays/health.hpp"
 #include "solvers/rays/null_vector.hpp"
-#include "solvers/rays/rigid_modes.hpp"
+#include "solvers/rays/pivoted_modes.hpp"
 #include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::rays {
@@ -79,7 +79,7 @@ class ReactionCone {
   LongVector coordinates(const ZeroSet& zero, const Stage& stage) const;
 
   LongMatrix compliance_;
-  RigidModes motions_;
+  PivotedModes motions_;
   long double unit_ = 1;  // unit of the modes
   LongMatrix gaps_;
   LongMatrix scaled_gaps_;        // rows of A divided by their largest entries

@@ -94,8 +94,9 @@ std::optional<std::string> try_structure(const std::string& bytes) {
   auto refused = refusal<support::InputError>(
       [&] { structure = problems::read_structure(bytes, "fuzzed.toml"); });
   if (refused || structure->node_names.size() > most_nodes) return refused;
-  refused = refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
-  const auto other = refusal<support::InputError>([&] { problems::limit_problem(*structure); });
+  refused = refusal<support::InputError>([&] { problems::wedged_problem(checked(*structure)); });
+  const auto other =
+      refusal<support::InputError>([&] { problems::limit_problem(checked(*structure)); });
   return refused && other ? refused : std::nullopt;
 }
 
@@ -115,7 +116,7 @@ std::optional<std::string> try_mesh(const std::string& bytes, const std::string&
       [&] { structure = problems::read_structure(problem, "fuzzed.toml"); });
   if (refused || structure->node_names.size() > most_nodes) return refused;
   for (const auto& warning : structure->warnings) check_line(warning);
-  refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
+  refusal<support::InputError>([&] { problems::wedged_problem(checked(*structure)); });
   return std::nullopt;
 }
 
@@ -141,7 +142,7 @@ std::optional<std::string> try_matrix(const std::string& bytes) {
         [&] { structure = problems::read_structure(problem, "fuzzed.toml"); });
     if (refused) return refused;
     for (const auto& warning : structure->warnings) check_line(warning);
-    return refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
+    return refusal<support::InputError>([&] { problems::wedged_problem(checked(*structure)); });
   };
   const auto listed = as("k.mtx", "nodes = [\"1\", \"2\"]\n");
   const auto named = as("k.mtx", "others = \"free\"\n");

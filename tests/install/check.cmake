@@ -1,4 +1,4 @@
-# Test of the installation: builds the installed copy of colouring/ against the installed engine,
+# Test of the installation: builds the installed copy of examples/engine against the installed engine,
 # and two programs of docs/library.md against the other libraries, outside of the source tree, and
 # runs them alone and on two ranks. Also calls the installed command. Variables: see CMakeLists.txt.
 cmake_minimum_required(VERSION 3.22)
@@ -30,8 +30,8 @@ if(sanitize)
   # A library with a sanitizer requires the same sanitizer in the program.
   string(APPEND flags " -fsanitize=${sanitize}")
 endif()
-file(COPY ${work}/prefix/${documents}/tests/install/colouring DESTINATION ${work})
-run(${CMAKE_COMMAND} -S ${work}/colouring -B ${work}/build -G "${generator}"
+file(COPY ${work}/prefix/${documents}/examples/engine DESTINATION ${work})
+run(${CMAKE_COMMAND} -S ${work}/engine -B ${work}/build -G "${generator}"
   -D MPI_C_COMPILER=${mpi_compiler}
   -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${compiler} -D "CMAKE_CXX_FLAGS=${flags}")
 run(${CMAKE_COMMAND} --build ${work}/build)
@@ -44,20 +44,31 @@ run(${CMAKE_COMMAND} -S ${work}/library -B ${work}/library/build -G "${generator
 run(${CMAKE_COMMAND} --build ${work}/library/build --target critical limit)
 string(APPEND read "${printed}")
 
-# With -H the compiler lists the headers of each of three programs.
+# With -H the compiler lists the headers of each of six programs.
 string(REGEX MATCHALL "\n\\.+ ${work}/prefix/[^ \n]*/engine/search.hpp" installed "${read}")
 list(LENGTH installed count)
-if(NOT count EQUAL 3 OR read MATCHES "${source}/(support|engine|solvers|problems|nodes|verify)/")
-  message(FATAL_ERROR "compiled ${count} times, expected 3, with the installed headers alone")
+if(NOT count EQUAL 6 OR read MATCHES "${source}/(support|engine|solvers|problems|nodes|verify)/")
+  message(FATAL_ERROR "compiled ${count} times, expected 6, with the installed headers alone")
 endif()
 
-# Values of the chromatic polynomial of the Petersen graph at 3 and 4.
-run(${work}/build/colouring)
-expect("120 colourings.*1 rank[^s].*dead ends: 48\n")
-run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring)
-expect("120 colourings.*2 ranks.*dead ends: 48\n")
-run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring 4)
-expect("12960 colourings.*2 ranks")
+# The eight queens have 92 placements; the graph is a triangle with a tail.
+run(${work}/build/queens 8)
+expect("92 placements.*1 rank,")
+run(${mpiexec} ${ranks_flag} 2 ${work}/build/queens 8)
+expect("92 placements.*2 ranks,")
+file(WRITE ${work}/graph "e 1 2\ne 2 3\ne 1 3\ne 3 4\n")
+run(${mpiexec} ${ranks_flag} 2 ${work}/build/clique ${work}/graph --order best)
+expect("clique of 3: 3 2 1\n")
+foreach(call IN ITEMS "knapsack 24" "salesman 8")
+  separate_arguments(call)
+  list(POP_FRONT call program)
+  run(${work}/build/${program} ${call} --quiet)
+  set(alone "${printed}")
+  run(${mpiexec} ${ranks_flag} 2 ${work}/build/${program} ${call} --quiet --order hybrid)
+  if(NOT printed STREQUAL alone)
+    message(FATAL_ERROR "expected: ${alone}")
+  endif()
+endforeach()
 
 set(examples ${work}/prefix/${documents}/examples)
 run(${work}/library/build/critical ${examples}/two-bars.toml)  # by hand: 2

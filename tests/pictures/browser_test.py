@@ -53,6 +53,7 @@ class Pages(unittest.TestCase):
         cls.solve("body", "critical", example("wedge-in-groove.toml"))
         cls.solve("limit", "limit", example("gust.toml"), "--alpha", 0.5)
         cls.solve("sweep", "sweep", example("plane-truss.toml"), "--mu", "0.5:0.8:0.1")
+        cls.solve("taper", "critical", example("morse-taper.toml"))
         cls.many(250), cls.many(10000)
         for name, page in list(cls.pages.items()):
             brief = name.startswith("many")
@@ -61,8 +62,10 @@ class Pages(unittest.TestCase):
             (cls.folder / f"{name}.html").write_text(page)
             # Print styles, applied on the screen.
             (cls.folder / f"{name}-printed.html").write_text(page.replace("@media print", "@media screen"))
-        cls.light = cls.visit(["patterns", "body", "limit", "sweep", "patterns-printed", "limit-printed", "many-250", "many-10000"], [])
-        cls.dark = cls.visit(["patterns", "body", "limit", "sweep"], ["--blink-settings=preferredColorScheme=0"])
+        # The first frames are in view, where a view that turns is drawn again.
+        cls.light = cls.visit(["taper", "patterns", "body", "limit", "sweep", "taper-printed", "patterns-printed", "limit-printed", "many-250",
+                               "many-10000"], ["--force-prefers-reduced-motion"])
+        cls.dark = cls.visit(["patterns", "body", "limit", "sweep", "taper"], ["--blink-settings=preferredColorScheme=0"])
 
     @classmethod
     def kusabi(cls, *words):
@@ -129,7 +132,7 @@ class Pages(unittest.TestCase):
 
     def test_words_can_be_read_in_the_light_and_in_the_dark(self):
         for found, dark in ((self.light, False), (self.dark, True)):
-            for name in ("patterns", "body", "limit"):
+            for name in ("patterns", "body", "limit", "taper"):
                 with self.subTest(name, dark=dark):
                     seen = found[name]
                     self.assertEqual(seen["dark"], dark)
@@ -137,8 +140,16 @@ class Pages(unittest.TestCase):
         self.assertNotEqual(self.light["body"]["paper"], self.dark["body"]["paper"])
 
     def test_the_keyboard_gets_everywhere(self):
-        for name in ("patterns", "body", "limit"):
+        for name in ("patterns", "body", "limit", "taper"):
             self.assertEqual(self.light[name]["reach"], [], name)
+
+    def test_a_body_in_space_turns(self):
+        view = self.light["taper"]["turning"]
+        self.assertGreater(view["drawn"], 0.1)
+        self.assertTrue(view["turned"])
+        self.assertFalse(view["picture"])
+        self.assertTrue(self.light["taper-printed"]["turning"]["picture"])
+        self.assertIsNone(self.light["body"]["turning"])
 
     def test_the_gallery_is_filtered_and_sorted(self):
         gallery = self.light["patterns"]["gallery"]
@@ -164,6 +175,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(self.console, [])
         sheets = re.findall(rb"/Type\s*/Page\b", paper.read_bytes())
         self.assertGreater(len(sheets), 2)
+        self.assertLess(len(sheets), 15)  # the first ten and a table
 
     # Limit: a browser loads a page of this size within about a second.
     def test_many_patterns(self):

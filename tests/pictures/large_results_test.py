@@ -46,7 +46,7 @@ class LargeResults(KusabiCase):
 
         # One pattern in a picture takes more than 24 bytes per node; two thousand of them take 240
         # MB.
-        for words, shown in ((("report",), 300), (("draw",), 60), (("draw", "--pattern", 50), 60)):
+        for words, shown in ((("report",), 60), (("draw",), 60), (("draw", "--pattern", 50), 60)):
             with self.subTest(words):
                 self.assertLess(needed(shown + 2000, *words) - needed(shown, *words), 80)
 

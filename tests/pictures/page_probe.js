@@ -71,6 +71,22 @@ const work_with_the_gallery = () => {
   return { said, found: found.length, right, sorted };
 };
 
+// Share of the canvas that is drawn on, and whether an arrow key has turned the view since.
+let first_view = null;
+addEventListener("load", () => {
+  const canvas = document.querySelector("figure canvas");
+  if (!canvas) return;
+  first_view = canvas.toDataURL();
+  canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+});
+const turned_view = () => {
+  const canvas = document.querySelector("figure canvas");
+  if (!canvas) return null;
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  const drawn = data.reduce((sum, value, i) => sum + (i % 4 === 3 && value > 0 ? 1 : 0), 0) / (data.length / 4);
+  return { drawn, turned: canvas.toDataURL() !== first_view, picture: shown(document.querySelector("figure svg")) };
+};
+
 const look = () => {
   const width = () => document.documentElement.scrollWidth;
   const seen = { title: document.title, faults, inner: innerWidth, closed: width(), elements: document.getElementsByTagName("*").length,
@@ -79,7 +95,7 @@ const look = () => {
     folded: [...document.querySelectorAll("details:not([open])")].filter(shown).length };
   if (document.documentElement.dataset.look === "briefly") return { ...seen, gallery: work_with_the_gallery() };
   for (const each of document.querySelectorAll("details")) each.open = true;
-  return { ...seen, open: width(), contrast: worst_contrast(), reach: out_of_reach(), gallery: work_with_the_gallery() };
+  return { ...seen, open: width(), turning: turned_view(), contrast: worst_contrast(), reach: out_of_reach(), gallery: work_with_the_gallery() };
 };
 addEventListener("load", () => setTimeout(() => {
   let found;
@@ -89,4 +105,4 @@ addEventListener("load", () => setTimeout(() => {
     found = { title: document.title, faults: [...faults, String(error)] };
   }
   parent.postMessage(found, "*");
-}));
+}, 100));

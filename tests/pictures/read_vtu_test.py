@@ -20,6 +20,7 @@ try:
     import numpy as np
     if READER == "vtk":
         from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkCommonCore import vtkDataArray
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
         from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
     else:
@@ -65,7 +66,7 @@ normal = [-1.0, 0.2]
 
 
 class Grid:
-    """points, data at points and cells, by name; cells as (type of VTK, nodes)."""
+    """points, data at points, at cells and of the whole grid, by name; cells as (type of VTK, nodes)."""
 
 
 def read_by_vtk(path):
@@ -77,6 +78,8 @@ def read_by_vtk(path):
     grid.points = vtk_to_numpy(read.GetPoints().GetData())
     fields = lambda data: {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for i in range(data.GetNumberOfArrays())}
     grid.at_points, grid.at_cells = fields(read.GetPointData()), fields(read.GetCellData())
+    whole = read.GetFieldData()
+    grid.of_whole = {whole.GetArrayName(i): whole.GetArray(i).GetTuple1(0) for i in range(whole.GetNumberOfArrays())}
     nodes_of = lambda cell: [cell.GetPointId(i) for i in range(cell.GetNumberOfPoints())]
     grid.cells = [(read.GetCellType(i), nodes_of(read.GetCell(i))) for i in range(read.GetNumberOfCells())]
     return grid
@@ -88,6 +91,7 @@ def read_by_meshio(path):
     grid.points = read.points
     grid.cells = [(number(block), list(nodes)) for block in read.cells for nodes in block.data]
     grid.at_points = read.point_data
+    grid.of_whole = {name: numbers.item() for name, numbers in read.field_data.items()}
     grid.at_cells = {name: np.concatenate(parts) for name, parts in read.cell_data.items()}
     return grid
 
@@ -221,6 +225,37 @@ class ReadVtu(unittest.TestCase):
             row, column, value = line.split()
             self.compliance[int(row) - 1, int(column) - 1] = self.compliance[int(column) - 1, int(row) - 1] = float(value)
 
+    def check_facts(self, result, pattern, grid):
+        """Use of friction and gaps by candidate, and the numbers of the whole grid."""
+        problem = result["problem"]
+        mu, uses, gaps = result["result"]["friction"], np.zeros(len(grid.points)), np.zeros(len(grid.points))
+        for node, each, force, motion in zip(problem["structure"]["candidates"], problem["contact"], pattern["reaction"],
+                                             pattern["displacement"]):
+            if each["node"] in pattern["contact"]:
+                uses[node] = np.linalg.norm(force[1:]) / (mu * each["friction"] * force[0])
+            else:
+                gaps[node] = motion[0]
+        np.testing.assert_allclose(grid.at_points["friction_use"].ravel(), uses, rtol=1e-12)
+        np.testing.assert_allclose(grid.at_points["gap"].ravel(), gaps, rtol=1e-12)
+        self.assertEqual([grid.of_whole[name] for name in ("mu", "margin")], [mu, pattern["margin"]])
+        if READER == "vtk":  # meshio has no units
+            units = {name: grid.vtk.GetPointData().GetArray(name).GetInformation().Get(vtkDataArray.UNITS_LABEL())
+                     for name in ("displacement", "gap", "contact_reaction")}
+            length, force = problem["units"]["length"], problem["units"]["force"]
+            self.assertEqual(units, {"displacement": length, "gap": length, "contact_reaction": force})
+
+    def test_nodes_have_the_numbers_of_their_mesh(self):
+        _, (grid, *_) = self.series("critical", SOURCES / "examples/morse-taper.toml")
+        names = json.loads((self.folder / "out.json").read_text())["problem"]["structure"]["node_names"]
+        self.assertEqual(list(grid.at_points["node_tag"].ravel()), [int(name.removeprefix("taper.")) for name in names])
+        # The script beside the files is Python, and names their data.
+        (script,) = (self.folder / "vtu").glob("*.py")
+        compile(script.read_text(), str(script), "exec")
+        self.assertEqual(script.stem, "critical")
+        for name in ("displacement", "contact_reaction", "von_mises"):
+            self.assertIn(name, {**grid.at_points, **grid.at_cells})
+            self.assertIn(f'"{name}"', script.read_text())
+
     def test_patterns_of_a_space_truss(self):
         file = SOURCES / "examples/space-truss.toml"
         result, grids = self.series("patterns", file, "--mu", 0.65)
@@ -233,6 +268,7 @@ class ReadVtu(unittest.TestCase):
         for pattern, grid in zip(patterns, grids):
             self.check_configuration(result["problem"], pattern, grid)
             self.check_contact(result["problem"], pattern, grid)
+            self.check_facts(result, pattern, grid)
             forces = grid.at_cells["axial_force"].ravel()
             np.testing.assert_array_equal(forces, pattern["axial_forces"])
             both = grid.at_points["contact_reaction"] + grid.at_points["support_reaction"]

@@ -39,6 +39,8 @@ kusabi patterns nowhere.toml --mu 2
 
 ![two bars](two.svg)
 
+<!-- on the site: ![two bars, deformed](images/two.svg) -->
+
 <!-- run instead, this takes a year: echo a year -->
     mpirun -np 1000 kusabi patterns examples/two-bars.toml --mu 1000
 

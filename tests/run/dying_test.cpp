@@ -255,7 +255,7 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
   const auto problem = long_search(in_folder("truss.toml"));
   // Spread over start, search and end by the golden ratio; five runs at once, since
   // mpirun takes two seconds to end.
-  constexpr int moments = thorough ? 20 : 10;
+  constexpr int moments = thorough ? 20 : 5;
   constexpr int at_a_time = 5;
   // Half of them count from the first checkpoint, on machines of any speed.
   const std::string await_search =

@@ -120,13 +120,75 @@ TEST_F(LossCommand, RefusesWhatItCannotCombine) {
     return run.output;
   };
   EXPECT_THAT(refusal("--lose 1 --keep e"), HasSubstr("--keep 'e': no such node or member"));
-  EXPECT_THAT(refusal("--lose 1 --certificate c.txt"),
-              HasSubstr("--certificate: not available with --lose"));
+  EXPECT_THAT(refusal("--lose 1 --sudden 0.5"), HasSubstr("--sudden"));
+  EXPECT_THAT(refusal("--lose 1 --curve"), HasSubstr("--curve: not available with --lose"));
   EXPECT_THAT(refusal("--at-least 1"), HasSubstr("--lose"));
-  const auto run =
-      shell(command + " limit " + example("truss-bridge.toml") + " --lose 1 --alpha 1");
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("--lose: requires a dead load without uncertainty"));
+}
+
+// By hand: the strengths are divided by the factor, (4 + 2) / 1.5 - 3.
+TEST_F(LossCommand, DividesTheStrengthAfterASuddenLoss) {
+  write_hanger();
+  const auto loss =
+      file_of(argument("hanger.toml") + " --lose 1 --sudden 1.5")["result"]["member_loss"];
+  EXPECT_NEAR(loss["upper"], 1, 1e-6);
+  EXPECT_TRUE(loss["proved"]);
+}
+
+// By hand: an uplift or a load of 0.5 more, 4 + 2 - 3 - 0.5.
+TEST_F(LossCommand, CombinesLossesWithUncertainLoads) {
+  std::ofstream(in_folder("hanger.toml"))
+      << hanger << "[[uncertainty]]\nnodes = [\"a\"]\naxes = [\"y\"]\n";
+  const auto json = file_of(argument("hanger.toml") + " --lose 1 --alpha 0.5");
+  const auto& loss = json["result"]["member_loss"];
+  EXPECT_NEAR(loss["upper"], 2.5, 1e-6);
+  EXPECT_NEAR(loss["lower"], 2.5, 1e-6);
+  EXPECT_TRUE(loss["proved"]);
+  EXPECT_EQ(loss["lost"], nlohmann::json({"a-b"}));
+  EXPECT_THAT(json["verdict"]["sentence"], HasSubstr("under every admissible load"));
+}
+
+TEST_F(LossCommand, WritesACertificateThatVerifyProves) {
+  for (const std::string& call :
+       {example("truss-bridge.toml") + " --lose 2", example("truss-bridge.toml") + " --lose 3",
+        example("truss-bridge.toml") + " --lose 1 --alpha 1",
+        example("truss-bridge.toml") + " --lose 1 --sudden 1.2"}) {
+    const auto run = shell(command + " limit " + call + " --certificate " + argument("cert"));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto verify = command + " verify " + argument("cert");
+    for (const std::string& call_of :
+         {verify, verify + " --problem " + example("truss-bridge.toml"), ranks(2) + verify}) {
+      const auto verified = shell(call_of);
+      EXPECT_EQ(verified.exit_code, 0) << verified.output;
+      EXPECT_THAT(verified.output, HasSubstr("PROVED"));
+    }
+    const auto other = shell(verify + " --problem " + example("roof-truss.toml"));
+    EXPECT_NE(other.exit_code, 0) << other.output;
+  }
+}
+
+TEST_F(LossCommand, AddsColumnsToTheTableOfMembers) {
+  write_hanger();
+  file_of(argument("hanger.toml") + " --lose 1 --keep a-d --csv " + argument("members.csv"));
+  const auto table = content(in_folder("members.csv"));
+  EXPECT_THAT(table, HasSubstr("factor_after_loss,state_after_loss,worst_loss"));
+  EXPECT_THAT(table, HasSubstr("collapses,lost"));
+  EXPECT_THAT(table, HasSubstr("kept,"));
+}
+
+// By hand: bars of 5, 4 and 2 in tension; the strut a-e below holds 3, and 0.9 after buckling.
+TEST_F(LossCommand, GivesBothFactorsOfStruts) {
+  std::string text = hanger;
+  text.replace(text.find("d = [0, 3]"), 10, "d = [0, 3]\ne = [0, -1]");
+  text.replace(text.find("[\"b\", \"c\", \"d\"]"), 15, "[\"b\", \"c\", \"d\", \"e\"]");
+  text.replace(text.find("[[supports]]"), 12,
+               "[[members]]\nyield = { tension = 1, compression = 3, residual = 0.3 }\nbetween = "
+               "[[\"a\", \"e\"]]\n[[supports]]");
+  std::ofstream(in_folder("hanger.toml")) << text;
+  const auto json = file_of(argument("hanger.toml"));
+  EXPECT_NEAR(json["result"]["nominal"], 11, 1e-9);
+  const auto& struts = json["result"]["struts"];
+  EXPECT_NEAR(struts["nominal"], 8.9, 1e-9);
+  EXPECT_EQ(struts["at_strength"], nlohmann::json({"a-e"}));
 }
 
 }  // namespace

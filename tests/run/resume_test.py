@@ -96,7 +96,7 @@ class Resumed(KusabiCase):
 class Killed(Resumed):
     """Kills, each a little later, alternating between before and during a system call."""
 
-    def check(self, name, ranks=1, kills=10 if THOROUGH else 4):
+    def check(self, name, ranks=1, kills=10 if THOROUGH else 3):
         call = CALLS[name]
         expected = self.unbroken(call)
         killed = 0
@@ -122,7 +122,7 @@ def add_kills():
             self.check(name)
 
         def on_two(self, name=name):
-            self.check(name, ranks=2, kills=4 if THOROUGH else 3)
+            self.check(name, ranks=2, kills=4 if THOROUGH else 2)
         word = name.replace(" ", "_").replace("-", "_")
         setattr(Killed, f"test_{word}", alone)
         if name in ON_TWO_RANKS:

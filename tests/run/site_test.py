@@ -50,6 +50,12 @@ class TheSite(unittest.TestCase):
         self.assertEqual(expected - made, set())
         self.assertGreaterEqual(len([path for path in made if path.parent.name == "gallery"]), 6)
 
+    def test_has_the_pictures_that_the_repository_has_not(self):
+        papers = next(page for path, page in self.pages.items() if path.relative_to(self.site) == pathlib.Path("docs/papers.html"))
+        for name in ("wedged-table-1", "limit-figure-5", "limit-figure-10"):
+            self.assertIn(f"images/{name}.svg", papers.loaded)
+            self.assertTrue((self.site / "docs" / "images" / f"{name}.svg").exists())
+
     def test_links_lead_somewhere(self):
         for path, page in self.pages.items():
             for link in page.links:

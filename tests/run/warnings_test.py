@@ -3,6 +3,7 @@
     python3 warnings_test.py KUSABI SOURCES
 """
 import json
+import math
 import pathlib
 import shutil
 import sys
@@ -37,6 +38,68 @@ class Problems(KusabiCase):
         run = self.kusabi(*words)
         self.assertIn(run.returncode, (0, 3), run.stderr)
         return run
+
+
+WEDGE = """name = "wedge"
+dimension = 2
+units = {{ length = "mm", force = "N" }}
+[[mesh]]
+name = "w"
+corners = [[-0.5, 0.0], [0.5, 0.0], [0.7679491924311227, 1.0], [-0.7679491924311227, 1.0]]
+divisions = [{across}, 4]
+E = 1000.0
+nu = 0.3
+thickness = 1.0
+plane = "strain"
+"""
+
+
+class Surfaces(Problems):
+    def test_faces_between_two_groups_belong_to_neither(self):
+        # A wedge of 15 degrees sticks from tan 15 degrees on, on any mesh. With one element across, the
+        # ends of both sides are the corners of its upper and lower edges.
+        groups = {"together": [["w.left", "w.right"]], "apart": [["w.left"], ["w.right"]]}
+        for across in (1, 2):
+            for how, lists in groups.items():
+                with self.subTest(how, across=across):
+                    contact = "".join(f'[[contact]]\nnodes = {json.dumps(names)}\nnormal = "surface"\n' for names in lists)
+                    file = self.folder / "wedge.toml"
+                    file.write_text(WEDGE.format(across=across) + contact)
+                    run = self.said("critical", file, "--output", self.result)
+                    self.assertEqual(run.stderr, "")
+                    bracket = json.loads(self.result.read_text())["result"]["critical_friction"]
+                    self.assertAlmostEqual(bracket["lower"], math.tan(math.radians(15)), delta=1e-7)
+                    self.assertAlmostEqual(bracket["upper"], math.tan(math.radians(15)), delta=1e-7)
+
+
+class Shown(Problems):
+    """What `kusabi show` says before anything is solved."""
+
+    def test_the_surfaces_that_touch(self):
+        text = self.said("show", EXAMPLES / "peg-in-hole.toml").stdout
+        self.assertRegex(text, r"body \d against body \d: 7 candidates, one normal \(0.9701, 0.2425\)\n")
+        self.assertIn("coincident  none that are not connected", text)
+        self.assertIn("a proved bracket (critical) in about a second", text)
+        text = self.said("show", EXAMPLES / "morse-taper.toml").stdout
+        self.assertIn("16 candidates, normals of a cone of half angle 1.5° about an axis", text)
+        self.assertIn("can move along x, y and z", text)
+        self.assertIn("some that are not connected", self.said("show", CASES / "dup.toml").stdout)
+
+    def test_large_problems_have_a_warning_of_their_cost(self):
+        file = self.folder / "large.toml"
+        file.write_text(WEDGE.format(across=1).replace(", 4]", ", 200]") +
+                        '[[contact]]\nnodes = ["w.left", "w.right"]\nnormal = "surface"\n')
+        text = self.said("show", file).stdout
+        self.assertIn("the list of all patterns may not end", text)
+        self.assertIn("every = 7", text)
+
+    def test_a_page(self):
+        page = self.folder / "page.html"
+        self.said("show", EXAMPLES / "morse-taper.toml", "--html", page)
+        text = page.read_text()
+        self.assertIn("data-scene", text)
+        self.assertIn("E = 210000 N/mm², ν = 0.3", text)
+        self.assertIn("24 × ten-node tetrahedron", text)
 
 
 class Warnings(Problems):

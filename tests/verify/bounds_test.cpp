@@ -256,17 +256,18 @@ TEST(Bounds, AreCheckedWithoutAReaderToo) {
     change(bound);
     return proof.take_up(bound).value_or("");
   };
-  EXPECT_EQ(refusal([](Bound&) {}), "");
-  EXPECT_THAT(refusal([](Bound& bound) { bound.candidate = 2; }),
+  EXPECT_EQ(refusal([](CandidateBound&) {}), "");
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.candidate = 2; }),
               HasSubstr("not one of its block"));
-  EXPECT_THAT(refusal([](Bound& bound) { bound.most = 0; }), HasSubstr("above zero"));
-  EXPECT_THAT(refusal([](Bound& bound) { bound.most = -1; }), HasSubstr("above zero"));
-  EXPECT_THAT(refusal([](Bound& bound) { bound.numbers.back() = 0; }), HasSubstr("above zero"));
-  EXPECT_THAT(refusal([](Bound& bound) { bound.numbers[2] = -1; }), HasSubstr("negative"));
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.most = 0; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.most = -1; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.numbers.back() = 0; }),
+              HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.numbers[2] = -1; }), HasSubstr("negative"));
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     for (std::size_t k = 0; k < 5; ++k)
-      EXPECT_NE(refusal([&](Bound& bound) { bound.numbers[k] = bad; }), "") << bad << k;
-    EXPECT_NE(refusal([&](Bound& bound) { bound.most = bad; }), "");
+      EXPECT_NE(refusal([&](CandidateBound& bound) { bound.numbers[k] = bad; }), "") << bad << k;
+    EXPECT_NE(refusal([&](CandidateBound& bound) { bound.most = bad; }), "");
   }
 }
 
@@ -287,7 +288,7 @@ TEST(Bounds, AnyNumbersAreJudged) {
 }
 
 // For the single pattern, b in contact: u_na = s, r_nb = s.
-bool is_true(const Bound& bound) {
+bool is_true(const CandidateBound& bound) {
   const bool has_part =
       bound.candidate == 0 ? bound.side == Side::separated : bound.side == Side::contact;
   return !has_part || (bound.most && *bound.most >= 1);

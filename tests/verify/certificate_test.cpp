@@ -44,7 +44,7 @@ TEST(Certificate, IsReadAsItWasWritten) {
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 8; ++j) {
       EXPECT_EQ(certificate.stiffness[static_cast<std::size_t>(8 * i + j)],
-                problem.stiffness(i, j));
+                problem.compliance.stiffness(i, j));
     }
   }
   EXPECT_EQ(certificate.records.size(), small().nodes.size());

@@ -126,12 +126,12 @@ TEST(Condensation, IsNearWhatTheSolverComputes) {
   for (const auto* name : {"space-truss.toml", "plane-truss.toml", "elastic-body.toml"}) {
     const auto problem = example(name);
     const auto matrix = condensed(evidence::verified_structure(example_structure(name)));
-    const double size = problem.stiffness.norm();
-    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
-    for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
-      for (Eigen::Index j = 0; j < problem.stiffness.cols(); ++j) {
+    const double size = problem.compliance.stiffness.norm();
+    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.compliance.stiffness.rows()));
+    for (Eigen::Index i = 0; i < problem.compliance.stiffness.rows(); ++i) {
+      for (Eigen::Index j = 0; j < problem.compliance.stiffness.cols(); ++j) {
         EXPECT_NEAR(entry(matrix, static_cast<std::size_t>(i), static_cast<std::size_t>(j)).get_d(),
-                    problem.stiffness(i, j), 1e-11 * size);
+                    problem.compliance.stiffness(i, j), 1e-11 * size);
       }
     }
     EXPECT_LT(matrix.radius.nearest(), 1e-35 * size);

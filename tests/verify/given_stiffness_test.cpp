@@ -43,15 +43,15 @@ TEST(GivenStiffness, IsEnclosedAsTheSolverComputesIt) {
     SCOPED_TRACE(draw);
     auto structure = random_matrix(draw, bits);
     if (draw > 5) structure = with_an_own_unknown(structure);
-    const auto problem = problems::wedged_problem(structure);
+    const auto problem = problems::wedged_problem(checked(structure));
     const auto result = condensed_stiffness(evidence::verified_structure(structure));
     ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
     const auto& matrix = std::get<EnclosedMatrix>(result);
-    const double size = problem.stiffness.norm();
-    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
-    for (Eigen::Index i = 0; i < problem.stiffness.size(); ++i) {
+    const double size = problem.compliance.stiffness.norm();
+    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.compliance.stiffness.rows()));
+    for (Eigen::Index i = 0; i < problem.compliance.stiffness.size(); ++i) {
       EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
-                  problem.stiffness(i), 1e-11 * size);
+                  problem.compliance.stiffness(i), 1e-11 * size);
     }
     EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
   }
@@ -63,7 +63,7 @@ TEST(GivenStiffness, HasCertificatesThatAreProvedForItAlone) {
     SCOPED_TRACE(draw);
     auto structure = with_an_own_unknown(random_matrix(draw, bits));
     auto own = evidence::verified_structure(structure);
-    const auto text = searched(problems::wedged_problem(structure), 0.6).text();
+    const auto text = searched(problems::wedged_problem(checked(structure)), 0.6).text();
     EXPECT_THAT(verdict(text, &own).refusals, testing::IsEmpty());
     for (auto& entry : own.given.front().entries) entry.value *= 1.001;
     EXPECT_THAT(verdict(text, &own).refusals,

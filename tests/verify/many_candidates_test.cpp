@@ -35,11 +35,12 @@ struct Wrong {
 // the tree has one infeasible node more than there are candidates.
 problems::WedgedProblem lifting_each_other(int candidates) {
   auto problem = random_problem(2, candidates, 5);
-  problem.stiffness.setIdentity();
+  problem.compliance.stiffness.setIdentity();
   for (int i = 0; i < candidates; ++i)
-    for (int k = 0; k < candidates; ++k) problem.stiffness(2 * i, 2 * k) -= 1.0 / (2 * candidates);
-  const Eigen::MatrixXd inverse = problem.stiffness.inverse();
-  problem.compliance = (inverse + inverse.transpose()) / 2;
+    for (int k = 0; k < candidates; ++k)
+      problem.compliance.stiffness(2 * i, 2 * k) -= 1.0 / (2 * candidates);
+  const Eigen::MatrixXd inverse = problem.compliance.stiffness.inverse();
+  problem.compliance.matrix = (inverse + inverse.transpose()) / 2;
   return problem;
 }
 

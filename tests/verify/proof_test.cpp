@@ -92,8 +92,8 @@ TEST(Proof, HoldsForRandomProblems) {
 TEST(Proof, DoesNotHangOnTheUnits) {
   for (const double factor : {1e-150, 1e-9, 1e9, 1e150}) {
     auto problem = example("space-truss.toml");
-    problem.stiffness *= factor;
-    problem.compliance /= factor;
+    problem.compliance.stiffness *= factor;
+    problem.compliance.matrix /= factor;
     EXPECT_THAT(verdict(searched(problem, 0.65).text()).refusals, IsEmpty()) << factor;
   }
 }
@@ -107,16 +107,17 @@ TEST(Proof, HoldsForBadlyScaledProblems) {
     auto problem = random_problem(seed % 2 == 0 ? 2 : 3, 5, seed);
     std::mt19937_64 generator(seed);
     std::uniform_real_distribution<double> exponent(-2, 2);
-    for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
+    for (Eigen::Index i = 0; i < problem.compliance.stiffness.rows(); ++i) {
       const double factor = std::pow(10.0, exponent(generator));
-      problem.stiffness.row(i) *= factor;
-      problem.stiffness.col(i) *= factor;
-      problem.compliance.row(i) /= factor;
-      problem.compliance.col(i) /= factor;
+      problem.compliance.stiffness.row(i) *= factor;
+      problem.compliance.stiffness.col(i) *= factor;
+      problem.compliance.matrix.row(i) /= factor;
+      problem.compliance.matrix.col(i) /= factor;
     }
-    const Eigen::MatrixXd lower = problem.stiffness.triangularView<Eigen::StrictlyLower>();
-    const Eigen::MatrixXd diagonal = problem.stiffness.diagonal().asDiagonal();
-    problem.stiffness = lower + diagonal + lower.transpose();
+    const Eigen::MatrixXd lower =
+        problem.compliance.stiffness.triangularView<Eigen::StrictlyLower>();
+    const Eigen::MatrixXd diagonal = problem.compliance.stiffness.diagonal().asDiagonal();
+    problem.compliance.stiffness = lower + diagonal + lower.transpose();
     const auto said = verdict(searched(problem, 2.0).text());
     EXPECT_THAT(said.refusals, IsEmpty()) << "seed " << seed;
     feasible += said.feasible.size();

@@ -92,7 +92,7 @@ class Changed {
   void at_each(Visit visit) {
     for (std::size_t k = 0; k < problem_.certificate.bounds.size(); ++k) {
       const auto& bound = problem_.certificate.bounds[k];
-      visit(bound, k, [&](const Bound& changed) {
+      visit(bound, k, [&](const CandidateBound& changed) {
         auto proof = proof_;
         return proof.take_up(changed).has_value();
       });
@@ -126,7 +126,7 @@ TEST(ReferenceBounds, AreProvedAndTrue) {
 TEST(ReferenceBounds, BelowTheTruthAreRefused) {
   int tried = 0;
   for (const auto& problem : cases()) {
-    Changed(problem).at_each([&](const Bound& bound, std::size_t, const auto& refused) {
+    Changed(problem).at_each([&](const CandidateBound& bound, std::size_t, const auto& refused) {
       const auto truth = greatest(problem, bound.side, bound.candidate);
       if (!truth) return;
       for (const double share : {0.999, 0.9, 0.1}) {
@@ -147,7 +147,7 @@ TEST(ReferenceBounds, BelowTheTruthAreRefused) {
 TEST(ReferenceBounds, OfTheOtherSideAreRefusedUnlessTrue) {
   int tried = 0;
   for (const auto& problem : cases()) {
-    Changed(problem).at_each([&](const Bound& bound, std::size_t, const auto& refused) {
+    Changed(problem).at_each([&](const CandidateBound& bound, std::size_t, const auto& refused) {
       auto swapped = bound;
       swapped.side = other(bound.side);
       const auto truth = greatest(problem, swapped.side, bound.candidate);
@@ -163,7 +163,7 @@ TEST(ReferenceBounds, WithOtherMultipliersAreRefused) {
   int cut = 0;
   for (const auto& problem : cases()) {
     const auto m = problem.certificate.candidates();
-    Changed(problem).at_each([&](const Bound& bound, std::size_t, const auto& refused) {
+    Changed(problem).at_each([&](const CandidateBound& bound, std::size_t, const auto& refused) {
       auto changed = bound;
       if (bound.most) {
         changed.numbers.back() = 0;

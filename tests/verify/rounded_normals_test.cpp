@@ -109,7 +109,7 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
     for (const auto& shape : shapes()) {
       const auto body = wedge(shape, degrees);
       const auto own = evidence::verified_structure(body);
-      const auto problem = problems::wedged_problem(body);
+      const auto problem = problems::wedged_problem(checked(body));
       const auto below = verdict(written(problem, 0.97 * critical), &own);
       EXPECT_THAT(below.refusals, IsEmpty()) << shape.name << ' ' << degrees;
       EXPECT_THAT(below.feasible, IsEmpty());
@@ -128,7 +128,7 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
 // ancestors.
 TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
   const auto body = wedge(shapes()[3], 15);
-  const auto text = written(problems::wedged_problem(body), 0.35);
+  const auto text = written(problems::wedged_problem(checked(body)), 0.35);
   const auto certificate = read_certificate(text, "test");
   const auto agreed =
       std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
@@ -156,7 +156,7 @@ TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
 TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
   const auto plug = example_structure("morse-taper.toml");
   const auto own = evidence::verified_structure(plug);
-  const auto text = written(problems::wedged_problem(plug), 0.03);
+  const auto text = written(problems::wedged_problem(checked(plug)), 0.03);
   const auto said = verdict(text, &own);
   EXPECT_THAT(said.refusals, IsEmpty());
   EXPECT_EQ(said.feasible.size(), 1U);

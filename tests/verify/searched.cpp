@@ -43,7 +43,7 @@ std::string Draft::text() const {
 }
 
 problems::WedgedProblem example(const std::string& name) {
-  return problems::wedged_problem(example_structure(name));
+  return problems::wedged_problem(checked(example_structure(name)));
 }
 
 problems::Structure example_structure(const std::string& name) {
@@ -94,8 +94,8 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
   }
   draft.header.push_back("friction" + listed(everywhere) + "\n");
   draft.header.emplace_back("stiffness\n");
-  for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
-    const Eigen::VectorXd row = problem.stiffness.row(i).head(i + 1);
+  for (Eigen::Index i = 0; i < problem.compliance.stiffness.rows(); ++i) {
+    const Eigen::VectorXd row = problem.compliance.stiffness.row(i).head(i + 1);
     draft.header.push_back(listed(row).substr(1) + "\n");
   }
   draft.header.emplace_back("nodes\n");

@@ -24,15 +24,15 @@ namespace {
 using testing::IsEmpty;
 
 void expect_same_stiffness(const problems::Structure& structure) {
-  const auto problem = problems::wedged_problem(structure);
+  const auto problem = problems::wedged_problem(checked(structure));
   const auto result = condensed_stiffness(evidence::verified_structure(structure));
   ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
   const auto& matrix = std::get<EnclosedMatrix>(result);
-  const double size = problem.stiffness.norm();
-  ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
-  for (Eigen::Index i = 0; i < problem.stiffness.size(); ++i) {
-    EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(), problem.stiffness(i),
-                1e-11 * size);
+  const double size = problem.compliance.stiffness.norm();
+  ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.compliance.stiffness.rows()));
+  for (Eigen::Index i = 0; i < problem.compliance.stiffness.size(); ++i) {
+    EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
+                problem.compliance.stiffness(i), 1e-11 * size);
   }
   EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
 }
@@ -54,7 +54,8 @@ TEST(Corner, HasCertificatesThatAreProved) {
     const auto structure = problems::test::random_corners(2 + draw % 2, bits);
     const auto own = evidence::verified_structure(structure);
     for (const double friction : {0.3, 0.6}) {
-      const auto found = verdict(written(problems::wedged_problem(structure), friction), &own);
+      const auto found =
+          verdict(written(problems::wedged_problem(checked(structure)), friction), &own);
       EXPECT_THAT(found.refusals, IsEmpty());
       EXPECT_EQ(found.marginal, 0U);
       EXPECT_GT(found.infeasible, 0U);
@@ -86,7 +87,7 @@ TEST(Corner, HasPatternsThatAreProved) {
     for (const std::string corner : {"1, 4", "1, 1"}) {
       const auto structure = hanging(wall, corner);
       const auto own = evidence::verified_structure(structure);
-      const auto found = verdict(written(problems::wedged_problem(structure), 3), &own);
+      const auto found = verdict(written(problems::wedged_problem(checked(structure)), 3), &own);
       EXPECT_THAT(found.refusals, IsEmpty());
       EXPECT_EQ(found.feasible.size(), 2U);
       EXPECT_EQ(found.marginal == 0, corner == "1, 4");
@@ -97,7 +98,7 @@ TEST(Corner, HasPatternsThatAreProved) {
 TEST(Corner, IsNotTakenForAnother) {
   std::mt19937 bits(8);
   const auto structure = problems::test::random_corners(2, bits);
-  const auto text = written(problems::wedged_problem(structure), 0.6);
+  const auto text = written(problems::wedged_problem(checked(structure)), 0.6);
   const auto refusals = [&](auto change) {
     auto other = evidence::verified_structure(structure);
     change(other);
@@ -119,7 +120,7 @@ TEST(Corner, HasCertificatesThatAreRefusedWhenTheyAreSpoilt) {
   for (const std::string wall : {"1, 1", "4, -1"}) {
     const auto structure = hanging(wall, "1, 4");
     const auto own = evidence::verified_structure(structure);
-    const auto draft = searched(problems::wedged_problem(structure), 3);
+    const auto draft = searched(problems::wedged_problem(checked(structure)), 3);
     ASSERT_THAT(verdict(draft.text(), &own).refusals, IsEmpty());
     const auto refused = [&](std::size_t i, const std::string& line) {
       auto other = draft;
@@ -166,7 +167,7 @@ TEST(Corner, OfALooseBodyIsProved) {
                                  "[[contact]]\nname = \"right\"\nnodes = [\"b.bottom\"]\n"
                                  "normal = [-1, 1]\n[[contact]]\nname = \"left\"\n"
                                  "nodes = [\"b.left\"]\nnormal = [1, 1]\n");
-  const auto brick = problems::read_structure(
+  const problems::Structure brick = problems::read_structure(
       "name = \"b\"\ndimension = 3\nunits = { length = \"m\", force = \"N\" }\n"
       "[nodes]\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\nd = [0, 0, 1]\n"
       "[[members]]\nEA = 2\nbetween = [[\"a\", \"b\"], [\"a\", \"c\"], [\"a\", \"d\"], [\"b\", "
@@ -177,8 +178,8 @@ TEST(Corner, OfALooseBodyIsProved) {
       "[[contact]]\nnodes = [\"c\"]\nnormal = [1, -4, 1]\n",
       "b");
   for (const auto* structure : {&diamond, &brick}) {
-    const auto problem = problems::wedged_problem(*structure);
-    EXPECT_GT(problem.motions.cols(), 0);
+    const auto problem = problems::wedged_problem(checked(*structure));
+    EXPECT_GT(problem.modes.matrix.cols(), 0);
     const auto own = evidence::verified_structure(*structure);
     for (const double friction : {0.9, 1.1}) {
       const auto found = verdict(written(problem, friction), &own);

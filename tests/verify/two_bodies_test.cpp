@@ -21,15 +21,15 @@ TEST(TwoBodies, HaveTheStiffnessThatTheSolverComputes) {
   for (int draw = 0; draw < 20; ++draw) {
     SCOPED_TRACE(draw);
     const auto structure = problems::test::random_bodies(2 + draw % 2, bits);
-    const auto problem = problems::wedged_problem(structure);
+    const auto problem = problems::wedged_problem(checked(structure));
     const auto result = condensed_stiffness(evidence::verified_structure(structure));
     ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
     const auto& matrix = std::get<EnclosedMatrix>(result);
-    const double size = problem.stiffness.norm();
-    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
-    for (Eigen::Index i = 0; i < problem.stiffness.size(); ++i) {
+    const double size = problem.compliance.stiffness.norm();
+    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.compliance.stiffness.rows()));
+    for (Eigen::Index i = 0; i < problem.compliance.stiffness.size(); ++i) {
       EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
-                  problem.stiffness(i), 1e-11 * size);
+                  problem.compliance.stiffness(i), 1e-11 * size);
     }
     EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
   }
@@ -42,7 +42,7 @@ TEST(TwoBodies, HaveCertificatesThatAreProved) {
     const auto structure = problems::test::random_bodies(2 + draw % 2, bits);
     const auto own = evidence::verified_structure(structure);
     for (const double friction : {0.3, 2.0}) {
-      const auto draft = searched(problems::wedged_problem(structure), friction);
+      const auto draft = searched(problems::wedged_problem(checked(structure)), friction);
       const auto found = verdict(draft.text(), &own);
       EXPECT_THAT(found.refusals, testing::IsEmpty());
       EXPECT_GT(found.infeasible + found.feasible.size(), 0U);
@@ -72,7 +72,7 @@ TEST(TwoBodies, MayBeLoose) {
         "peg");
     const auto own = evidence::verified_structure(structure);
     const auto problem = problems::wedged_problem(structure);
-    EXPECT_EQ(problem.motions.cols(), 3);
+    EXPECT_EQ(problem.modes.matrix.cols(), 3);
     const auto below = verdict(written(problem, 0.2), &own);
     EXPECT_THAT(below.refusals, testing::IsEmpty());
     const auto above = verdict(written(problem, 0.5), &own);
@@ -87,7 +87,7 @@ TEST(TwoBodies, MayBeLoose) {
 TEST(TwoBodies, AreNotTakenForOthers) {
   std::mt19937 bits(8);
   const auto structure = problems::test::random_bodies(2, bits);
-  const auto text = searched(problems::wedged_problem(structure), 1).text();
+  const auto text = searched(problems::wedged_problem(checked(structure)), 1).text();
   const auto refusals = [&](auto change) {
     auto other = evidence::verified_structure(structure);
     change(other);

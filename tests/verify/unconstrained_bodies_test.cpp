@@ -205,7 +205,7 @@ problems::Structure read(const std::string& text) {
 }
 
 Verdict proved(const problems::Structure& structure, double mu, bool of_structure = true) {
-  const auto text = written(problems::wedged_problem(structure), mu);
+  const auto text = written(problems::wedged_problem(checked(structure)), mu);
   const auto own = evidence::verified_structure(structure);
   return verdict(text, of_structure ? &own : nullptr);
 }
@@ -309,7 +309,7 @@ TEST(LooseTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
   std::size_t tried = 0;
   for (int trial = 0; trial < 16; ++trial) {
     const auto truss = random_truss(trial % 2 == 0 ? 2 : 3, 5, bits);
-    const auto text = written(problems::wedged_problem(truss), 1.0);
+    const auto text = written(problems::wedged_problem(checked(truss)), 1.0);
     const auto certificate = read_certificate(text, "test");
     const auto agreed = std::get<ConsistentStructure>(
         consistency(certificate, evidence::verified_structure(truss)));
@@ -363,7 +363,8 @@ normal = [0, 0, 1]
   EXPECT_GT(said.marginal, 0U);
   EXPECT_EQ(said.unloaded, said.marginal);
   // At a feasible node no contact is without reaction.
-  auto certificate = read_certificate(written(problems::wedged_problem(body), 0.5), "test");
+  auto certificate =
+      read_certificate(written(problems::wedged_problem(checked(body)), 0.5), "test");
   const auto agreed =
       std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);

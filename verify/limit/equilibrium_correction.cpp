@@ -70,15 +70,15 @@ std::vector<double> slack_of_use(const MemberColumns& members, std::vector<doubl
 }
 
 /// The components of a truss that carry defects.
-struct Part {
+struct DefectivePart {
   std::vector<std::size_t> displacements;
   std::vector<std::size_t> members;
 };
 
 // The components with a defect. Nothing if no member with slack acts on a defect.
-std::optional<Part> part_with_defects(const MemberColumns& members,
-                                      const std::vector<double>& slack,
-                                      const std::vector<double>& defect) {
+std::optional<DefectivePart> part_with_defects(const MemberColumns& members,
+                                               const std::vector<double>& slack,
+                                               const std::vector<double>& defect) {
   DisjointSets pieces(members.displacements);  // connected by members with slack
   std::vector<bool> reached(members.displacements);
   for (std::size_t i = 0; i < slack.size(); ++i) {
@@ -96,7 +96,7 @@ std::optional<Part> part_with_defects(const MemberColumns& members,
     if (!reached[e]) return {};
     wanted[pieces.of(e)] = true;
   }
-  Part part;
+  DefectivePart part;
   for (std::size_t e = 0; e < defect.size(); ++e) {
     if (reached[e] && wanted[pieces.of(e)]) part.displacements.push_back(e);
   }
@@ -112,7 +112,7 @@ std::optional<Part> part_with_defects(const MemberColumns& members,
 /// Rows of G and of E, computed one by one, and sums over them.
 class Reach {
  public:
-  Reach(const MemberColumns& members, const Part& part, const std::vector<double>& weight)
+  Reach(const MemberColumns& members, const DefectivePart& part, const std::vector<double>& weight)
       : members_(members),
         part_(part),
         weight_(weight),
@@ -125,7 +125,7 @@ class Reach {
   bool row(std::size_t e, double defect);
 
   const MemberColumns& members_;
-  const Part& part_;
+  const DefectivePart& part_;
   const std::vector<double>& weight_;
   Gram gram_;
   std::vector<double> size_;      // Y, by place

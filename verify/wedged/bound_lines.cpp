@@ -15,12 +15,12 @@ Side read_side(Lines& lines) {
   return Side::separated;
 }
 
-Bound read_bound(Lines& lines, const Certificate& certificate) {
+CandidateBound read_bound(Lines& lines, const Certificate& certificate) {
   lines.next();
   const auto keyword = lines.word();
   const bool never = keyword == "never";
   if (!never && keyword != "bound") lines.refuse("'bound' or 'never'");
-  Bound bound;
+  CandidateBound bound;
   bound.line = lines.number();
   bound.block = read_block_number(lines, certificate);
   const auto& block = certificate.blocks[bound.block];

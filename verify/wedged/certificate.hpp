@@ -37,7 +37,7 @@ const char* side_name(Side side);
 
 /// Bound of a candidate in all wedged configurations, in units of s, the sum of the normal
 /// reactions of its block.
-struct Bound {
+struct CandidateBound {
   std::size_t line = 0;   ///< of the file
   std::size_t block = 0;  ///< the first being 0
   int candidate = 0;      ///< its number in the whole problem, the first being 0
@@ -80,8 +80,8 @@ struct Certificate {
   /// True if the file states only that a pattern exists. Its nodes then need not cover all sign
   /// patterns.
   bool one_pattern = false;
-  std::vector<Bound> bounds;    ///< in the order of their proofs
-  std::vector<Record> records;  ///< in the order of the file, without repetitions
+  std::vector<CandidateBound> bounds;  ///< in the order of their proofs
+  std::vector<Record> records;         ///< in the order of the file, without repetitions
 
   [[nodiscard]] std::size_t candidates() const { return names.size(); }
   [[nodiscard]] std::size_t displacements() const { return dimension * names.size(); }

@@ -90,7 +90,7 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
   }
 }
 
-std::optional<std::string> Proof::take_up(const Bound& bound) {
+std::optional<std::string> Proof::take_up(const CandidateBound& bound) {
   const auto& block = certificate_.blocks[bound.block];
   if (!block.contains(bound.candidate)) return "its candidate is not one of its block";
   const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();

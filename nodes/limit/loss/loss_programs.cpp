@@ -21,93 +21,191 @@ constexpr double free_weight = 1e-3;
 /// Smaller scaled forces of a basic solution are rounding errors.
 constexpr double no_force = 1e-12;
 
+/// The same for the force of a cable under all loads, which the simplex method finds up to its
+/// tolerance only.
+constexpr double no_cable_force = 1e-8;
+
+/// Relative increase of the variation of forces: a cable without compression strength has no other
+/// margin.
+constexpr double variation_margin = 1e-8;
+
+/// Minimum decrease of the scaled factor for another program; smaller ones may be rounding errors.
+constexpr double least_fall = 1e-10;
+
 Eigen::VectorXd values(const std::vector<double>& numbers, int count) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), count);
 }
 
-// Columns: q^+ and q^- of each member in turn, lambda. Rows: equilibrium.
-linear::LinearProgram state_program(const LimitModel& model, double target) {
-  linear::LinearProgram program;
-  program.name = "carrying stress state";
-  for (int i = 0; i < model.member_count(); ++i) {
-    program.add_column({.cost = 1, .upper = model.tension(i)});
-    program.add_column({.cost = 1, .upper = model.compression(i)});
+std::vector<Eigen::VectorXd> loads_of(const LimitModel& model, double alpha) {
+  std::vector<Eigen::VectorXd> loads{model.dead};
+  if (alpha == 0) return loads;
+  for (const auto& column : model.uncertain) {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(model.free_count());
+    column.add_to(load, alpha);
+    loads.push_back(std::move(load));
   }
-  const int factor = program.add_column({.lower = target});
-  for (int k = 0; k < model.free_count(); ++k) {
-    const linear::LinearTerm term{factor, -model.reference(k)};
-    program.add_row({.lower = model.dead(k), .upper = model.dead(k)}, std::span(&term, 1));
-  }
-  for (int i = 0; i < model.member_count(); ++i) {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(model.equilibrium, i); entry; ++entry) {
-      const int row = static_cast<int>(entry.row());
-      program.entries.push_back({row, 2 * i, entry.value()});
-      program.entries.push_back({row, 2 * i + 1, -entry.value()});
-    }
-  }
-  return program;
+  return loads;
 }
 
 }  // namespace
 
-RemainingFactor::RemainingFactor(const LimitModel& model, support::Stop stop)
-    : model_(model), stop_(std::move(stop)), simplex_(problems::static_program(model, model.dead)) {
-  if (simplex_.solve_robustly() == linear::LinearStatus::optimal) {
-    first_ = simplex_.basis();
-  } else {
-    simplex_.use_slack_basis();
-    first_ = simplex_.basis();
+RemainingFactor::RemainingFactor(const LimitModel& model, double alpha, support::Stop stop)
+    : model_(model),
+      alpha_(alpha),
+      stop_(std::move(stop)),
+      simplex_(problems::static_program(model, model.dead)) {
+  if (simplex_.solve_robustly() != linear::LinearStatus::optimal) simplex_.use_slack_basis();
+  first_ = simplex_.basis();
+}
+
+// As limit::descend, for a truss without the lost members.
+Descent RemainingFactor::descend(Eigen::VectorXd zeta) {
+  Descent descent;
+  simplex_.set_basis(first_);
+  for (;;) {
+    const auto dead = problems::dead_load(model_, zeta);
+    for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
+    const auto status = simplex_.solve_robustly({.stop = stop_});
+    if (status == linear::LinearStatus::infeasible) {
+      const auto reason = simplex_.farkas();
+      const auto size = reason.empty() ? 0 : model_.free_count();
+      return {LoadStatus::not_carried, {}, std::move(zeta), values(reason, size)};
+    }
+    if (status != linear::LinearStatus::optimal) return descent;
+    const auto columns = simplex_.values();
+    Collapse collapse{columns.back(), values(columns, model_.member_count()),
+                      values(simplex_.duals(), model_.free_count())};
+    const bool known = descent.status == LoadStatus::collapses;
+    if (known && collapse.factor >= descent.worst.collapse.factor - least_fall) return descent;
+    auto next = alpha_ == 0 ? zeta : worst_for(model_, alpha_, collapse.motion, zeta);
+    const bool settled = next == zeta;
+    descent.status = LoadStatus::collapses;
+    descent.worst = {std::move(zeta), std::move(collapse)};
+    if (settled) return descent;
+    zeta = std::move(next);
   }
 }
 
-LoadStatus RemainingFactor::solve(const IndexSet& lost) {
+Descent RemainingFactor::solve(const IndexSet& lost, const Eigen::VectorXd& start) {
   for (const int i : lost_ - lost) {
     simplex_.set_column_bounds(i, -model_.compression(i), model_.tension(i));
   }
   for (const int i : lost - lost_) simplex_.set_column_bounds(i, 0, 0);
   lost_ = lost;
-  simplex_.set_basis(first_);
-  switch (simplex_.solve_robustly({.stop = stop_})) {
-    case linear::LinearStatus::optimal:
-      return LoadStatus::collapses;
-    case linear::LinearStatus::infeasible:
-      return LoadStatus::not_carried;
-    default:
-      return LoadStatus::undetermined;
+  auto found = descend(Eigen::VectorXd::Zero(model_.uncertain_count()));
+  if (alpha_ == 0 || start.size() == 0 || found.status != LoadStatus::collapses) return found;
+  auto other = descend(start);
+  const bool less = other.status == LoadStatus::not_carried ||
+                    (other.status == LoadStatus::collapses &&
+                     other.worst.collapse.factor < found.worst.collapse.factor);
+  return less ? other : found;
+}
+
+// Columns of each load: q^+ and q^- of each member in turn. Then lambda_0, and kappa^+ and kappa^-
+// of each uncertain load.
+int StateProgram::force_column(std::size_t load, int member) const {
+  return 2 * (static_cast<int>(load) * model_.member_count() + member);
+}
+
+int StateProgram::factor_column(std::size_t load) const {
+  const int first = force_column(loads_.size(), 0);
+  return load == 0 ? first : first + 2 * static_cast<int>(load) - 1;
+}
+
+// Rows: equilibrium of each load. With uncertain loads also lambda_0 - sum_j |kappa_j|, and the two
+// yield forces of each member.
+linear::LinearProgram StateProgram::program() const {
+  linear::LinearProgram program;
+  program.name = "carrying stress state";
+  const int forces = force_column(loads_.size(), 0);
+  for (int column = 0; column < forces; ++column) program.add_column({.cost = 1});
+  program.add_column({.lower = -linear::infinity});
+  for (std::size_t load = 1; load < loads_.size(); ++load) {
+    program.add_column({});
+    program.add_column({});
   }
+  const auto add = [&](int row, int column, double value) {
+    program.entries.push_back({row, column, value});
+  };
+  for (std::size_t load = 0; load < loads_.size(); ++load) {
+    const int first = static_cast<int>(load) * model_.free_count();
+    for (int k = 0; k < model_.free_count(); ++k) {
+      program.add_row({.lower = loads_[load](k), .upper = loads_[load](k)}, {});
+      if (model_.reference(k) == 0) continue;
+      add(first + k, factor_column(load), -model_.reference(k));
+      if (load > 0) add(first + k, factor_column(load) + 1, model_.reference(k));
+    }
+    for (int i = 0; i < model_.member_count(); ++i) {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(model_.equilibrium, i); entry;
+           ++entry) {
+        const int row = first + static_cast<int>(entry.row());
+        add(row, force_column(load, i), entry.value());
+        add(row, force_column(load, i) + 1, -entry.value());
+      }
+    }
+  }
+  if (loads_.size() == 1) return program;
+  int row = static_cast<int>(loads_.size()) * model_.free_count();
+  program.add_row({}, {});
+  add(row, factor_column(0), 1);
+  for (std::size_t load = 1; load < loads_.size(); ++load) {
+    add(row, factor_column(load), -1);
+    add(row, factor_column(load) + 1, -1);
+  }
+  for (int i = 0; i < model_.member_count(); ++i) {
+    for (const double sign : {1.0, -1.0}) {
+      program.add_row({.upper = 0}, {});
+      ++row;
+      add(row, force_column(0, i), sign);
+      add(row, force_column(0, i) + 1, -sign);
+      for (std::size_t load = 1; load < loads_.size(); ++load) {
+        add(row, force_column(load, i), 1 + variation_margin);
+        add(row, force_column(load, i) + 1, 1 + variation_margin);
+      }
+    }
+  }
+  return program;
 }
 
-Collapse RemainingFactor::collapse() const {
-  const auto columns = simplex_.values();
-  return {columns.back(), values(columns, model_.member_count()),
-          values(simplex_.duals(), model_.free_count())};
-}
-
-Eigen::VectorXd RemainingFactor::overpowering_motion() {
-  const auto reason = simplex_.farkas();
-  if (reason.empty()) return {};
-  return values(reason, model_.free_count());
-}
-
-StateProgram::StateProgram(const LimitModel& model, double target, support::Stop stop)
-    : model_(model), stop_(std::move(stop)), simplex_(state_program(model, target)) {
-  if (simplex_.solve_robustly() != linear::LinearStatus::optimal) simplex_.use_slack_basis();
+StateProgram::StateProgram(const LimitModel& model, double alpha, double target, support::Stop stop)
+    : model_(model), loads_(loads_of(model, alpha)), stop_(std::move(stop)), simplex_(program()) {
+  simplex_.use_slack_basis();
   first_ = simplex_.basis();
+  restart(target);
+  if (solve({}, {}, {}, yield_margins[0]) == Result::found) first_ = simplex_.basis();
 }
 
-void StateProgram::restart() {
+void StateProgram::restart(double target) {
   simplex_.set_basis(first_);
+  if (loads_.size() == 1) {
+    simplex_.set_column_bounds(factor_column(0), target, linear::infinity);
+  } else {
+    const int row = static_cast<int>(loads_.size()) * model_.free_count();
+    simplex_.set_row_bounds(row, target, linear::infinity);
+  }
 }
 
 StateProgram::Result StateProgram::solve(const IndexSet& lost, const IndexSet& avoided,
                                          const IndexSet& free, double margin) {
+  const bool alone = loads_.size() == 1;
+  const int rows = static_cast<int>(loads_.size()) * model_.free_count() + 1;
   for (int i = 0; i < model_.member_count(); ++i) {
     const double share = lost.contains(i) ? 0 : 1 - margin;
-    simplex_.set_column_bounds(2 * i, 0, share * model_.tension(i));
-    simplex_.set_column_bounds(2 * i + 1, 0, share * model_.compression(i));
+    const double tension = share * model_.tension(i);
+    const double compression = share * model_.compression(i);
     const double weight = avoided.contains(i) ? avoided_weight : free.contains(i) ? free_weight : 1;
-    simplex_.set_cost(2 * i, weight);
-    simplex_.set_cost(2 * i + 1, weight);
+    if (!alone) {
+      simplex_.set_row_bounds(rows + 2 * i, -linear::infinity, tension);
+      simplex_.set_row_bounds(rows + 2 * i + 1, -linear::infinity, compression);
+    }
+    const double most = std::max(tension, compression);
+    for (std::size_t load = 0; load < loads_.size(); ++load) {
+      const int column = force_column(load, i);
+      simplex_.set_column_bounds(column, 0, alone ? tension : most);
+      simplex_.set_column_bounds(column + 1, 0, alone ? compression : most);
+      simplex_.set_cost(column, weight);
+      simplex_.set_cost(column + 1, weight);
+    }
   }
   switch (simplex_.solve_robustly({.stop = stop_})) {
     case linear::LinearStatus::optimal:
@@ -119,16 +217,32 @@ StateProgram::Result StateProgram::solve(const IndexSet& lost, const IndexSet& a
   }
 }
 
-CarryingState StateProgram::state() const {
+verify::StressState StateProgram::state() const {
   const auto columns = simplex_.values();
-  CarryingState state{columns.back(), Eigen::VectorXd(model_.member_count())};
+  const auto at = [&](int column) { return columns[static_cast<std::size_t>(column)]; };
+  verify::StressState state;
+  IndexSet stressed;
+  IndexSet idle;
   for (int i = 0; i < model_.member_count(); ++i) {
-    const auto at = 2 * static_cast<std::size_t>(i);
-    // The simplex method may violate bounds by its tolerance.
-    const double force =
-        std::clamp(columns[at] - columns[at + 1], -model_.compression(i), model_.tension(i));
-    state.forces(i) = std::abs(force) < no_force ? 0 : force;
+    double most = 0;
+    for (std::size_t load = 0; load < loads_.size(); ++load)
+      most = std::max(most, std::abs(at(force_column(load, i)) - at(force_column(load, i) + 1)));
+    const bool cable = model_.tension(i) == 0 || model_.compression(i) == 0;
+    if (most < (cable ? no_cable_force : no_force)) idle.insert(i);
   }
+  for (std::size_t load = 0; load < loads_.size(); ++load) {
+    auto& column = state.columns.emplace_back();
+    const int place = factor_column(load);
+    column.factor = (load == 0 ? at(place) : at(place) - at(place + 1)) * model_.factor_unit;
+    for (int i = 0; i < model_.member_count(); ++i) {
+      const int force = force_column(load, i);
+      const double size = at(force) - at(force + 1);
+      if (std::abs(size) < no_force || idle.contains(i)) continue;
+      stressed.insert(i);
+      column.forces.emplace_back(static_cast<std::size_t>(i), size * model_.member_unit(i));
+    }
+  }
+  for (const int i : stressed) state.support.push_back(static_cast<std::size_t>(i));
   return state;
 }
 

@@ -1,7 +1,7 @@
-// One certificate, whose yield forces, motion and forces are replaced from proof to proof.
+// One certificate, whose yield forces, load and motion are replaced from proof to proof.
 #include "nodes/limit/loss/loss_proof.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -9,74 +9,100 @@
 #include "nodes/limit/search/limit_evidence.hpp"
 
 namespace kusabi::limit {
+namespace {
 
 using support::IndexSet;
 
+IndexSet set_of(const std::vector<std::size_t>& members) {
+  IndexSet set;
+  for (const auto member : members) set.insert(static_cast<int>(member));
+  return set;
+}
+
+}  // namespace
+
 LossProof::LossProof(const verify::Structure& truss, const problems::LimitProblem& problem,
-                     const problems::LimitModel& model)
+                     const problems::LimitModel& model, double alpha)
     : problem_(problem),
-      model_(model),
-      certificate_(limit_certificate(problem, model, 0,
+      exact_(verify::exact_truss(truss)),
+      certificate_(limit_certificate(problem, model, alpha,
                                      {Eigen::VectorXd::Zero(model.uncertain_count()),
                                       {0, {}, Eigen::VectorXd::Zero(model.free_count())}},
                                      {}, {})) {
-  auto meant = meant_truss(certificate_, truss);
-  auto& column = certificate_.columns.emplace_back();
-  auto& exact = meant.columns.emplace_back();
-  for (std::size_t e = 0; e < certificate_.reference.size(); ++e) {
-    if (certificate_.reference[e] == 0) continue;
-    column.emplace_back(e, certificate_.reference[e]);
-    exact.emplace_back(e, meant.reference[e]);
-  }
-  proof_.emplace(certificate_, std::move(meant));
+  if (alpha > 0) verify::add_uncertain(certificate_.uncertain, certificate_.alpha, exact_);
+  proof_.emplace(certificate_, meant_truss(certificate_, truss));
 }
 
-// @param excess of the factor, >= 0
-void LossProof::remove(const IndexSet& lost, double excess) {
+std::optional<ProvedState> LossProof::proved(verify::StressState state, double target,
+                                             const IndexSet& lost) const {
+  const auto reached = [&] {
+    auto found = verify::carried_factor(exact_, state);
+    return found && found->factor >= target ? std::move(found) : std::nullopt;
+  };
+  const auto with_support = [&] {
+    auto support = set_of(state.support);
+    return ProvedState{std::move(support), std::move(state)};
+  };
+  if (reached()) return with_support();
+  // Further members carry the rounding errors of coordinates, loads and forces.
+  state.support.clear();
+  for (const int i : IndexSet::below(problem_.member_count()) - lost)
+    state.support.push_back(static_cast<std::size_t>(i));
+  const auto all = reached();
+  if (!all) return {};
+  auto left = std::exchange(state.support, all->members);
+  if (!reached()) state.support = std::move(left);
+  return with_support();
+}
+
+bool LossProof::set(const IndexSet& lost, const Eigen::VectorXd& zeta,
+                    const Eigen::VectorXd& motion) {
+  if (motion.size() != problem_.free_count() || !motion.allFinite()) return false;
   certificate_.tension.assign(problem_.tension.begin(), problem_.tension.end());
   certificate_.compression.assign(problem_.compression.begin(), problem_.compression.end());
   for (const int i : lost) {
     certificate_.tension[static_cast<std::size_t>(i)] = 0;
     certificate_.compression[static_cast<std::size_t>(i)] = 0;
   }
-  certificate_.tension.push_back(excess);
-  certificate_.compression.push_back(excess);
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    const double share = zeta.size() == 0 ? 0 : zeta(static_cast<Eigen::Index>(j));
+    certificate_.load[j] = share == 0 ? 0 : std::copysign(certificate_.alpha[j], share);
+  }
+  certificate_.motion.assign(motion.begin(), motion.end());
+  return true;
 }
 
-void LossProof::set_motion(const Eigen::VectorXd& motion) {
-  const auto in_units = problems::motion_in_units(model_, motion);
-  certificate_.motion.assign(in_units.begin(), in_units.end());
-}
-
-bool LossProof::carries(const IndexSet& present, double target, double factor,
-                        const Eigen::VectorXd& forces) {
-  // Half of the excess: the difference of two doubles may be rounded up.
-  remove(IndexSet::below(model_.member_count()) - present, std::max(0.0, (factor - target) / 2));
-  const auto in_units = problems::forces_in_units(model_, forces);
-  verify::LimitNode node;
-  node.signs.resize(certificate_.uncertain.size());
-  node.one_sided.resize(certificate_.uncertain.size());
-  node.factor = std::max(target, factor);
-  node.forces.assign(in_units.begin(), in_units.end());
-  node.forces.push_back(0);
-  return std::holds_alternative<mpq_class>(proof_->lower(node));
-}
-
-std::optional<double> LossProof::upper(const IndexSet& lost, const Eigen::VectorXd& motion) {
-  if (motion.size() != model_.free_count() || !motion.allFinite()) return {};
-  remove(lost, 0);
-  set_motion(motion);
+std::optional<double> LossProof::upper(const IndexSet& lost, const Eigen::VectorXd& zeta,
+                                       const Eigen::VectorXd& motion) {
+  if (!set(lost, zeta, motion)) return {};
   const auto found = proof_->upper();
   const auto* const value = std::get_if<mpq_class>(&found);
   if (value == nullptr) return {};
   return verify::rounded_up(*value);
 }
 
-bool LossProof::shows_no_factor(const IndexSet& lost, const Eigen::VectorXd& motion) {
-  if (motion.size() != model_.free_count() || !motion.allFinite()) return false;
-  remove(lost, 0);
-  set_motion(motion);
-  return proof_->shows_no_factor();
+bool LossProof::shows_no_factor(const IndexSet& lost, const Eigen::VectorXd& zeta,
+                                const Eigen::VectorXd& motion) {
+  return set(lost, zeta, motion) && proof_->shows_no_factor();
+}
+
+void LossProof::write_loads(bool uncertain, verify::LossStatement& statement) const {
+  auto& truss = statement.truss;
+  auto& columns = truss.uncertain.emplace();
+  truss.half_widths.clear();
+  truss.load_names.clear();
+  if (!uncertain) return;
+  for (std::size_t j = 0; j < certificate_.uncertain.size(); ++j) {
+    auto& column = columns.emplace_back();
+    for (const auto& [e, value] : certificate_.uncertain[j]) {
+      const auto& free = problem_.degrees.free[e];
+      column.push_back(
+          {static_cast<std::size_t>(free.node), static_cast<std::size_t>(free.axis), value});
+    }
+    truss.half_widths.emplace_back(certificate_.alpha[j]);
+    truss.load_names.push_back(certificate_.names[j]);
+  }
+  statement.load = certificate_.load;
 }
 
 }  // namespace kusabi::limit

@@ -1,17 +1,21 @@
-// A start by losing the worst member again and again, then one tree for each target: the factor of
-// the worst loss known, less a margin, until no loss below the target is found.
+// A start by losing the worst member again and again, then nodes of one tree in rounds. All ranks
+// know the states of the rounds before; the target decreases when a worse loss is found.
 #include "nodes/limit/loss/loss_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/together.hpp"
+#include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
+#include "nodes/limit/search/worst_case_search.hpp"
+#include "verify/limit/loss_cover.hpp"
 
 namespace kusabi::limit {
 
@@ -30,8 +34,20 @@ double value(LoadStatus status, double factor) {
 /// Difference of a target and the least factor known, scaled: room for the margins of proofs.
 constexpr double target_gap = 4 * closed_gap;
 
-/// A member with less has no stress in a basic solution.
+/// A suspect is consistent with a remaining factor up to this above the target, scaled: the margin
+/// of the yield forces costs about as much.
+constexpr double consistent = 10 * closed_gap;
+
+/// A member with less, relative to its unit, has no stress in a basic solution.
 constexpr double no_stress = 1e-12;
+
+/// Nodes of a round: few while there are few states, since all nodes of a round find states that
+/// others could have used.
+std::size_t nodes_of_a_round(std::size_t states) {
+  constexpr std::size_t most = 64;
+  constexpr std::size_t states_a_node = 16;
+  return std::clamp<std::size_t>(states / states_a_node, 1, most);
+}
 
 /// A result of shared work.
 struct Remains {
@@ -44,59 +60,86 @@ struct Remains {
   }
 };
 
-/// Outcome of a search, on every rank.
-struct Searched {
-  engine::Status status = engine::Status::solved;
-  std::uint64_t nodes = 0;
-  LossTree::Tally tally;
-  std::vector<LossTree::Solution> first;  // at most one
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& nodes& tally& first;
-  }
-};
-
 }  // namespace
 
 LossSearch::LossSearch(engine::Analysis& analysis, const verify::Structure& truss,
                        const problems::LimitProblem& problem, const problems::LimitModel& model,
-                       const LossQuestion& question)
+                       const LossQuestion& question, double alpha)
     : analysis_(analysis),
+      truss_(truss),
+      problem_(problem),
       model_(model),
       question_(question),
+      alpha_(alpha),
       eligible_(IndexSet::below(problem.member_count())),
-      proof_(truss, problem, model),
-      remaining_(model, analysis.budget().stop()) {
+      proof_(truss, problem, model, alpha),
+      remaining_(model, alpha / model.force_unit, analysis.budget().stop()) {
   for (const int member : question.kept) eligible_ -= IndexSet::single(member);
 }
 
-double LossSearch::value_of(const Known& known) const {
-  return value(known.status, known.collapse.factor);
-}
-
+// The worst load known after a loss.
 LossSearch::Known LossSearch::after(const IndexSet& lost) {
-  Known known{lost, remaining_.solve(lost), {}};
-  if (known.status == LoadStatus::collapses) known.collapse = remaining_.collapse();
-  if (known.status == LoadStatus::not_carried)
-    known.collapse.motion = remaining_.overpowering_motion();
+  const Eigen::VectorXd start = worst_.zeta / model_.force_unit;
+  auto found = remaining_.solve(lost, start);
+  Known known{lost, found.status, {}, {}};
+  if (found.status == LoadStatus::collapses) {
+    auto& [zeta, collapse] = found.worst;
+    known.zeta = zeta * model_.force_unit;
+    known.collapse = {collapse.factor * model_.factor_unit,
+                      {},
+                      problems::forces_in_units(model_, collapse.forces),
+                      problems::motion_in_units(model_, collapse.motion)};
+  } else if (found.status == LoadStatus::not_carried) {
+    known.zeta = found.overpowering_load * model_.force_unit;
+    if (found.overpowering_motion.size() > 0)
+      known.collapse.motion = problems::motion_in_units(model_, found.overpowering_motion);
+  }
   return known;
 }
 
-// The factor after the loss of each further member. A member without stress is not missed.
+// The same, with a proof that no admissible load is worse, if loads are uncertain.
+LossSearch::Known LossSearch::worst_after(const IndexSet& lost) {
+  auto known = after(lost);
+  if (alpha_ == 0 || known.status == LoadStatus::not_carried) return known;
+  auto problem = problem_;
+  auto truss = truss_;
+  for (const int i : lost) {
+    problem.tension(i) = problem.compression(i) = 0;
+    truss.bars[static_cast<std::size_t>(i)].tension = 0;
+    truss.bars[static_cast<std::size_t>(i)].compression = 0;
+  }
+  RootSearch search(analysis_, problem);
+  const auto status = search.set_up(problems::limit_model(problem, model_.force_unit));
+  if (status != LoadStatus::collapses) return known;
+  const LimitQuestion question{.alpha = alpha_};
+  auto worst = WorstCaseSearch(search, question, truss).solve();
+  if (worst.status == RootStatus::not_carried) {
+    known.status = LoadStatus::not_carried;
+    known.zeta = worst.zeta;
+    known.collapse = {};
+    known.collapse.motion = worst.overpowering_motion;
+  } else if (worst.collapse && (known.status != LoadStatus::collapses ||
+                                worst.collapse->factor < known.collapse.factor)) {
+    known.status = LoadStatus::collapses;
+    known.zeta = worst.zeta;
+    known.collapse = *worst.collapse;
+  }
+  return known;
+}
+
+// The factor after the loss of each further member. A member without stress is not missed by the
+// load of the known loss.
 std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
   std::vector<int> members;
   for (const int i : eligible_ - known.lost) members.push_back(i);
   if (members.empty()) return {};
   const auto one = [&](std::uint64_t piece) -> Remains {
     const int i = members[piece];
-    if (std::abs(known.collapse.forces(i)) <= no_stress)
+    const bool idle = std::abs(known.collapse.forces(i)) <= no_stress * model_.member_unit(i);
+    if (idle && alpha_ == 0)
       return {static_cast<std::int32_t>(LoadStatus::collapses), known.collapse.factor};
-    auto lost = known.lost;
-    lost.insert(i);
-    const auto status = remaining_.solve(lost);
-    const bool collapses = status == LoadStatus::collapses;
-    return {static_cast<std::int32_t>(status), collapses ? remaining_.collapse().factor : 0};
+    const auto found = after(known.lost | IndexSet::single(i));
+    return {static_cast<std::int32_t>(found.status), found.collapse.factor};
   };
   const auto found = analysis_.share<Remains>(members.size(), one);
   std::vector<SingleLoss> losses;
@@ -109,73 +152,93 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
 // Loses the worst member, then the worst further one, up to K.
 void LossSearch::start() {
   worst_ = after({});
+  answer_.nominal = worst_.collapse.factor;
   for (int k = 0; k < question_.most && worst_.status == LoadStatus::collapses; ++k) {
     if (analysis_.ended()) return;
     const auto losses = after_one_more(worst_);
     if (losses.empty()) return;
-    if (k == 0) {
-      answer_.singles = losses;
-      for (auto& each : answer_.singles) each.factor *= model_.factor_unit;
-    }
+    if (k == 0) answer_.singles = losses;
     const auto least = std::ranges::min_element(
         losses, {}, [](const SingleLoss& each) { return value(each.status, each.factor); });
-    if (value(least->status, least->factor) >= value_of(worst_)) return;
-    auto lost = worst_.lost;
-    lost.insert(least->member);
-    worst_ = after(lost);
+    const double now = value(worst_.status, worst_.collapse.factor);
+    if (value(least->status, least->factor) >= now) return;
+    worst_ = after(worst_.lost | IndexSet::single(least->member));
   }
 }
 
-// @return whether the loss of a search is worth another search
-bool LossSearch::take(const LossTree::Solution& solution) {
-  auto found = after(solution.lost);
-  if (found.status == LoadStatus::undetermined) return false;
-  pool_ = solution.supports;
-  const double margin = target_gap * model_.factor_unit;
-  const double factor = value_of(found) * model_.factor_unit;
-  target_ = std::min(target_, factor) - margin;
-  if (value_of(found) < value_of(worst_)) worst_ = std::move(found);
-  return worst_.status == LoadStatus::collapses && !question_.at_least;
-}
-
-void LossSearch::search_below() {
-  for (;;) {
-    const LossTarget target{std::min(question_.most, eligible_.size()), target_, eligible_};
-    LossTree tree(model_, proof_, target, pool_, analysis_.budget().stop());
-    engine::Options options;
-    options.goal = engine::Goal::first;
-    analysis_.say_now_and_then([&] {
-      return fmt::format("losses of up to {} members below the load factor {:.10g}", target.most,
-                         target.factor);
-    });
-    const auto outcome = analysis_.search(tree, options);
-    const auto result = engine::from_first_rank(analysis_.transport(), [&] {
-      Searched known{outcome.status, outcome.opened(), outcome.tally(), {}};
-      if (!outcome.solutions.empty()) known.first.push_back(outcome.solutions.front().solution);
-      return known;
-    });
-    answer_.search = result.status;
-    ++answer_.counts.searches;
-    answer_.counts.nodes += result.nodes;
-    answer_.counts.programs += result.tally.programs;
-    answer_.counts.states += result.tally.states;
-    if (!result.first.empty()) {
-      if (take(result.first.front())) continue;
-      return;
-    }
-    answer_.undecided = result.tally.undecided;
-    const bool whole = result.status == engine::Status::solved && answer_.undecided == 0;
-    if (whole) lower_ = target.factor;
+// A suspect is a worse loss, or its node stays undecided.
+void LossSearch::judge(const IndexSet& suspect) {
+  auto found = worst_after(suspect);
+  const double unit = model_.factor_unit;
+  const double factor = value(found.status, found.collapse.factor);
+  if (factor > known_.target + consistent * unit) {
+    known_.undecided.push_back(suspect);
     return;
   }
+  if (factor < value(worst_.status, worst_.collapse.factor)) worst_ = std::move(found);
+  if (question_.at_least) {
+    missed_ = true;
+  } else {
+    known_.target = std::min(known_.target, factor) - target_gap * unit;
+  }
+}
+
+std::vector<LossPiece> LossSearch::open_round(const std::vector<LossNode>& batch) {
+  return analysis_.share<LossPiece>(batch.size(), [&](std::uint64_t k) {
+    LossOpener opener(*program_, proof_, model_.factor_unit, known_, analysis_.budget().stop());
+    return opener.open(batch[k]);
+  });
+}
+
+// Nodes are kept with the next one in depth-first order last.
+void LossSearch::search_below() {
+  const auto kept = IndexSet::below(model_.member_count()) - eligible_;
+  std::vector<LossNode> open{{{}, kept, std::min(question_.most, eligible_.size())}};
+  program_.emplace(model_, alpha_ / model_.force_unit, known_.target / model_.factor_unit,
+                   analysis_.budget().stop());
+  while (!open.empty() && !missed_ && worst_.status == LoadStatus::collapses) {
+    if (analysis_.ended()) return;
+    analysis_.say_now_and_then([&] {
+      return fmt::format(
+          "losses of up to {} members: none of the closed nodes below the load factor {:.10g}; {} "
+          "nodes closed, {} open, {} states",
+          question_.most, known_.target, answer_.counts.nodes, open.size(), states_.size());
+    });
+    const auto size = std::min(open.size(), nodes_of_a_round(states_.size()));
+    const std::vector<LossNode> batch(open.rbegin(),
+                                      open.rbegin() + static_cast<std::ptrdiff_t>(size));
+    auto pieces = open_round(batch);
+    open.resize(open.size() - size);
+    ++answer_.counts.rounds;
+    std::set<IndexSet> suspects;
+    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
+      open.insert(open.end(), piece->open.rbegin(), piece->open.rend());
+    std::uint64_t opened = 0;
+    for (auto& piece : pieces) {
+      opened += piece.nodes;
+      answer_.counts.programs += piece.programs;
+      if (piece.has_suspect) suspects.insert(piece.suspect);
+      for (auto& state : piece.states) {
+        known_.supports.push_back(state.support);
+        states_.push_back(std::move(state));
+      }
+    }
+    answer_.counts.nodes += opened;
+    analysis_.count_nodes(opened);
+    if (analysis_.ended()) return;
+    for (const auto& suspect : suspects) judge(suspect);
+  }
+  if (open.empty() && known_.undecided.empty()) lower_ = known_.target;
 }
 
 // Removes members of the worst loss that it does not need.
 void LossSearch::drop_useless() {
+  const double room = closed_gap / 10 * model_.factor_unit;
   for (const int member : IndexSet(worst_.lost)) {
     auto fewer = after(worst_.lost - IndexSet::single(member));
     const bool as_bad =
-        fewer.status == worst_.status && value_of(fewer) <= value_of(worst_) + closed_gap / 10;
+        fewer.status == worst_.status && (fewer.status == LoadStatus::not_carried ||
+                                          fewer.collapse.factor <= worst_.collapse.factor + room);
     if (as_bad) worst_ = std::move(fewer);
   }
 }
@@ -196,13 +259,13 @@ void LossSearch::conclude() {
   const double unit = model_.factor_unit;
   auto& ends = answer_.ends;
   answer_.lost.assign(worst_.lost.begin(), worst_.lost.end());
+  answer_.zeta = alpha_ == 0 ? Eigen::VectorXd() : worst_.zeta;
+  answer_.undecided = known_.undecided.size();
+  answer_.counts.states = states_.size();
   if (worst_.status == LoadStatus::collapses) {
-    answer_.collapse = LimitCollapse{worst_.collapse.factor * unit,
-                                     {},
-                                     problems::forces_in_units(model_, worst_.collapse.forces),
-                                     problems::motion_in_units(model_, worst_.collapse.motion)};
-    const auto proved = proof_.upper(worst_.lost, worst_.collapse.motion);
-    ends.upper = proved.value_or(answer_.collapse->factor);
+    answer_.collapse = worst_.collapse;
+    const auto proved = proof_.upper(worst_.lost, answer_.zeta, worst_.collapse.motion);
+    ends.upper = proved.value_or(worst_.collapse.factor);
     ends.upper_proved = proved.has_value();
     if (lower_) {
       ends.lower = *lower_;
@@ -211,29 +274,54 @@ void LossSearch::conclude() {
     answer_.proved =
         ends.lower_proved && ends.upper_proved && ends.upper - ends.lower <= answered_gap * unit;
   } else {
-    ends.upper_proved = proof_.shows_no_factor(worst_.lost, worst_.collapse.motion);
+    answer_.fatal_motion = worst_.collapse.motion;
+    ends.upper_proved = proof_.shows_no_factor(worst_.lost, answer_.zeta, worst_.collapse.motion);
     answer_.proved = ends.upper_proved;
   }
 }
 
+// The claims that are proved, with the states that the proof needs.
+void LossSearch::record() {
+  const auto& ends = answer_.ends;
+  if (!analysis_.is_first() || !ends.upper_proved) return;
+  auto& statement = answer_.statement.emplace();
+  statement.truss = truss_;
+  statement.sudden = question_.sudden;
+  statement.most = static_cast<std::size_t>(std::min(question_.most, eligible_.size()));
+  for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
+    statement.kept.push_back(static_cast<std::size_t>(i));
+  statement.lost.assign(worst_.lost.begin(), worst_.lost.end());
+  statement.fatal = answer_.is_fatal();
+  const auto& motion = statement.fatal ? answer_.fatal_motion : answer_.collapse->motion;
+  statement.motion.assign(motion.begin(), motion.end());
+  proof_.write_loads(alpha_ > 0, statement);
+  if (!lower_) return;
+  statement.lower = lower_;
+  const verify::LossCover cover(known_.supports,
+                                IndexSet::below(problem_.member_count()) - eligible_,
+                                static_cast<int>(statement.most));
+  for (const auto k : cover.needed()) statement.states.push_back(states_[k].state);
+}
+
 LossAnswer LossSearch::solve() {
   answer_.most = question_.most;
+  answer_.uncertain = alpha_ > 0;
+  answer_.sudden = question_.sudden;
   answer_.eligible = eligible_.size();
   start();
-  if (worst_.status == LoadStatus::undetermined) worst_ = after({});
-  answer_.nominal = after({}).collapse.factor * model_.factor_unit;
   const bool ended = analysis_.ended();
   if (worst_.status == LoadStatus::collapses && !ended) {
     const double margin = target_gap * model_.factor_unit;
-    const double known = value_of(worst_) * model_.factor_unit;
-    target_ = question_.at_least.value_or(known - margin);
-    const bool below = question_.at_least && known < target_ - margin;
-    if (!below) search_below();
+    known_.target = question_.at_least.value_or(worst_.collapse.factor - margin);
+    missed_ = question_.at_least && worst_.collapse.factor < known_.target - margin;
+    if (!missed_) search_below();
   }
-  if (ended) answer_.search = analysis_.budget().why();
+  if (analysis_.ended() && !lower_ && worst_.status == LoadStatus::collapses && !missed_)
+    answer_.search = analysis_.budget().why();
   drop_useless();
   conclude();
   settle_target();
+  record();
   return std::move(answer_);
 }
 

@@ -1,5 +1,6 @@
-// Worst loss of members: the least load factor over all losses of up to K members, with both bounds
-// proved, or whether a factor remains after each of them (docs/theory/limit.md).
+// Worst loss of members: the least load factor over all losses of up to K members and, on request,
+// over all admissible loads, with both bounds proved, or whether a factor remains after each of
+// them (docs/theory/limit.md).
 #pragma once
 
 #include <cstdint>
@@ -8,9 +9,9 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/limit/loss/loss_answer.hpp"
+#include "nodes/limit/loss/loss_opening.hpp"
 #include "nodes/limit/loss/loss_programs.hpp"
 #include "nodes/limit/loss/loss_proof.hpp"
-#include "nodes/limit/loss/loss_tree.hpp"
 #include "nodes/limit/model/limit_question.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/index_set.hpp"
@@ -21,40 +22,49 @@ namespace kusabi::limit {
 class LossSearch {
  public:
   /// @param model in which the nominal load collapses @param truss for the proofs
+  /// @param alpha in the unit of force; zero: the dead load as given
   /// @pre all outlive this object. Every rank makes the same calls.
   LossSearch(engine::Analysis& analysis, const verify::Structure& truss,
              const problems::LimitProblem& problem, const problems::LimitModel& model,
-             const LossQuestion& question);
+             const LossQuestion& question, double alpha);
 
   LossAnswer solve();
 
  private:
-  // A loss and what remains after it.
+  // A loss and what remains after it, in units.
   struct Known {
     support::IndexSet lost;
     LoadStatus status = LoadStatus::undetermined;
-    Collapse collapse;
+    Eigen::VectorXd zeta;
+    LimitCollapse collapse;
   };
 
-  [[nodiscard]] double value_of(const Known& known) const;
   Known after(const support::IndexSet& lost);
+  Known worst_after(const support::IndexSet& lost);
   std::vector<SingleLoss> after_one_more(const Known& known);
   void start();
   void search_below();
-  bool take(const LossTree::Solution& solution);
+  std::vector<LossPiece> open_round(const std::vector<LossNode>& batch);
+  void judge(const support::IndexSet& suspect);
   void drop_useless();
   void conclude();
   void settle_target();
+  void record();
 
   engine::Analysis& analysis_;
+  const verify::Structure& truss_;
+  const problems::LimitProblem& problem_;
   const problems::LimitModel& model_;
   const LossQuestion& question_;
+  double alpha_;
   support::IndexSet eligible_;
   LossProof proof_;
   RemainingFactor remaining_;
+  std::optional<StateProgram> program_;
   Known worst_;
-  double target_ = 0;  // in the unit of the load factor
-  std::vector<support::IndexSet> pool_;
+  LossKnowledge known_;
+  std::vector<ProvedState> states_;
+  bool missed_ = false;          // a loss below the given target is known
   std::optional<double> lower_;  // proved
   LossAnswer answer_;
 };

@@ -29,6 +29,7 @@ struct LossQuestion {
   int most = 1;                      ///< K
   std::optional<double> at_least{};  ///< factor in question; nothing: the least one
   std::vector<int> kept{};           ///< members that are not lost
+  double sudden = 1;                 ///< dynamic factor of the loads after the loss, >= 1
 };
 
 struct LimitQuestion {
@@ -49,7 +50,9 @@ struct LimitQuestion {
   bool curve = false;      ///< true if the curve of the factor over the uncertainty is computed
   /// Load of a further curve, n^d, force; nothing: none.
   std::optional<Eigen::VectorXd> curve_load{};
-  /// Loss of members, for the nominal load; nothing: none.
+  /// Compression strengths after the buckling of struts, n^m, in units; empty: there are no struts.
+  Eigen::VectorXd residual{};
+  /// Loss of members, for the nominal load or, with alpha, all admissible loads; nothing: none.
   std::optional<LossQuestion> loss{};
   double curve_to = 1;  ///< upper limit of beta of the curves, times alpha or times the load
 

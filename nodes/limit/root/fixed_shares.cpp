@@ -61,7 +61,7 @@ std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& mod
     }
     taken.back() += share * std::abs(cut.factor);
   }
-  splitting::SafeBound bound(model);
+  splitting::SafeStates bound(model);
   const Eigen::VectorXd yield = model.yield();
   Eigen::VectorXd of_member(members);  // at most half of the yield force
   for (int i = 0; i < members; ++i) {

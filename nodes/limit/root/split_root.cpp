@@ -104,7 +104,7 @@ class SplitRoot {
   const RootControl& control_;
   splitting::AffineProgram program_;
   splitting::AffineProjection projection_;
-  splitting::SafeBound bound_;
+  splitting::SafeStates bound_;
   std::optional<splitting::ColumnBlocks> best_;  // of the bound
   std::vector<double> best_taken_;               // its use of each member
   bool improved_ = false;

@@ -20,13 +20,13 @@ AffineProgram affine_program(const problems::LimitModel& model, double alpha) {
   program.capacity = model.yield();
   program.shift = (model.tension - model.compression) / 2;
   program.dead = model.dead - model.equilibrium * program.shift;
-  Load dead;
+  SparseLoad dead;
   for (int k = 0; k < model.free_count(); ++k) {
     if (program.dead(k) != 0) dead.emplace_back(k, program.dead(k));
   }
   program.columns.push_back(std::move(dead));
   for (const auto& column : model.uncertain) {
-    Load load;
+    SparseLoad load;
     for (const auto& [degree, value] : column.direction) {
       load.emplace_back(degree, alpha * column.reach() * value);
     }

@@ -20,15 +20,15 @@
 namespace kusabi::limit::splitting {
 
 /// A load: displacements and numbers.
-using Load = std::vector<std::pair<int, double>>;
+using SparseLoad = std::vector<std::pair<int, double>>;
 
 struct AffineProgram {
   Eigen::SparseMatrix<double> equilibrium;  ///< A, n^d x (n^m + 1)
   Eigen::VectorXd capacity;                 ///< (q^t + q^c) / 2, n^m
   Eigen::VectorXd shift;                    ///< (q^t - q^c) / 2, n^m
   Eigen::VectorXd dead;                     ///< f_D - B shift, n^d
-  std::vector<Load> loads;                  ///< alpha t_j, m
-  std::vector<Load> columns;                ///< right-hand sides: `dead`, then the loads
+  std::vector<SparseLoad> loads;            ///< alpha t_j, m
+  std::vector<SparseLoad> columns;          ///< right-hand sides: `dead`, then the loads
 
   [[nodiscard]] int members() const { return static_cast<int>(capacity.size()); }
   /// Rows of the unknown: one for each member, and that of the factor.

@@ -8,16 +8,16 @@
 
 namespace kusabi::limit::splitting {
 
-using Sparse = Eigen::SparseMatrix<double>;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
-AffineProjection::AffineProjection(const Sparse& a, Eigen::VectorXd metric)
+AffineProjection::AffineProjection(const SparseMatrix& a, Eigen::VectorXd metric)
     : metric_(std::move(metric)) {
-  const Sparse gram = a * metric_.asDiagonal() * a.transpose();
-  const Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor(gram);
+  const SparseMatrix gram = a * metric_.asDiagonal() * a.transpose();
+  const Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor(gram);
   if (factor.info() != Eigen::Success) return;
   definite_ = true;
-  const Sparse lower = factor.matrixL();
-  const Sparse upper = lower.transpose();
+  const SparseMatrix lower = factor.matrixL();
+  const SparseMatrix upper = lower.transpose();
   by_column_ = triangle(lower);
   by_row_ = triangle(upper);
   for (int k = 0; k < lower.rows(); ++k) inverse_diagonal_.push_back(1 / lower.coeff(k, k));
@@ -25,7 +25,7 @@ AffineProjection::AffineProjection(const Sparse& a, Eigen::VectorXd metric)
   order_.assign(order.data(), order.data() + order.size());
   first_.push_back(0);
   for (int i = 0; i < a.cols(); ++i) {
-    for (Sparse::InnerIterator entry(a, i); entry; ++entry) {
+    for (SparseMatrix::InnerIterator entry(a, i); entry; ++entry) {
       place_.push_back(order_[static_cast<std::size_t>(entry.row())]);
       value_.push_back(entry.value());
       scaled_.push_back(entry.value() * metric_(i));
@@ -35,11 +35,11 @@ AffineProjection::AffineProjection(const Sparse& a, Eigen::VectorXd metric)
   solution_.resize(order_.size());
 }
 
-AffineProjection::Triangle AffineProjection::triangle(const Sparse& matrix) {
+AffineProjection::Triangle AffineProjection::triangle(const SparseMatrix& matrix) {
   Triangle triangle;
   triangle.first.push_back(0);
   for (int k = 0; k < matrix.outerSize(); ++k) {
-    for (Sparse::InnerIterator entry(matrix, k); entry; ++entry) {
+    for (SparseMatrix::InnerIterator entry(matrix, k); entry; ++entry) {
       if (entry.row() == entry.col()) continue;
       triangle.place.push_back(static_cast<int>(entry.row()));
       triangle.value.push_back(entry.value());
@@ -54,7 +54,7 @@ double AffineProjection::work() const {
                           10.0 * static_cast<double>(first_.size()));
 }
 
-void AffineProjection::begin(const std::vector<Load>& loads, int first_column) {
+void AffineProjection::begin(const std::vector<SparseLoad>& loads, int first_column) {
   std::ranges::fill(solution_, Segment{});
   const int end = std::min(static_cast<int>(loads.size()), first_column + block_columns);
   for (int j = first_column; j < end; ++j) {

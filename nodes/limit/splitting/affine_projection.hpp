@@ -27,7 +27,7 @@ class AffineProjection {
 
   /// Begins the next block with these right-hand sides.
   /// @param loads t, by column; columns beyond `loads` have none
-  void begin(const std::vector<Load>& loads, int first_column);
+  void begin(const std::vector<SparseLoad>& loads, int first_column);
   /// Sets row i of the point w.
   void take(int row, const Segment& w) {
     for (auto at = first_[static_cast<std::size_t>(row)];

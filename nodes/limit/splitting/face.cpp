@@ -29,7 +29,7 @@ Face face_of(const AffineProgram& program, double factor, const Eigen::VectorXd&
   face.critical = program.dead;
   face.columns.emplace_back();
   for (std::size_t j = 0; j < program.loads.size(); ++j) {
-    Load load = program.loads[j];
+    SparseLoad load = program.loads[j];
     double work = 0;
     double size = 0;
     for (auto& [degree, value] : load) {

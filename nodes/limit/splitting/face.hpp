@@ -20,12 +20,12 @@
 namespace kusabi::limit::splitting {
 
 struct Face {
-  double factor = 0;           ///< lambda*
-  std::vector<int> signs;      ///< s, m
-  std::vector<int> stretches;  ///< e, n^m
-  std::vector<bool> works;     ///< true if load j does work on u, m
-  std::vector<Load> columns;   ///< right-hand sides: none for column 0, then s_j alpha t_j
-  Eigen::VectorXd critical;    ///< the dead load with the critical one, n^d
+  double factor = 0;                ///< lambda*
+  std::vector<int> signs;           ///< s, m
+  std::vector<int> stretches;       ///< e, n^m
+  std::vector<bool> works;          ///< true if load j does work on u, m
+  std::vector<SparseLoad> columns;  ///< right-hand sides: none for column 0, then s_j alpha t_j
+  Eigen::VectorXd critical;         ///< the dead load with the critical one, n^d
 };
 
 /// @param motion u with f_R'u = 1, n^d @param signs of the critical load, m

@@ -15,7 +15,7 @@ constexpr double relaxation = 1.2;
 /// Shift of the diagonal, since members without elongation may not support all displacements.
 constexpr double shift = 1e-11;
 
-using Sparse = Eigen::SparseMatrix<double>;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ FaceIteration::FaceIteration(const AffineProgram& program, AffineProjection& pro
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < program.rows(); ++i) {
     const int stretch = i < program.members() ? face_.stretches[static_cast<std::size_t>(i)] : 0;
-    for (Sparse::InnerIterator entry(program.equilibrium, i); entry; ++entry) {
+    for (SparseMatrix::InnerIterator entry(program.equilibrium, i); entry; ++entry) {
       if (stretch == 0) {
         entries.emplace_back(static_cast<int>(entry.row()), i, entry.value());
       } else {
@@ -42,9 +42,9 @@ FaceIteration::FaceIteration(const AffineProgram& program, AffineProjection& pro
   }
   still_.resize(program.displacements(), program.rows());
   still_.setFromTriplets(entries.begin(), entries.end());
-  Sparse identity(program.displacements(), program.displacements());
+  SparseMatrix identity(program.displacements(), program.displacements());
   identity.setIdentity();
-  const Sparse gram = still_ * still_.transpose();
+  const SparseMatrix gram = still_ * still_.transpose();
   factor_.compute(gram + shift * identity);
   start_from(start);
 }

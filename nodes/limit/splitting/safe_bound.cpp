@@ -6,13 +6,13 @@
 
 namespace kusabi::limit::splitting {
 
-SafeBound::SafeBound(const problems::LimitModel& model, support::Stop stop)
+SafeStates::SafeStates(const problems::LimitModel& model, support::Stop stop)
     : model_(model),
       stop_(std::move(stop)),
       simplex_(problems::static_program(model, model.dead)) {}
 
-std::optional<SafeState> SafeBound::state(const std::vector<double>& taken,
-                                          const Eigen::VectorXd& room) {
+std::optional<SafeState> SafeStates::state(const std::vector<double>& taken,
+                                           const Eigen::VectorXd& room) {
   const int members = model_.member_count();
   for (int i = 0; i < members; ++i) {
     const double less = taken[static_cast<std::size_t>(i)] + room(i);
@@ -30,7 +30,7 @@ std::optional<SafeState> SafeBound::state(const std::vector<double>& taken,
   return state;
 }
 
-std::vector<int> SafeBound::members_in_the_way() {
+std::vector<int> SafeStates::members_in_the_way() {
   constexpr double share = 1e-2;
   const auto reason = simplex_.farkas();
   if (reason.empty()) return {};

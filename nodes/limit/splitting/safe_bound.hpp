@@ -21,10 +21,10 @@ struct SafeState {
   Eigen::VectorXd forces;  ///< q_0, n^m
 };
 
-class SafeBound {
+class SafeStates {
  public:
   /// @pre the model outlives this object
-  explicit SafeBound(const problems::LimitModel& model, support::Stop stop = {});
+  explicit SafeStates(const problems::LimitModel& model, support::Stop stop = {});
 
   void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 

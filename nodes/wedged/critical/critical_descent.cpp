@@ -24,11 +24,11 @@ constexpr double share_of_last = 0.6;
 /// Dives end when the undecided interval begins above this share of its upper bound.
 constexpr double near_enough = 0.9;
 
-class Descent {
+class CriticalDescent {
  public:
-  Descent(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-          const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
-          CriticalFindings& findings)
+  CriticalDescent(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                  const CriticalGrid& grid, Tightening tightening, NarrowingBracket& bracket,
+                  CriticalFindings& findings)
       : analysis_(analysis),
         problem_(problem),
         tightening_(tightening),
@@ -140,7 +140,7 @@ class Descent {
   const problems::WedgedProblem& problem_;
   Tightening tightening_;
   CriticalGrid grid_;
-  CriticalBracket& bracket_;
+  NarrowingBracket& bracket_;
   CriticalFindings& findings_;
   double known_infeasible_;         // as infeasible_, but on another grid
   double coarse_ = 0;               // width of the grid of a start
@@ -153,9 +153,9 @@ class Descent {
 }  // namespace
 
 void descend(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-             const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
+             const CriticalGrid& grid, Tightening tightening, NarrowingBracket& bracket,
              CriticalFindings& findings) {
-  Descent(analysis, problem, grid, tightening, bracket, findings).run();
+  CriticalDescent(analysis, problem, grid, tightening, bracket, findings).run();
 }
 
 }  // namespace kusabi::wedged

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -16,7 +16,7 @@ namespace kusabi::wedged {
 /// starts at increasing ones. Called on all ranks.
 /// @param findings receive costs, rank reports and the phase in which the run was stopped
 void descend(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-             const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
+             const CriticalGrid& grid, Tightening tightening, NarrowingBracket& bracket,
              CriticalFindings& findings);
 
 }  // namespace kusabi::wedged

@@ -77,20 +77,20 @@ SignPattern leaf_with(const support::IndexSet& contact, int candidates) {
 // F_nt,ii.
 std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block) {
   std::vector<SingleContact> singles;
-  if (block.motions.cols() > 0) return singles;
+  if (block.modes.matrix.cols() > 0) return singles;
   const Eigen::Index d = block.dimension;
   const auto m = static_cast<Eigen::Index>(block.contact_names.size());
   for (Eigen::Index i = 0; i < m; ++i) {
-    const Eigen::VectorXd coupling = block.compliance.row(d * i).segment(d * i + 1, d - 1);
+    const Eigen::VectorXd coupling = block.compliance.matrix.row(d * i).segment(d * i + 1, d - 1);
     const double size = coupling.norm();
     const double own = block.friction.empty() ? 1 : block.friction[static_cast<std::size_t>(i)];
     if (!(size > 0) || !(own > 0)) continue;
-    const double normal = block.compliance(d * i, d * i);
+    const double normal = block.compliance.matrix(d * i, d * i);
     Eigen::VectorXd reaction(d);
     reaction << 1, -normal / (size * size) * coupling;
     bool separates = true;
     for (Eigen::Index j = 0; j < m && separates; ++j)
-      separates = j == i || block.compliance.row(d * j).segment(d * i, d).dot(reaction) > 0;
+      separates = j == i || block.compliance.matrix.row(d * j).segment(d * i, d).dot(reaction) > 0;
     if (separates) singles.push_back({normal / size / own, static_cast<int>(i)});
   }
   std::ranges::sort(singles, [](const auto& a, const auto& b) {
@@ -100,7 +100,7 @@ std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block)
 }
 
 std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                            const CriticalGrid& grid, CriticalBracket& bracket) {
+                            const CriticalGrid& grid, NarrowingBracket& bracket) {
   const auto blocks = problems::blocks_of(problem);
   std::uint64_t programs = 0;
   double infeasible = grid.most;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -18,7 +18,7 @@ inline constexpr int fewest_to_start = 24;
 /// ranks.
 /// @return programs solved
 std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                            const CriticalGrid& grid, CriticalBracket& bracket);
+                            const CriticalGrid& grid, NarrowingBracket& bracket);
 
 /// Leaf with a single candidate i in contact. If all others separate, its critical coefficient has
 /// the closed form mu_i = F_nn,ii / |F_nt,ii|; `factor` is this in units of the candidate's own

@@ -14,7 +14,7 @@ std::int64_t multiples(double most, double width) {
 
 // If the tree is infeasible up to the upper bound of the known leaf, the lower bound is the grid
 // point before it. The bound of a stopped search lies between two points.
-void Smallest::narrow(CriticalBracket& bracket, double width) const {
+void Smallest::narrow(NarrowingBracket& bracket, double width) const {
   if (std::isfinite(upper)) bracket.sink(upper, leaf);
   const FrictionGrid grid(width);
   double known = lower;

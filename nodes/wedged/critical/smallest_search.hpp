@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_dive.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/critical/critical_tree.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -34,7 +34,7 @@ struct Smallest {
   }
 
   /// @param width of the grid of the bracket
-  void narrow(CriticalBracket& bracket, double width) const;
+  void narrow(NarrowingBracket& bracket, double width) const;
 };
 
 std::int64_t multiples(double most, double width);

@@ -53,11 +53,12 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
       solver_(problem, own_, tolerances, precision) {
   if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
   const auto m = static_cast<Eigen::Index>(own_.size());
-  normal_compliance_.resize(m + problem.motions.cols(), problem.compliance.cols());
+  normal_compliance_.resize(m + problem.modes.matrix.cols(), problem.compliance.matrix.cols());
   for (Eigen::Index i = 0; i < m; ++i)
-    normal_compliance_.row(i) = problem.compliance.row(problem.dimension * i) / solver_.unit();
-  if (problem.motions.cols() > 0) {
-    normal_compliance_.bottomRows(problem.motions.cols()) = problem.motions.transpose();
+    normal_compliance_.row(i) =
+        problem.compliance.matrix.row(problem.dimension * i) / solver_.unit();
+  if (problem.modes.matrix.cols() > 0) {
+    normal_compliance_.bottomRows(problem.modes.matrix.cols()) = problem.modes.matrix.transpose();
     loose_ = problem;
   }
   largest_ = normal_compliance_.cwiseAbs().maxCoeff();

@@ -67,7 +67,7 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
 /// True if the candidates of U resist every rigid-body mode.
 bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet& contact,
                  double mu) {
-  const Eigen::Index p = problem.motions.cols();
+  const Eigen::Index p = problem.modes.matrix.cols();
   const Eigen::Index d = problem.dimension;
   std::vector<Eigen::Index> rows;
   for (const int i : contact) {
@@ -75,7 +75,7 @@ bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet
     for (Eigen::Index axis = 0; axis < (rough ? d : 1); ++axis) rows.push_back(d * i + axis);
   }
   if (static_cast<Eigen::Index>(rows.size()) < p) return false;
-  const Eigen::MatrixXd part = problem.motions(rows, Eigen::all);
+  const Eigen::MatrixXd part = problem.modes.matrix(rows, Eigen::all);
   const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
   return values[p - 1] > not_resisted * values[0];
 }
@@ -124,18 +124,19 @@ double BlockHold::factor_scale() const {
 // Bisection. Undecided points divide the interval; both sides then approach them separately.
 BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
                                   const std::function<HoldSign(double)>& sign) const {
-  auto [alive, dead, endless] = ends;
-  double open_alive = dead, open_dead = alive;  // nearest undecided points
+  auto [feasible, infeasible, endless] = ends;
+  double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
   const auto narrow = [&](double from, double to) {
     return std::abs(to - from) <=
            std::max(question_.width * std::max(std::abs(from), std::abs(to)), floor);
   };
   bool met_open = false;
   for (int step = 0; step < most_halvings; ++step) {
-    const bool toward_dead = met_open && step % 2 != 0;
-    const double from = !met_open ? alive : toward_dead ? open_dead : alive;
-    const double to = !met_open ? dead : toward_dead ? dead : open_alive;
-    if (narrow(alive, dead) || (met_open && narrow(alive, open_alive) && narrow(open_dead, dead)))
+    const bool toward_infeasible = met_open && step % 2 != 0;
+    const double from = !met_open ? feasible : toward_infeasible ? open_infeasible : feasible;
+    const double to = !met_open ? infeasible : toward_infeasible ? infeasible : open_feasible;
+    if (narrow(feasible, infeasible) ||
+        (met_open && narrow(feasible, open_feasible) && narrow(open_infeasible, infeasible)))
       break;
     const double middle = from + (to - from) / 2;
     if (middle == from || middle == to) {
@@ -144,18 +145,18 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
     }
     switch (sign(middle)) {
       case HoldSign::feasible:
-        alive = middle;
+        feasible = middle;
         break;
       case HoldSign::infeasible:
-        dead = middle;
+        infeasible = middle;
         break;
       default:
-        if (!met_open) open_alive = open_dead = middle;
-        (toward_dead ? open_dead : open_alive) = middle;
+        if (!met_open) open_feasible = open_infeasible = middle;
+        (toward_infeasible ? open_infeasible : open_feasible) = middle;
         met_open = true;
     }
   }
-  return {alive, dead, endless};
+  return {feasible, infeasible, endless};
 }
 
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
@@ -167,19 +168,19 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
   if (at(pattern, reference, mu, Standard::computed) == HoldSign::feasible)
     return {endless, endless, true};
   const double scale = factor_scale();
-  double alive = from;
+  double feasible = from;
   double step = std::max(std::abs(from), scale);
-  double dead = endless;
+  double infeasible = endless;
   for (int doubling = 0; doubling < most_doublings; ++doubling, step *= 2) {
     const double next = from + direction * step;
     const HoldSign sign = at(pattern, {1, next}, mu, standard);
-    if (sign == HoldSign::feasible) alive = next;
+    if (sign == HoldSign::feasible) feasible = next;
     if (sign != HoldSign::infeasible) continue;
-    dead = next;
+    infeasible = next;
     break;
   }
-  if (std::isinf(dead)) return {alive, dead};
-  return bisect({alive, dead}, least_factor_share * scale, [&](double factor) {
+  if (std::isinf(infeasible)) return {feasible, infeasible};
+  return bisect({feasible, infeasible}, least_factor_share * scale, [&](double factor) {
     return at(pattern, {1, factor}, mu, standard);
   });
 }
@@ -201,16 +202,16 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     const LoadShare share{0, static_cast<double>(direction)};
     const auto outcome =
         search(std::array{share}, mu, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end);
-    if (outcome.dead()) dead_ranges_.push_back({share});
+    if (outcome.is_infeasible()) dead_ranges_.push_back({share});
     for (const auto& leaf : outcome.leaf)
       pieces_.push_back({leaf.pattern, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end, 0});
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
     const bool held = !outcome.leaf.empty() || at_limit;
     if (at_limit) all.proved = false;
-    if (!held && !outcome.dead()) found.proved = false;
+    if (!held && !outcome.is_infeasible()) found.proved = false;
     if (!held && outcome.tally.undecided != 0) found.open = true;
-    (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.dead();
+    (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.is_infeasible();
     if (!held) continue;
     (direction < 0 ? all.low : all.high) = direction * no_end;
     (direction < 0 ? all.low_out : all.high_out) = direction * no_end;
@@ -231,13 +232,13 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
                 at(leaf.pattern, {1, from}, mu, standard) == HoldSign::feasible;
   const Ends up = extend(leaf.pattern, from, 1, mu, standard);
   const Ends down = extend(leaf.pattern, from, -1, mu, standard);
-  held.high = up.alive;
-  held.high_out = up.dead;
-  held.low = down.alive;
-  held.low_out = down.dead;
+  held.high = up.feasible;
+  held.high_out = up.infeasible;
+  held.low = down.feasible;
+  held.low_out = down.infeasible;
   held.proved = held.proved && !up.endless_by_limit && !down.endless_by_limit;
-  held.high_proved = std::isinf(up.alive) || std::isfinite(up.dead);
-  held.low_proved = std::isinf(down.alive) || std::isfinite(down.dead);
+  held.high_proved = std::isinf(up.feasible) || std::isfinite(up.infeasible);
+  held.low_proved = std::isinf(down.feasible) || std::isfinite(down.infeasible);
   found.open = found.open || !held.high_proved || !held.low_proved;
   std::vector<Gap> left;
   for (const Gap& each : unknown) {
@@ -277,8 +278,8 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
       continue;
     }
     unknown.pop_back();
-    gaps.push_back({low, high, outcome.dead()});
-    if (outcome.dead()) dead_ranges_.push_back(shares);
+    gaps.push_back({low, high, outcome.is_infeasible()});
+    if (outcome.is_infeasible()) dead_ranges_.push_back(shares);
     if (outcome.tally.undecided != 0) found.open = true;
   }
 }
@@ -340,7 +341,7 @@ HeldFactors BlockHold::dead_alone(double mu) {
   found.status = outcome.status;
   const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
   if (outcome.leaf.empty() && !at_limit) {
-    found.proved = outcome.dead();
+    found.proved = outcome.is_infeasible();
     found.open = outcome.tally.undecided != 0;
     if (found.proved) dead_ranges_.push_back({LoadShare{1, 0}});
     return found;
@@ -375,10 +376,10 @@ void BlockHold::record(const support::IndexSet& candidates, std::uint32_t number
 
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
 // another leaf has a state there, which is then the upper bound of the answer.
-bool BlockHold::prove_lower(HoldingFriction& found, double most_dead) {
+bool BlockHold::prove_lower(HoldingFriction& found, double most_infeasible) {
   const std::array share{LoadShare{1, 0}};
   for (const double step : steps_below) {
-    const double mu = most_dead * (1 - step);
+    const double mu = most_infeasible * (1 - step);
     const auto outcome = search(share, mu, 0, 0);
     if (outcome.status != engine::Status::solved) {
       found.status = outcome.status;
@@ -391,7 +392,7 @@ bool BlockHold::prove_lower(HoldingFriction& found, double most_dead) {
     }
     found.lower = mu;
     found.lower_known = true;
-    found.lower_proved = outcome.dead();
+    found.lower_proved = outcome.is_infeasible();
     if (found.lower_proved) return true;
   }
   return true;
@@ -414,7 +415,7 @@ void BlockHold::narrow(HoldingFriction& found) {
     }
     found.lower = mu;
     found.lower_known = true;
-    found.lower_proved = outcome.dead();
+    found.lower_proved = outcome.is_infeasible();
   }
 }
 
@@ -439,7 +440,7 @@ HoldingFriction BlockHold::friction() {
     return found;
   }
   found.lower_known = true;
-  found.lower_proved = smooth.dead();
+  found.lower_proved = smooth.is_infeasible();
   for (double mu = std::min(1.0, found.most); most > 0; mu = std::min(10 * mu, found.most)) {
     const auto outcome = search(share, mu, 0, 0);
     found.status = outcome.status;
@@ -450,7 +451,7 @@ HoldingFriction BlockHold::friction() {
       break;
     }
     found.lower = mu;
-    found.lower_proved = outcome.dead();
+    found.lower_proved = outcome.is_infeasible();
     if (mu >= found.most) return found;
   }
   while (found.upper && *found.upper > least) {
@@ -466,8 +467,8 @@ HoldingFriction BlockHold::friction() {
       break;
     }
     const Ends ends = bisect({*found.upper, start}, 0, sign);
-    found.upper = ends.alive;
-    if (ends.dead <= found.lower || prove_lower(found, ends.dead)) break;
+    found.upper = ends.feasible;
+    if (ends.infeasible <= found.lower || prove_lower(found, ends.infeasible)) break;
   }
   if (found.status == engine::Status::solved) narrow(found);
   return found;

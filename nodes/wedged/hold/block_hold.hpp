@@ -41,10 +41,10 @@ class BlockHold {
                                                double factor, double mu) const;
 
  private:
-  /// Bracket of the point on a line at which a monotone answer changes: feasible at `alive`,
-  /// infeasible at `dead`.
+  /// Bracket of the point on a line at which a monotone answer changes: from `feasible`, where it
+  /// is feasible, to `infeasible`.
   struct Ends {
-    double alive, dead;
+    double feasible, infeasible;
     bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
   };
   struct Gap {
@@ -72,7 +72,7 @@ class BlockHold {
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu);
   void narrow(HoldingFriction& found);
-  bool prove_lower(HoldingFriction& found, double most_dead);
+  bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
 
   engine::Analysis& analysis_;

@@ -119,7 +119,7 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
         again = true;
         break;
       }
-      end.out_proved = outcome.dead();
+      end.out_proved = outcome.is_infeasible();
       if (end.out_proved) {
         end.out = out;
         return end;
@@ -169,14 +169,14 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     const auto wedged = grip.wedged();
     own.most.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
     own.most.held_proved = !own.most.unbounded || !wedged.leaf.empty();
-    own.most.out_proved = own.most.unbounded || wedged.dead();
+    own.most.out_proved = own.most.unbounded || wedged.is_infeasible();
     if (is_under_dead(block)) {
       const auto first = grip.first();
       found.status = grip.status();
       if (found.status != engine::Status::solved) break;
       if (first.leaf.empty()) {
         found.held = false;
-        found.held_proved = first.dead();
+        found.held_proved = first.is_infeasible();
         break;
       }
       own.least = grip.end(Kind::below, first.leaf.front());

@@ -47,7 +47,7 @@ void record_tree(engine::Analysis& analysis, const RecordedBlock& block,
   record.begin_tree(block.number, shares, grip);
   engine::Options options;
   options.goal = engine::Goal::first;
-  record.end_tree(on_all_ranks(analysis, analysis.search_anew(tree, options)).dead());
+  record.end_tree(on_all_ranks(analysis, analysis.search_anew(tree, options)).is_infeasible());
 }
 
 void record_state(engine::Analysis& analysis, const RecordedBlock& block,

@@ -25,7 +25,7 @@ struct HoldOutcome {
   std::uint64_t opened = 0;
 
   /// True if there is no state below the root, proved.
-  [[nodiscard]] bool dead() const {
+  [[nodiscard]] bool is_infeasible() const {
     return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
            tally.undecided == 0 && tally.limits.empty();
   }

@@ -117,7 +117,7 @@ int loaded_blocks(const LoadedProblem& loaded) {
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldQuestion& question, HoldRecord* record) {
   HeldFactors found;
-  found.any_by_supports = loaded.problem.motions.cols() == 0;
+  found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (loaded.has_reference && unseen_work(loaded, {0, 1}) > negligible_work)
     return at_one_factor(analysis, loaded, mu, question);
   if (unseen_work(loaded, {1, 0}) > negligible_work) {
@@ -132,7 +132,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
   const auto blocks = problems::blocks_of(loaded.problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    if (block.problem.motions.cols() == 0) continue;
+    if (block.problem.modes.matrix.cols() == 0) continue;
     const bool reference = is_under_reference(block);
     if (!reference && !is_under_dead(block)) continue;
     BlockHold hold(analysis, block, question, found.costs);
@@ -189,7 +189,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   HoldingFriction found;
   found.upper = 0;
   found.most = question.most;
-  found.any_by_supports = loaded.problem.motions.cols() == 0;
+  found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (unseen_work(loaded, {1, 0}) > negligible_work) {
     found.not_in_equilibrium = true;
     found.upper.reset();
@@ -202,7 +202,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   std::uint32_t lower_block = 0;
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    if (block.problem.motions.cols() == 0 || !is_under_dead(block)) continue;
+    if (block.problem.modes.matrix.cols() == 0 || !is_under_dead(block)) continue;
     auto costs = std::move(found.costs);
     BlockHold hold(analysis, block, question, costs);
     auto own = hold.friction();

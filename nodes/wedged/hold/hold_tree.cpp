@@ -77,7 +77,7 @@ HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
 std::vector<double> HoldNodes::infeasible_numbers() const {
   const Eigen::Index m = all_.size();
   const Eigen::Index modes = mean_motion_.count();
-  const Eigen::Index motions = problem_.motions.cols();
+  const Eigen::Index motions = problem_.modes.matrix.cols();
   Eigen::VectorXd own(m + modes);
   own.head(m) = multipliers_.head(m);
   own.tail(modes) = multipliers_.tail(motions).head(modes);

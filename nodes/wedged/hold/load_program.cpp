@@ -60,8 +60,8 @@ double root_of(const LoadedProblem& loaded, LoadShare share) {
   double gap = 0;
   for (Eigen::Index i = 0; i < loaded.clearance.size(); ++i) {
     const Eigen::Index normal = loaded.problem.dimension * i;
-    gap = std::max(
-        gap, std::abs(loaded.clearance[i]) / std::sqrt(loaded.problem.compliance(normal, normal)));
+    gap = std::max(gap, std::abs(loaded.clearance[i]) /
+                            std::sqrt(loaded.problem.compliance.matrix(normal, normal)));
   }
   return (root + std::abs(share.dead) * gap) * (1 + 1e-12);
 }
@@ -76,20 +76,22 @@ bool is_under_dead(const LoadedProblem& block) {
   return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
 }
 
-LoadedProblem loaded_problem(const problems::Structure& structure, const support::LongWork& work) {
+LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
+                             const support::LongWork& work) {
   LoadedProblem loaded;
   const Eigen::MatrixXd both = node_forces(structure);
   std::vector<Eigen::Index> columns;
   for (Eigen::Index k = 0; k < both.cols(); ++k) {
-    if (both.col(k).isZero(0) || problems::acts_on_supports_only(structure, both.col(k))) continue;
+    if (both.col(k).isZero(0) || problems::acts_on_supports_only(structure.degrees(), both.col(k)))
+      continue;
     (k == 0 ? loaded.has_dead : loaded.has_reference) = true;
     columns.push_back(k);
   }
   const Eigen::MatrixXd forces = both(Eigen::all, columns);
   loaded.problem = problems::wedged_problem(structure, forces, loaded.loads, work);
-  loaded.clearance.resize(static_cast<Eigen::Index>(structure.contact.size()));
-  for (std::size_t i = 0; i < structure.contact.size(); ++i)
-    loaded.clearance[static_cast<Eigen::Index>(i)] = structure.contact[i].clearance;
+  loaded.clearance.resize(static_cast<Eigen::Index>(structure->contact.size()));
+  for (std::size_t i = 0; i < structure->contact.size(); ++i)
+    loaded.clearance[static_cast<Eigen::Index>(i)] = structure->contact[i].clearance;
   if (loaded.loads.motions.rows() != count(loaded))  // constrained bodies
     loaded.loads.motions = PreciseMatrix(count(loaded), 0);
   return loaded;
@@ -107,8 +109,8 @@ LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& 
   }
   part.clearance = whole.clearance(normals);
   std::vector<Eigen::Index> moving;  // as block_problem selects them
-  for (Eigen::Index k = 0; k < whole.problem.motions.cols(); ++k)
-    if (!whole.problem.motions(rows, k).isZero(0.0)) moving.push_back(k);
+  for (Eigen::Index k = 0; k < whole.problem.modes.matrix.cols(); ++k)
+    if (!whole.problem.modes.matrix(rows, k).isZero(0.0)) moving.push_back(k);
   part.loads.motions = whole.loads.motions(Eigen::all, moving);
   if (count(whole) > 0) part.loads.displacements = whole.loads.displacements(rows, Eigen::all);
   return part;
@@ -134,17 +136,18 @@ problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const 
   problems::WedgedProblem result = loaded.problem;
   if (shares.empty()) return result;
   const Eigen::Index d = result.dimension;
-  const Eigen::Index own = result.compliance.rows();
+  const Eigen::Index own = result.compliance.matrix.rows();
   const Eigen::Index all = own + d * static_cast<Eigen::Index>(shares.size());
   const double mean = mean_of(loaded.problem);
   PreciseMatrix compliance = PreciseMatrix::Zero(all, all);
-  compliance.topLeftCorner(own, own) = result.precise_compliance.size() != 0
-                                           ? result.precise_compliance
-                                           : PreciseMatrix(result.compliance.cast<Precise>());
-  PreciseMatrix motions = PreciseMatrix::Zero(all, result.motions.cols());
-  motions.topRows(own) = result.precise_motions.size() != 0
-                             ? result.precise_motions
-                             : PreciseMatrix(result.motions.cast<Precise>());
+  compliance.topLeftCorner(own, own) =
+      result.compliance.precise.size() != 0
+          ? result.compliance.precise
+          : PreciseMatrix(result.compliance.matrix.cast<Precise>());
+  PreciseMatrix motions = PreciseMatrix::Zero(all, result.modes.matrix.cols());
+  motions.topRows(own) = result.modes.precise.size() != 0
+                             ? result.modes.precise
+                             : PreciseMatrix(result.modes.matrix.cast<Precise>());
   double relative = 1;
   Eigen::Index column = own;
   for (const LoadShare& share : shares) {
@@ -168,17 +171,17 @@ problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const 
     result.contact_names.emplace_back("load");
     result.friction.push_back(0);
   }
-  result.compliance = compliance.cast<double>();
-  result.motions = motions.cast<double>();
-  result.precise_error += share_roundings * numbers::unit_roundoff<Precise>;
-  result.compliance_error += share_roundings * numbers::unit_roundoff<double>;
-  result.precise_compliance = std::move(compliance);
+  result.compliance.matrix = compliance.cast<double>();
+  result.modes.matrix = motions.cast<double>();
+  result.compliance.precise_error += share_roundings * numbers::unit_roundoff<Precise>;
+  result.compliance.error += share_roundings * numbers::unit_roundoff<double>;
+  result.compliance.precise = std::move(compliance);
   if (motions.cols() > 0) {
-    result.precise_motion_error = relative * (result.precise_motion_error +
-                                              share_roundings * numbers::unit_roundoff<Precise>);
-    result.motion_error =
-        relative * (result.motion_error + share_roundings * numbers::unit_roundoff<double>);
-    result.precise_motions = std::move(motions);
+    result.modes.precise_error =
+        relative * (result.modes.precise_error + share_roundings * numbers::unit_roundoff<Precise>);
+    result.modes.error =
+        relative * (result.modes.error + share_roundings * numbers::unit_roundoff<double>);
+    result.modes.precise = std::move(motions);
   }
   result.blocks = {};
   return result;
@@ -198,11 +201,10 @@ problems::WedgedProblem with_grip(const LoadedProblem& loaded, std::span<const L
   const Eigen::Index d = result.dimension;
   const Eigen::Index own = d * loaded.clearance.size();
   const bool slack = grip.kind != GripRestriction::Kind::equal;
-  const Eigen::Index all = result.compliance.rows() + (slack ? d : 0);
-  const Eigen::Index modes = result.motions.cols();
+  const Eigen::Index all = result.compliance.matrix.rows() + (slack ? d : 0);
+  const Eigen::Index modes = result.modes.matrix.cols();
   PreciseMatrix motions = PreciseMatrix::Zero(all, modes + 1);
-  if (modes > 0)
-    motions.topLeftCorner(result.precise_motions.rows(), modes) = result.precise_motions;
+  if (modes > 0) motions.topLeftCorner(result.modes.precise.rows(), modes) = result.modes.precise;
   const Precise scale(grip_scale(loaded, shares, grip));
   for (Eigen::Index normal = 0; normal < own; normal += d)
     motions(normal, modes) = Precise(1) / scale;
@@ -215,18 +217,18 @@ problems::WedgedProblem with_grip(const LoadedProblem& loaded, std::span<const L
   if (slack) {
     motions(row, modes) = Precise(grip.kind == GripRestriction::Kind::above ? -1 : 1);
     PreciseMatrix compliance = PreciseMatrix::Zero(all, all);
-    compliance.topLeftCorner(row, row) = result.precise_compliance;
+    compliance.topLeftCorner(row, row) = result.compliance.precise;
     for (Eigen::Index axis = 0; axis < d; ++axis)
       compliance(row + axis, row + axis) = Precise(mean_of(loaded.problem));
-    result.compliance = compliance.cast<double>();
-    result.precise_compliance = std::move(compliance);
+    result.compliance.matrix = compliance.cast<double>();
+    result.compliance.precise = std::move(compliance);
     result.contact_names.emplace_back("sum");
     result.friction.push_back(0);
   }
-  result.motions = motions.cast<double>();
-  result.precise_motions = std::move(motions);
-  result.motion_error += share_roundings * numbers::unit_roundoff<double>;
-  result.precise_motion_error += share_roundings * numbers::unit_roundoff<Precise>;
+  result.modes.matrix = motions.cast<double>();
+  result.modes.precise = std::move(motions);
+  result.modes.error += share_roundings * numbers::unit_roundoff<double>;
+  result.modes.precise_error += share_roundings * numbers::unit_roundoff<Precise>;
   return result;
 }
 

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/index_set.hpp"
 
@@ -47,7 +48,7 @@ struct LoadedProblem {
 /// The dead and the reference load of a structure without load cases, and its clearances,
 /// condensed.
 /// @throws as problems::wedged_problem
-LoadedProblem loaded_problem(const problems::Structure& structure,
+LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
                              const support::LongWork& work = {});
 
 /// The part of a decoupled block. @param candidates of the block

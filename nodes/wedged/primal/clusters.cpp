@@ -14,13 +14,13 @@ namespace {
 // 1 - the correlation of two normal displacements under uncorrelated reactions.
 double distance(const problems::WedgedProblem& block, Eigen::Index i, Eigen::Index j) {
   const Eigen::Index d = block.dimension;
-  const auto& f = block.compliance;
+  const auto& f = block.compliance.matrix;
   return 1 - f(d * i, d * j) / std::sqrt(f(d * i, d * i) * f(d * j, d * j));
 }
 
 Eigen::Index stiffest(const problems::WedgedProblem& block) {
   Eigen::Index row = 0;
-  block.compliance.diagonal()(Eigen::seq(0, Eigen::last, block.dimension)).minCoeff(&row);
+  block.compliance.matrix.diagonal()(Eigen::seq(0, Eigen::last, block.dimension)).minCoeff(&row);
   return row;
 }
 
@@ -66,10 +66,11 @@ Clusters clusters_of(const problems::WedgedProblem& block, int count) {
   }
   auto& problem = result.problem;
   problem.dimension = block.dimension;
-  problem.compliance = share.transpose() * block.compliance * share;
-  problem.compliance = ((problem.compliance + problem.compliance.transpose()) / 2).eval();
-  problem.motions = share.transpose() * block.motions;
-  problem.motion_error = block.motion_error;
+  problem.compliance.matrix = share.transpose() * block.compliance.matrix * share;
+  problem.compliance.matrix =
+      ((problem.compliance.matrix + problem.compliance.matrix.transpose()) / 2).eval();
+  problem.modes.matrix = share.transpose() * block.modes.matrix;
+  problem.modes.error = block.modes.error;
   problem.friction.assign(friction.begin(), friction.end());
   for (int cluster = 0; cluster < count; ++cluster)
     problem.contact_names.push_back(std::to_string(cluster));

@@ -23,8 +23,8 @@ constexpr double least_row = 1e-3;
 
 template <int D>
 conic::WeightedRelaxation<D> relaxation(const problems::WedgedProblem& block, double unit) {
-  return {block.compliance / unit,
-          conic::ordered_motions<D, double>(block.motions, block.motion_error)};
+  return {block.compliance.matrix / unit,
+          conic::ordered_motions<D, double>(block.modes.matrix, block.modes.error)};
 }
 
 }  // namespace
@@ -41,12 +41,12 @@ Linearisation::Linearisation(const problems::WedgedProblem& block)
   const Eigen::Index d = block.dimension;
   const auto m = static_cast<Eigen::Index>(own_friction_.size());
   const double unit = problems::mean_normal_compliance(block);
-  const bool unconstrained = block.motions.cols() > 0;
+  const bool unconstrained = block.modes.matrix.cols() > 0;
   normal_.resize(m);
   tangential_.resize(m);
   row_sums_.setZero(m);
   for (Eigen::Index i = 0; i < m; ++i) {
-    const auto row = block.compliance.row(d * i);
+    const auto row = block.compliance.matrix.row(d * i);
     normal_[i] = row[d * i] / unit;
     tangential_[i] = row.segment(d * i + 1, d - 1).norm() / unit;
     for (Eigen::Index k = 0; k < m; ++k)

@@ -46,7 +46,7 @@ ModeStarts::ModeStarts(const problems::WedgedProblem& block) {
   const auto m = static_cast<Eigen::Index>(block.contact_names.size());
   Eigen::MatrixXd normal(m, m);
   for (Eigen::Index j = 0; j < m; ++j)
-    for (Eigen::Index i = 0; i < m; ++i) normal(i, j) = block.compliance(d * i, d * j);
+    for (Eigen::Index i = 0; i < m; ++i) normal(i, j) = block.compliance.matrix(d * i, d * j);
   const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   normal = scale.asDiagonal() * normal * scale.asDiagonal();
   const Eigen::Index count = std::min(m, most_modes);

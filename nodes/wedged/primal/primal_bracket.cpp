@@ -45,7 +45,7 @@ LeafPoint begin_of(engine::Analysis& analysis, const problems::WedgedProblem& bl
 
 std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                            std::uint32_t number, const CriticalGrid& grid,
-                           CriticalBracket& bracket) {
+                           NarrowingBracket& bracket) {
   const auto block = problems::block_problem(problem, problems::blocks_of(problem)[number]);
   const int m = static_cast<int>(block.contact_names.size());
   const FrictionGrid points(grid.width);
@@ -74,7 +74,7 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
 }  // namespace
 
 std::uint64_t sink_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, CriticalBracket& bracket) {
+                               const CriticalGrid& grid, NarrowingBracket& bracket) {
   std::uint64_t programs = 0;
   const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem).size());
   for (std::uint32_t number = 0; number < blocks; ++number)

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -14,6 +14,6 @@ namespace kusabi::wedged {
 /// cell of the grid in which the best pattern becomes feasible. On all ranks.
 /// @return number of cone programs solved
 std::uint64_t sink_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, CriticalBracket& bracket);
+                               const CriticalGrid& grid, NarrowingBracket& bracket);
 
 }  // namespace kusabi::wedged

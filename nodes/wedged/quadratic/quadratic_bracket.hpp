@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "nodes/wedged/quadratic/quadratic_optimiser.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -25,6 +25,6 @@ struct QuadraticForms {
 /// Forms of all blocks at the least of their coefficients; none if that is not above the lower
 /// bound of the bracket, or if a block has unconstrained bodies. On all ranks.
 QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, const CriticalBracket& bracket);
+                               const CriticalGrid& grid, const NarrowingBracket& bracket);
 
 }  // namespace kusabi::wedged

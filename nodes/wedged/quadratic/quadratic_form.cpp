@@ -33,7 +33,8 @@ Eigen::MatrixXd normal_rows(const problems::WedgedProblem& block) {
   Eigen::MatrixXd rows(m, d * m);
   for (Eigen::Index k = 0; k < d; ++k)
     for (Eigen::Index j = 0; j < m; ++j)
-      for (Eigen::Index i = 0; i < m; ++i) rows(i, k * m + j) = block.compliance(d * i, d * j + k);
+      for (Eigen::Index i = 0; i < m; ++i)
+        rows(i, k * m + j) = block.compliance.matrix(d * i, d * j + k);
   return rows;
 }
 

@@ -203,7 +203,7 @@ void Optimiser::round(double weight) {
 QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
                                const QuadraticQuestion& question) {
   QuadraticBound bound;
-  if (block.motions.cols() > 0) return bound;
+  if (block.modes.matrix.cols() > 0) return bound;
   QuadraticForm form(block);
   Optimiser optimiser(form, question.stop);
   optimiser.start();

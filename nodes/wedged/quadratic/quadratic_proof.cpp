@@ -64,11 +64,11 @@ RoundedForm rounded_form(const problems::WedgedProblem& block, std::span<const d
   // Error of F: P'(F* - F) acts on r_n and r_t, and |r_t| <= mu |r_n|.
   double normal = 0;
   double trace = 0;
-  for (Eigen::Index i = 0; i < block.compliance.rows(); ++i) {
-    trace += block.compliance(i, i);
-    if (i % block.dimension == 0) normal += block.compliance(i, i);
+  for (Eigen::Index i = 0; i < block.compliance.matrix.rows(); ++i) {
+    trace += block.compliance.matrix(i, i);
+    if (i % block.dimension == 0) normal += block.compliance.matrix(i, i);
   }
-  const double compliance_error = 2 * block.compliance_error * std::sqrt(normal * trace);
+  const double compliance_error = 2 * block.compliance.error * std::sqrt(normal * trace);
   const double of_compliance = compliance_error * size * (1 + mu.maxCoeff());
   const double of_terms = off * (size * rows.norm() + sizes.norm() + form.norm());
   return {(form + form.transpose()) / 2,
@@ -80,7 +80,8 @@ RoundedForm rounded_form(const problems::WedgedProblem& block, std::span<const d
 
 bool quadratic_is_infeasible(const problems::WedgedProblem& block, std::span<const double> friction,
                              const QuadraticMultipliers& multipliers) {
-  if (block.motions.cols() > 0 || !multipliers.is_known() || !allowed(multipliers)) return false;
+  if (block.modes.matrix.cols() > 0 || !multipliers.is_known() || !allowed(multipliers))
+    return false;
   auto [matrix, error] = rounded_form(block, friction, multipliers);
   if (!matrix.allFinite() || !std::isfinite(error)) return false;
   // If the factor exists, no eigenvalue is below -gamma |L|_F^2; |L|_F^2 is the trace up to gamma.

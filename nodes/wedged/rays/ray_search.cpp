@@ -162,13 +162,13 @@ bool limited(const engine::Limits& limits) {
 rays::ReactionCone reaction_cone(const problems::WedgedProblem& problem,
                                  std::span<const double> friction) {
   return {problems::precise_compliance(problem), friction,
-          problem.precise_motions.cast<long double>()};
+          problem.modes.precise.cast<long double>()};
 }
 
 RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method) {
-  if (cone.equations() != problem.motions.cols())
+  if (cone.equations() != problem.modes.matrix.cols())
     throw std::invalid_argument("the cone of reactions is not that of the unconstrained bodies");
   const bool by_pattern = method == RayMethod::tree;
   auto found = by_pattern ? searched(analysis, RayTree(whole_tree(problem, friction), cone))

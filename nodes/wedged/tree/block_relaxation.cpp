@@ -16,8 +16,9 @@ BlockRelaxation::BlockRelaxation(const problems::WedgedProblem& problem,
       solver(problem, friction, options.tolerances, options.precision),
       mean_motion(problem) {
   if (options.facets != 0)
-    outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
-                  problem.compliance_error, problem.motions, problem.motion_error);
+    outer.emplace(problem.compliance.matrix / solver.unit(), friction, options.facets,
+                  options.tolerances, problem.compliance.error, problem.modes.matrix,
+                  problem.modes.error);
 }
 
 SignPattern BlockRelaxation::in_whole(const SignPattern& own) const {

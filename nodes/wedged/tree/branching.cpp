@@ -15,7 +15,7 @@ std::vector<double> weights(const problems::WedgedProblem& problem,
   const Eigen::Index d = problem.dimension;
   for (std::size_t i = 0; i < friction.size(); ++i) {
     const Eigen::Index normal = d * static_cast<Eigen::Index>(i);
-    const auto own = problem.compliance.row(normal).segment(normal, d);
+    const auto own = problem.compliance.matrix.row(normal).segment(normal, d);
     weights[i] = 1 / (own[0] + friction[i] * own.tail(d - 1).norm());
   }
   return weights;

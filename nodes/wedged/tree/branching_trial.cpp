@@ -209,7 +209,7 @@ std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
   if (!automatic) std::ranges::fill(result, TriedTree{.branching = options.branching});
   if (options.facets != 0) return result;
   // Unconstrained bodies have no centre, in which the rules differ.
-  const bool has_centre = problem.motions.cols() == 0;
+  const bool has_centre = problem.modes.matrix.cols() == 0;
   std::optional<Trial> small, large;
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     const int candidates = blocks[block].size();

@@ -117,12 +117,12 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     double most = 0;
     for (int k = 0; k < candidates(); ++k) {
       if (k == i) continue;
-      const auto row = problem.compliance.row(d * i).segment(d * k, d);
+      const auto row = problem.compliance.matrix.row(d * i).segment(d * k, d);
       const double mu = friction[static_cast<std::size_t>(k)];
       most = std::max(most, row[0] + mu * row.tail(d - 1).norm());
     }
     // Far larger than the error of F.
-    most += room * problem.compliance.row(d * i).cwiseAbs().maxCoeff();
+    most += room * problem.compliance.matrix.row(d * i).cwiseAbs().maxCoeff();
     least_[static_cast<std::size_t>(i)] = {.gap = least_share * (most / solver_.unit()),
                                            .reaction = least_share};
     if (mean_motion_.count() > 0) continue;

@@ -22,11 +22,11 @@ constexpr double scaling_roundings = 1.01;
 /// G in 104 bits, combined as the solvers require.
 conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads,
                                           conic::SideEquation equation) {
-  const bool precise = problem.precise_motions.size() != 0;
+  const bool precise = problem.modes.precise.size() != 0;
   const numbers::PreciseMatrix given =
-      precise ? problem.precise_motions
-              : numbers::PreciseMatrix(problem.motions.cast<numbers::Precise>());
-  const double error = precise ? problem.precise_motion_error : problem.motion_error;
+      precise ? problem.modes.precise
+              : numbers::PreciseMatrix(problem.modes.matrix.cast<numbers::Precise>());
+  const double error = precise ? problem.modes.precise_error : problem.modes.error;
   if (problem.dimension == 2)
     return conic::ordered_motions<2, numbers::Precise>(given, error, loads, equation);
   return conic::ordered_motions<3, numbers::Precise>(given, error, loads, equation);
@@ -46,14 +46,14 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
       precision_(precision),
       loads_(loads),
       friction_(friction.begin(), friction.end()),
-      compliance_(problem.compliance),
-      precise_compliance_(problem.precise_compliance),
-      compliance_error_(problem.compliance_error),
-      precise_error_(problem.precise_error),
+      compliance_(problem.compliance.matrix),
+      precise_compliance_(problem.compliance.precise),
+      compliance_error_(problem.compliance.error),
+      precise_error_(problem.compliance.precise_error),
       motions_(combined(problem, loads, equation)),
       solver_([&]() -> decltype(solver_) {
-        const Eigen::MatrixXd scaled = problem.compliance / unit_;
-        const double error = problem.compliance_error + scaling_error<double>;
+        const Eigen::MatrixXd scaled = problem.compliance.matrix / unit_;
+        const double error = problem.compliance.error + scaling_error<double>;
         std::vector<int> owners(friction.size());
         std::iota(owners.begin(), owners.end(), 0);
         if (problem.dimension == 2)

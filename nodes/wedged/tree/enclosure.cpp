@@ -17,9 +17,10 @@ support::LongWork long_work(engine::Analysis& analysis) {
 
 }  // namespace
 
-std::optional<Enclosure> enclosed_within(engine::Analysis& analysis,
-                                         const problems::Structure& structure, Enclose enclose) {
-  std::optional<Enclosure> enclosed;
+std::optional<StiffnessEnclosure> enclosed_within(engine::Analysis& analysis,
+                                                  const problems::Structure& structure,
+                                                  Enclose enclose) {
+  std::optional<StiffnessEnclosure> enclosed;
   try {
     enclosed.emplace(enclose(structure, long_work(analysis)));
   } catch (const support::Stopped&) {

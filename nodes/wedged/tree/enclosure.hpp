@@ -13,14 +13,15 @@
 namespace kusabi::wedged {
 
 /// The enclosed K, or a sentence with the reason why there is none.
-using Enclosure = std::variant<verify::EnclosedProblem, std::string>;
+using StiffnessEnclosure = std::variant<verify::EnclosedProblem, std::string>;
 
 /// enclosed_stiffness(), or enclosed_stiffness_of_any().
-using Enclose = Enclosure (*)(const problems::Structure&, const support::LongWork&);
+using Enclose = StiffnessEnclosure (*)(const problems::Structure&, const support::LongWork&);
 
 /// Every rank makes the same call and computes it. Nothing, on all of them, if the analysis ends
 /// before one of them is done.
-std::optional<Enclosure> enclosed_within(engine::Analysis& analysis,
-                                         const problems::Structure& structure, Enclose enclose);
+std::optional<StiffnessEnclosure> enclosed_within(engine::Analysis& analysis,
+                                                  const problems::Structure& structure,
+                                                  Enclose enclose);
 
 }  // namespace kusabi::wedged

@@ -27,8 +27,8 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   certificate_.names = problem.contact_names;
   certificate_.friction = {friction.begin(), friction.end()};
   certificate_.blocks = problems::blocks_of(problem);
-  certificate_.motions = static_cast<std::size_t>(problem.motions.cols());
-  for (const auto& row : problem.motions.rowwise())
+  certificate_.motions = static_cast<std::size_t>(problem.modes.matrix.cols());
+  for (const auto& row : problem.modes.matrix.rowwise())
     certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
   proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
   if (!proof_->least_eigenvalue()) return;

@@ -7,12 +7,13 @@ namespace kusabi::wedged {
 
 MeanMotion::MeanMotion(const problems::WedgedProblem& problem) {
   const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
-  mean_ = problem.motions.cols() == 0
-              ? Eigen::MatrixXd(0, problem.compliance.rows())
-              : Eigen::MatrixXd(problem.motions.completeOrthogonalDecomposition().pseudoInverse());
-  Eigen::MatrixXd normals(problem.compliance.rows(), m);
+  mean_ =
+      problem.modes.matrix.cols() == 0
+          ? Eigen::MatrixXd(0, problem.compliance.matrix.rows())
+          : Eigen::MatrixXd(problem.modes.matrix.completeOrthogonalDecomposition().pseudoInverse());
+  Eigen::MatrixXd normals(problem.compliance.matrix.rows(), m);
   for (Eigen::Index i = 0; i < m; ++i)
-    normals.col(i) = problem.compliance.col(problem.dimension * i);
+    normals.col(i) = problem.compliance.matrix.col(problem.dimension * i);
   mean_of_y_ = mean_ * normals;
 }
 

@@ -27,7 +27,7 @@ bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
 std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
-  const bool is_loose = problem.motions.cols() > 0;
+  const bool is_loose = problem.modes.matrix.cols() > 0;
   // The tree size is not estimated if an option decides on candidate bounds.
   const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
                      : is_loose                                  ? fewest_of_loose_to_bound

@@ -35,6 +35,7 @@ class BarKeys {
   [[nodiscard]] double axial_stiffness() const;
   [[nodiscard]] YieldForces pair(const toml::node& node, std::string_view called,
                                  std::string_view what) const;
+  [[nodiscard]] std::optional<double> residual(const TomlTable& table) const;
   [[nodiscard]] YieldForces stresses() const;
   [[nodiscard]] CompressedBar compressed() const;
 
@@ -95,11 +96,28 @@ YieldForces BarKeys::pair(const toml::node& node, std::string_view called,
                                    called));
   }
   const TomlTable table = reader_.table(node, called);
-  reader_.allow_only(table, {"tension", "compression"});
+  if (called == "yield") {
+    reader_.allow_only(table, {"tension", "compression", "residual"});
+  } else {
+    reader_.allow_only(table, {"tension", "compression"});
+  }
   const auto number = [&](std::string_view key) {
     return reader_.number(reader_.require(table, key, what), key);
   };
   return {number("tension"), number("compression")};
+}
+
+// The share of the compression strength that remains after buckling.
+std::optional<double> BarKeys::residual(const TomlTable& table) const {
+  const toml::node* entry = table.table->get("residual");
+  if (entry == nullptr) return {};
+  const double share = reader_.number(*entry, "residual");
+  if (!(share >= 0 && share <= 1)) {
+    reader_.fail(*entry, fmt::format("residual is {:g}; expected a share of the compression "
+                                     "strength, between 0 and 1",
+                                     share));
+  }
+  return share;
 }
 
 YieldForces BarKeys::stresses() const {
@@ -118,7 +136,7 @@ CompressedBar BarKeys::compressed() const {
                  "buckling stands without E, A and fy; expected all three, fy as one number");
   }
   const TomlTable table = reader_.table(*buckling_, "buckling");
-  reader_.allow_only(table, {"curve", "i", "length", "gamma_M1"});
+  reader_.allow_only(table, {"curve", "i", "length", "gamma_M1", "residual"});
   const auto number = [&](std::string_view key, std::string_view what, double otherwise) {
     const toml::node* entry = table.table->get(key);
     return entry == nullptr ? otherwise : reader_.positive(*entry, key, what, 1e-6, 1e6);
@@ -149,13 +167,19 @@ BarGroup BarKeys::read() const {
   };
   BarGroup bars{{}, position(whole_stiffness_, modulus_), position(force_, stress_)};
   bars.bar.axial_stiffness = axial_stiffness();
-  if (force_ != nullptr) bars.bar.yield = pair(*force_, "yield", "a yield force");
+  if (force_ != nullptr) {
+    bars.bar.yield = pair(*force_, "yield", "a yield force");
+    if (force_->is_table()) bars.residual = residual(reader_.table(*force_, "yield"));
+  }
   if (stress_ != nullptr) {
     const double area = positive(*area_, "A", "area");
     const auto [tension, compression] = stresses();
     bars.bar.yield = YieldForces{area * tension, area * compression};
   }
-  if (buckling_ != nullptr) bars.compressed = compressed();
+  if (buckling_ != nullptr) {
+    bars.compressed = compressed();
+    bars.residual = residual(reader_.table(*buckling_, "buckling"));
+  }
   return bars;
 }
 

@@ -20,6 +20,9 @@ struct BarGroup {
   /// entry is the factor L_cr / L.
   std::optional<CompressedBar> compressed{};
 
+  /// Of struts: the share of their compression strength that remains after buckling.
+  std::optional<double> residual{};
+
   /// The yield forces of a bar of this length.
   std::optional<YieldForces> yield_at(double length) const;
 };

@@ -25,15 +25,21 @@ constexpr std::string_view kinds_of_normal =
     "[...], \"surface\", { plane = [...] } or { point = [...], axis = [...], half_angle = ..., "
     "body = \"inside\" }";
 
-/// Faces selected by a list of nodes: those of its groups, and those whose vertices are all among
-/// the other nodes.
+/// Faces selected by a list of nodes: those of its groups of faces, and those whose vertices are
+/// all in one of its groups of nodes or listed one by one. A face between two groups, such as the
+/// end of a body between its sides, belongs to neither.
 struct Patch {
   std::set<std::vector<int>> faces;
+  std::vector<std::set<int>> groups;
   std::set<int> nodes;
 
   bool holds(const SurfaceFace& face) const {
     const std::span<const int> corners(face.nodes.data(), static_cast<std::size_t>(face.corners));
-    if (std::ranges::all_of(corners, [&](int node) { return nodes.contains(node); })) return true;
+    const auto within = [&](const std::set<int>& group) {
+      return std::ranges::all_of(
+          corners, [&](int node) { return group.contains(node) || nodes.contains(node); });
+    };
+    if (within(nodes) || std::ranges::any_of(groups, within)) return true;
     std::vector<int> key(corners.begin(), corners.end());
     std::ranges::sort(key);
     return faces.contains(key);
@@ -45,8 +51,12 @@ void add(const ProblemDraft& draft, const TomlText& name, Patch& patch) {
   const NamedGroup* named = draft.group(name.text);
   if (named != nullptr && !named->faces.empty()) {
     patch.faces.insert(named->faces.begin(), named->faces.end());
+    return;
+  }
+  const auto nodes = draft.nodes_named(name);
+  if (draft.names_group(name.text)) {
+    patch.groups.emplace_back(nodes.begin(), nodes.end());
   } else {
-    const auto nodes = draft.nodes_named(name);
     patch.nodes.insert(nodes.begin(), nodes.end());
   }
 }

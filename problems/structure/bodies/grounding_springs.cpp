@@ -9,8 +9,6 @@
 
 #include "problems/structure/assembly/solid_element.hpp"
 #include "problems/structure/model/elongation.hpp"
-#include "problems/structure/model/several_normals.hpp"
-#include "problems/structure/model/truss.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -46,7 +44,7 @@ double stiffness_at(const Structure& structure, const FreeDegrees& degrees, int 
   return sum;
 }
 
-struct Hold {
+struct SpringPlace {
   int node;
   int axis;
 };
@@ -54,8 +52,9 @@ struct Hold {
 /// Nodes of a body for grounding springs. At candidates on rollers and at nodes with several
 /// contact normals a spring would change the compliance of tangential springs
 /// (problems/wedged/tangential_springs.cpp), so they are used only if there are no others.
-std::vector<int> places_to_hold(const Structure& structure, const UnconstrainedBody& body) {
-  std::set<int> others = nodes_with_several_normals(structure);
+std::vector<int> nodes_for_springs(const Structure& structure, const FreeDegrees& degrees,
+                                   const UnconstrainedBody& body) {
+  std::set<int> others = degrees.several_normals;
   for (const ContactCandidate& candidate : structure.contact) {
     const auto& fixed = structure.fixed[static_cast<std::size_t>(candidate.node)];
     if (std::ranges::count(fixed, true) > 0) others.insert(candidate.node);
@@ -68,12 +67,12 @@ std::vector<int> places_to_hold(const Structure& structure, const UnconstrainedB
 
 /// The places of springs: repeatedly the node and axis of the largest displacement in the modes
 /// that leave the previous places fixed.
-std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees,
-                        UnconstrainedBody body) {
-  std::vector<Hold> result;
-  auto nodes = places_to_hold(structure, body);
+std::vector<SpringPlace> spring_places(const Structure& structure, const FreeDegrees& degrees,
+                                       UnconstrainedBody body) {
+  std::vector<SpringPlace> result;
+  auto nodes = nodes_for_springs(structure, degrees, body);
   while (body.count() > 0) {
-    Hold best{nodes.front(), 0};
+    SpringPlace best{nodes.front(), 0};
     Eigen::Index column = 0;
     double most = 0;
     for (const int node : nodes) {
@@ -108,12 +107,11 @@ std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees,
 
 }  // namespace
 
-std::vector<Spring> grounding_springs(const Structure& structure,
+std::vector<Spring> grounding_springs(const Structure& structure, const FreeDegrees& degrees,
                                       std::span<const UnconstrainedBody> bodies) {
-  const FreeDegrees degrees = free_degrees(structure);
   std::vector<Spring> springs;
   for (const UnconstrainedBody& body : bodies) {
-    for (const auto& [node, axis] : holds(structure, degrees, body)) {
+    for (const auto& [node, axis] : spring_places(structure, degrees, body)) {
       const double stiffness = stiffness_at(structure, degrees, node);
       springs.push_back({node, axis, std::exp2(std::round(std::log2(stiffness)))});
     }
@@ -121,8 +119,9 @@ std::vector<Spring> grounding_springs(const Structure& structure,
   return springs;
 }
 
-Structure grounded_structure(Structure structure, std::span<const UnconstrainedBody> bodies) {
-  for (const Spring& spring : grounding_springs(structure, bodies))
+Structure grounded_structure(Structure structure, const FreeDegrees& degrees,
+                             std::span<const UnconstrainedBody> bodies) {
+  for (const Spring& spring : grounding_springs(structure, degrees, bodies))
     structure.springs.push_back(spring);
   return structure;
 }

@@ -8,16 +8,19 @@
 
 #include "problems/structure/bodies/rigid_motions.hpp"
 #include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
 
 namespace kusabi::problems {
 
 /// One spring for each mode, at nodes and axes far apart, each with a power of two near the
 /// stiffness of its node.
-/// @param bodies those of the structure
-std::vector<Spring> grounding_springs(const Structure& structure,
+/// @param degrees, bodies those of the structure
+std::vector<Spring> grounding_springs(const Structure& structure, const FreeDegrees& degrees,
                                       std::span<const UnconstrainedBody> bodies);
 
-/// The structure with grounding springs: it has no rigid-body modes.
-Structure grounded_structure(Structure structure, std::span<const UnconstrainedBody> bodies);
+/// The structure with grounding springs: it has no rigid-body modes, and the same free
+/// displacements.
+Structure grounded_structure(Structure structure, const FreeDegrees& degrees,
+                             std::span<const UnconstrainedBody> bodies);
 
 }  // namespace kusabi::problems

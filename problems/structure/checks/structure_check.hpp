@@ -1,6 +1,6 @@
 // Checks of a structure before computations: all rules that concern the structure instead of the
-// syntax of its file. Reading a file ends with it and `wedged_problem` begins with it, so
-// structures made by programs obey the same rules.
+// syntax of its file. The constructor of `CheckedStructure` is the only caller, so structures of
+// files and of programs obey the same rules.
 #pragma once
 
 #include <string>

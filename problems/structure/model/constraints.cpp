@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <span>
 
-#include "problems/structure/model/several_normals.hpp"
-
 namespace kusabi::problems {
 namespace {
 
@@ -89,11 +87,11 @@ void set_master_degrees(const Structure& structure, FreeDegrees& degrees) {
   MasterDegrees master_degrees(structure, degrees);
   for (const InclinedSupport& support : structure.inclined) master_degrees.incline(support);
   for (const Tie& tie : structure.ties) master_degrees.follow(tie.node, tie.to);
-  const auto corners = nodes_with_several_normals(structure);
   for (const ContactCandidate& candidate : structure.contact) {
     // A node with several contact normals may be opposite to two places, so it keeps displacements
     // of its own.
-    if (!corners.contains(candidate.node)) master_degrees.follow(candidate.node, candidate.against);
+    if (!degrees.several_normals.contains(candidate.node))
+      master_degrees.follow(candidate.node, candidate.against);
   }
 }
 

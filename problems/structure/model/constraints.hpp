@@ -24,6 +24,7 @@ namespace kusabi::problems {
 std::set<std::pair<int, int>> dependent_displacements(const Structure& structure);
 
 /// Sets the master degrees of freedom of numbered displacements.
+/// @param degrees with their numbers and nodes of several normals
 void set_master_degrees(const Structure& structure, FreeDegrees& degrees);
 
 /// The axis of the largest component, the first of equal ones.

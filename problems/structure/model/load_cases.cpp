@@ -54,19 +54,6 @@ Structure in_load_case(Structure structure, const std::string& name) {
   return structure;
 }
 
-Structure in_chosen_case(Structure structure, const std::string& name) {
-  if (name.empty()) return structure;
-  const auto names = load_cases(structure);
-  if (std::ranges::find(names, name) == names.end()) {
-    throw structure_error(
-        structure, {},
-        fmt::format(
-            "there is no load case {}; expected {}", support::in_quotes(name),
-            names.empty() ? "none to be chosen" : "one of " + choice_of_load_cases(structure)));
-  }
-  return in_load_case(std::move(structure), name);
-}
-
 std::string choice_of_load_cases(const Structure& structure) {
   std::vector<std::string> names;
   for (const auto& name : load_cases(structure)) names.push_back(support::in_quotes(name));

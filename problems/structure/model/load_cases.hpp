@@ -15,10 +15,6 @@ std::vector<std::string> load_cases(const Structure& structure);
 /// @param name one of `load_cases`
 Structure in_load_case(Structure structure, const std::string& name);
 
-/// The same for a name given by the user. @param name empty: the structure unchanged
-/// @throws InputError if there is no such case
-Structure in_chosen_case(Structure structure, const std::string& name);
-
 /// Text of error messages with the available cases.
 std::string choice_of_load_cases(const Structure& structure);
 

@@ -21,16 +21,16 @@ namespace kusabi::problems {
 /// million, by cancellation.
 inline constexpr double smallest_angle_of_normals = 0.1;
 
-/// The nodes with more than one candidate.
+/// The nodes with more than one candidate: `FreeDegrees::several_normals`.
 std::set<int> nodes_with_several_normals(const Structure& structure);
 
 /// Weights of the free displacements in the displacement of a candidate along an axis: that of its
 /// node; at a node with several normals minus that of the opposite place.
 template <class Scalar>
 StrainVector<Scalar> seen_along(const FreeDegrees& degrees, const ContactCandidate& candidate,
-                                bool in_corner, int axis) {
+                                int axis) {
   StrainVector<Scalar> seen;
-  if (!in_corner) {
+  if (!degrees.several_normals.contains(candidate.node)) {
     const int number = degrees.number(axis, candidate.node);
     if (number >= 0) seen.push_back({number, Scalar(1.0)});
     return seen;

@@ -2,7 +2,7 @@
 // that may touch an obstacle (Gamma_D, Gamma_N and Gamma_C of the wedged paper's section 2), and
 // loads (sections 2.2 and 3.1 of the limit paper).
 //
-// Plain data, filled by `read_structure` from a file or by a program; `check_structure` checks it.
+// Plain data, filled from a file or by a program; a `CheckedStructure` obeys `check_structure`.
 #pragma once
 
 #include <array>

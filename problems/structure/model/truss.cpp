@@ -5,6 +5,7 @@
 
 #include "problems/structure/model/constraints.hpp"
 #include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/several_normals.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -27,6 +28,7 @@ FreeDegrees free_degrees(const Structure& structure) {
       degrees.free.push_back({node, axis});
     }
   }
+  degrees.several_normals = nodes_with_several_normals(structure);
   set_master_degrees(structure, degrees);
   for (const Superelement& each : structure.superelements) {
     auto& own = degrees.own_unknowns.emplace_back();

@@ -2,6 +2,7 @@
 // equation (2) of the paper.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,11 +37,14 @@ struct FreeDegrees {
   /// By superelement and row: the number of an internal unknown, or -1 for displacements of nodes.
   std::vector<std::vector<int>> own_unknowns{};
   int own_count = 0;  ///< number of internal unknowns
+  /// The nodes with more than one contact candidate (problems/structure/model/several_normals.hpp).
+  std::set<int> several_normals{};
 
   int of_nodes() const { return static_cast<int>(free.size()); }
   int size() const { return of_nodes() + own_count; }
 };
 
+/// `CheckedStructure::degrees` are those of a structure that was checked.
 FreeDegrees free_degrees(const Structure& structure);
 
 /// EA / L of each member, force/length.

@@ -61,7 +61,7 @@ double least_by_choices(const Structure& truss, double reference, double imposed
 
 double least_by_box(const Structure& truss, const std::string& load_case) {
   const Structure of_case = problems::in_load_case(truss, load_case);
-  auto problem = problems::limit_problem(of_case);
+  auto problem = problems::limit_problem(checked(of_case));
   problems::LimitProblem* const one = &problem;
   const auto alpha = problems::settle_half_widths({&one, 1}, {});
   engine::SingleProcess alone;
@@ -73,7 +73,7 @@ double least_by_box(const Structure& truss, const std::string& load_case) {
 }
 
 TEST(Actions, TheBoxOfALeadingActionIsAllItsCombinations) {
-  const Structure truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/roof-truss.toml");
+  const auto truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/roof-truss.toml");
   ASSERT_THAT(problems::load_cases(truss),
               testing::ElementsAre("6.10 snow leads", "6.10 imposed leads", "6.10 wind leads"));
   EXPECT_NEAR(least_by_box(truss, "6.10 snow leads"),

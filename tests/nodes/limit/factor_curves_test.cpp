@@ -43,7 +43,7 @@ Structure truss_in(const std::string& file) {
 LimitAnswer answer(const Structure& truss, const LimitQuestion& question) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  return limit_loads(analysis, truss, problems::limit_problem(truss), question).answer;
+  return limit_loads(analysis, truss, problems::limit_problem(checked(truss)), question).answer;
 }
 
 /// @param expected pairs of a place and a factor, the last one at the end of the curve
@@ -60,7 +60,7 @@ void expect_points(const LoadCurve& curve, const Json& expected, double unit, do
 // The figure is not available, except the letters in the text and the numbers of Figures 2 to 4.
 TEST(Figure5, IsAsPrintedAndAsTheReferenceSays) {
   const auto truss = truss_in("examples/paper/limit-3x3.toml");
-  const auto problem = problems::limit_problem(truss);
+  const auto problem = problems::limit_problem(checked(truss));
   const auto twenty = answer(truss, {.alpha = 20});
   const Eigen::VectorXd load = 2 * (dead_load(problem, twenty.worst->zeta) - problem.dead);
   const auto found = answer(truss, {.alpha = 40, .curve = true, .curve_load = load});
@@ -201,7 +201,7 @@ TEST(FactorCurves, AreThoseOfEachPlaceByItself) {
     const double alpha = between(bits, 0.02, 0.3);
     std::optional<LimitProblem> problem;
     try {
-      problem = problems::limit_problem(truss);
+      problem = problems::limit_problem(checked(truss));
     } catch (const support::InputError&) {
       continue;  // a mechanism
     }

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 // A complete analysis. @return the problem with its half-widths, too
 std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
                                                        const AskedHalfWidths& asked) {
-  auto problem = problems::limit_problem(truss);
+  auto problem = problems::limit_problem(checked(truss));
   problems::LimitProblem* const one = &problem;
   const auto alpha = problems::settle_half_widths({&one, 1}, asked);
   engine::SingleProcess alone;

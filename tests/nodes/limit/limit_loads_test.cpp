@@ -168,7 +168,7 @@ TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
     const auto [truss, alpha, wide] = random_truss(seed);
     std::optional<LimitProblem> problem;
     try {
-      problem = problems::limit_problem(truss);
+      problem = problems::limit_problem(checked(truss));
     } catch (const support::InputError&) {
       continue;  // a mechanism, or two nodes at one place
     }
@@ -234,7 +234,7 @@ TEST(LimitLoads, ProvesTheCurveOfTheWorstCornersOfRandomTrusses) {
     const auto [truss, alpha, wide] = random_truss(seed);
     std::optional<LimitProblem> problem;
     try {
-      problem = problems::limit_problem(truss);
+      problem = problems::limit_problem(checked(truss));
     } catch (const support::InputError&) {
       continue;
     }

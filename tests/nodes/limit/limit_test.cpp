@@ -126,7 +126,7 @@ TEST(GridFamily, HasTheFactorsOfTheReference) {
   const Json family = reference().at("family");
   // Up to 8 bays here; larger ones are in bench_limit.
   for (int bays = 5; bays <= 8; ++bays) {
-    const LimitProblem problem = limit_problem(problems::grid_truss(bays));
+    const LimitProblem problem = limit_problem(checked(problems::grid_truss(bays)));
     const auto key = std::to_string(bays);
     for (const int alpha : {20, 40}) {
       const Solved solved(problem, alpha);
@@ -203,7 +203,7 @@ std::optional<LimitProblem> random_truss(std::mt19937& bits) {
   if (bits() % 2 == 0) load(problems::Load::Kind::reference, nodes - 2);
   load(problems::Load::Kind::dead, nodes - 3);
   try {
-    return limit_problem(truss);
+    return limit_problem(checked(truss));
   } catch (const support::InputError&) {
     return {};
   }
@@ -273,7 +273,7 @@ TEST(LoadFactor, OfTwoBarsIsThatOfTheHandCalculation) {
   const auto factor = [&](const Eigen::Vector2d& dead) -> std::optional<double> {
     auto loaded = truss;
     loaded.loads.push_back({problems::Load::Kind::dead, 2, dead});
-    const LimitModel model = limit_model(limit_problem(loaded));
+    const LimitModel model = limit_model(limit_problem(checked(loaded)));
     LoadFactor solver(model);
     if (solver.solve(model.dead) != LoadStatus::collapses) return {};
     return solver.collapse().factor * model.factor_unit;

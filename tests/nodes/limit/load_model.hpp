@@ -27,13 +27,13 @@ inline constexpr double near = 1e-6;
 inline LimitFindings findings(const problems::Structure& truss, const LimitQuestion& question) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  return limit_loads(analysis, truss, limit_problem(truss), question);
+  return limit_loads(analysis, truss, limit_problem(checked(truss)), question);
 }
 
 /// The problem of the truss; nothing if it is a mechanism or has a node without a member.
 inline std::optional<problems::LimitProblem> problem_of(const problems::Structure& truss) {
   try {
-    return limit_problem(truss);
+    return limit_problem(checked(truss));
   } catch (const support::InputError& error) {
     const std::string why = error.what();
     EXPECT_TRUE(why.ends_with("that prevent this") || why.ends_with("or no such node")) << why;

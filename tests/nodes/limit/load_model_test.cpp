@@ -69,7 +69,7 @@ void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
     auto other = truss;
     for (auto& component : (*other.uncertain)[j].components) component.weight *= 1.25;
     auto moved = certificate;
-    moved.uncertain = columns_of(limit_problem(other));
+    moved.uncertain = columns_of(limit_problem(checked(other)));
     const auto claim = shown(moved, other);
     const auto least = PlainTruss(other).least_of_all_corners(certificate.alpha.at(0));
     if (!least || !claim.why.empty()) continue;

@@ -46,7 +46,7 @@ std::vector<std::vector<int>> steps_between(const problems::Structure& truss,
 
 TEST(PricingOrder, GoesFromEachLoadToTheNearestThatIsLeft) {
   const auto truss = problems::grid_truss(5);
-  const auto problem = limit_problem(truss);
+  const auto problem = limit_problem(checked(truss));
   const auto model = limit_model(problem);
   const auto steps = steps_between(truss, problem);
   const auto degree = [&](int column) {

@@ -31,7 +31,7 @@ LimitAnswer answered(const problems::Structure& truss, const LimitQuestion& ques
                      const engine::Limits& limits = {}) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {.limits = limits});
-  return limit_loads(analysis, truss, problems::limit_problem(truss), question).answer;
+  return limit_loads(analysis, truss, problems::limit_problem(checked(truss)), question).answer;
 }
 
 /// lambda* is concave in zeta, so the least of all vertices is the worst case.
@@ -75,7 +75,7 @@ void expect_nothing_of_static_cuts(const LimitWorstCase& worst) {
 
 TEST(AsPrinted, FindsTheWorstCornerByItself) {
   for (const auto& [truss, alpha, big_m] : small_cases()) {
-    const double expected = worst_corner(problems::limit_problem(truss), alpha);
+    const double expected = worst_corner(problems::limit_problem(checked(truss)), alpha);
     const double near = 1e-7 * std::max(1.0, std::abs(expected));
     for (const auto method : {LimitMethod::fixed, LimitMethod::disjunctive}) {
       SCOPED_TRACE(truss.name + " " + std::to_string(alpha));
@@ -112,7 +112,7 @@ TEST(AsPrinted, IsProvedAfterwardsIfThatIsWanted) {
 // With a very small M motions are almost zero, and (29) is above the worst case.
 TEST(AsPrinted, IsNotBelievedWithAnMThatIsTooSmall) {
   const auto truss = example("static-gap.toml");
-  const double expected = worst_corner(problems::limit_problem(truss), 0.35);
+  const double expected = worst_corner(problems::limit_problem(checked(truss)), 0.35);
   const auto found = answered(
       truss, {.alpha = 0.35, .method = LimitMethod::fixed, .big_m = 0.05, .evidence = true});
   EXPECT_TRUE(found.whole());
@@ -145,7 +145,8 @@ TEST(AsPrinted, StartsFromTheBestSample) {
     ASSERT_TRUE(start);
     EXPECT_EQ(*start, *std::ranges::min_element(found.samples));
     EXPECT_LE(found.worst->ends.upper, *start);
-    EXPECT_NEAR(found.worst->ends.upper, worst_corner(problems::limit_problem(truss), alpha), 1e-6);
+    EXPECT_NEAR(found.worst->ends.upper,
+                worst_corner(problems::limit_problem(checked(truss)), alpha), 1e-6);
     // Stopped before its first point, it still has that of the sample.
     const auto stopped = answered(truss, question, {.nodes = 1});
     EXPECT_EQ(stopped.worst->ends.upper, *start);
@@ -194,7 +195,7 @@ std::vector<problems::RelaxationCut> some_cuts(const linear::MixedProgram& mixed
 class DualAtNodes {
  public:
   explicit DualAtNodes(const Case& of)
-      : model_(problems::limit_model(problems::limit_problem(of.truss))),
+      : model_(problems::limit_model(problems::limit_problem(checked(of.truss)))),
         alpha_(of.alpha / model_.force_unit),
         big_m_(of.big_m * Eigen::VectorXd::Ones(model_.uncertain_count()) / model_.factor_unit) {}
 

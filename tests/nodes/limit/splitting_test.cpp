@@ -79,7 +79,7 @@ TEST(AffineProjection, IsTheNearestPointInItsMetric) {
   metric(rows - 1) = 0.1;
   AffineProjection projection(a.sparseView(), metric);
   ASSERT_TRUE(projection.definite());
-  std::vector<Load> loads(block_columns + 3);
+  std::vector<SparseLoad> loads(block_columns + 3);
   loads.back() = {{1, 2.0}, {4, -1.0}};
   const auto w = random_blocks(rows, bits, {});
   projection.begin(loads, block_columns);

@@ -74,12 +74,12 @@ class Cone {
   Cone(const WedgedProblem& problem, const std::vector<double>& friction, SignPattern pattern)
       : problem_(problem), friction_(friction), pattern_(std::move(pattern)) {
     const Eigen::Index d = problem.dimension;
-    const Eigen::Index size = problem.compliance.rows();
+    const Eigen::Index size = problem.compliance.matrix.rows();
     std::vector<Eigen::RowVectorXd> rows;
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(size);
     for (Eigen::Index at = 0; at < size; at += d) sum[at] = 1;
     rows.push_back(sum);
-    for (const int i : pattern_.contact) rows.emplace_back(problem.compliance.row(d * i));
+    for (const int i : pattern_.contact) rows.emplace_back(problem.compliance.matrix.row(d * i));
     for (const int i : pattern_.separated)
       for (Eigen::Index c = 0; c < d; ++c)
         rows.emplace_back(Eigen::RowVectorXd::Unit(size, d * i + c));
@@ -108,7 +108,7 @@ class Cone {
  private:
   [[nodiscard]] bool holds(const Eigen::VectorXd& r) const {
     const Eigen::Index d = problem_.dimension;
-    const Eigen::VectorXd u = problem_.compliance * r;
+    const Eigen::VectorXd u = problem_.compliance.matrix * r;
     return std::ranges::all_of(pattern_.separated, [&](int i) { return u[d * i] >= 0; }) &&
            std::ranges::all_of(pattern_.contact, [&](int i) {
              return r.segment(d * i + 1, d - 1).norm() <=
@@ -132,7 +132,7 @@ void compare_by_walks(const WedgedProblem& problem, const std::vector<double>& f
                                                 static_cast<Eigen::Index>(leaf.reaction.size()));
   const Eigen::VectorXd start = given;
   const auto expect = [&](const Eigen::VectorXd& r) {
-    expect_within(bounds, leaf.pattern, r, problem.compliance * r / unit, d, compared);
+    expect_within(bounds, leaf.pattern, r, problem.compliance.matrix * r / unit, d, compared);
   };
   expect(start);
   if (leaf.state != LeafState::feasible) return;
@@ -141,7 +141,7 @@ void compare_by_walks(const WedgedProblem& problem, const std::vector<double>& f
     const auto at = d * static_cast<Eigen::Index>(i);
     const Eigen::VectorXd goal = leaf.pattern.contact.contains(static_cast<int>(i))
                                      ? Eigen::VectorXd::Unit(start.size(), at)
-                                     : Eigen::VectorXd(problem.compliance.col(at));
+                                     : Eigen::VectorXd(problem.compliance.matrix.col(at));
     Eigen::VectorXd r = start;
     for (int step = 0; step < 6; ++step) {
       const Eigen::VectorXd far = cone.farthest(r, goal);
@@ -215,7 +215,7 @@ TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
       const std::vector<double> friction(static_cast<std::size_t>(m), mu);
       const auto root = bounds_of(problem, friction);
       const double unit = problems::mean_normal_compliance(problem);
-      const rays::ReactionCone cone(problem.compliance.cast<long double>(), friction);
+      const rays::ReactionCone cone(problem.compliance.matrix.cast<long double>(), friction);
       for (const auto& zero : rays::complementary_rays(cone).rays) {
         rays::Health health;
         const auto ray = cone.ray(zero, health);

@@ -180,7 +180,8 @@ TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
 CriticalFindings found_of(const problems::Structure& structure, const CriticalQuestion& question) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  return find_critical_friction(analysis, structure, problems::wedged_problem(structure), question);
+  const auto own = checked(structure);
+  return find_critical_friction(analysis, own, problems::wedged_problem(own), question);
 }
 
 void expect_same_answer(const CriticalFindings& one, const CriticalFindings& other) {
@@ -243,7 +244,7 @@ TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
 TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
   std::string folder = (std::filesystem::temp_directory_path() / "kusabi trial-XXXXXX").string();
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const auto structure = problems::space_truss({.rows = 4, .depth = 2});
+  const auto structure = checked(problems::space_truss({.rows = 4, .depth = 2}));
   const auto problem = problems::wedged_problem(structure);
   const auto file = folder + "/state";
   const auto run = [&](std::uint64_t trial_nodes) {
@@ -337,7 +338,7 @@ TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
 // For every limit: nodes are counted over all searches, and each further node leaves the bracket
 // unchanged or narrower.
 TEST(CriticalFriction, MoreNodesNeverKnowLess) {
-  const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
+  const auto structure = checked(problems::space_truss({.rows = 8, .depth = 2, .bays = 3}));
   const auto problem = problems::wedged_problem(structure);
   const auto whole = found_of(structure, {});
   double lower = 0;
@@ -494,7 +495,7 @@ TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
 // candidates are zero, so quotients of their rounding errors are arbitrary. These flat cones were
 // feasible below coefficients that such quotients claimed to be infeasible.
 TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
-  const auto problem = problems::wedged_problem(problems::paper_plane_truss(19));
+  const auto problem = problems::wedged_problem(checked(problems::paper_plane_truss(19)));
   const SignPattern leaf{.contact = set_of({4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 17, 18}),
                          .separated = set_of({0, 1, 2, 3, 13}),
                          .at_rest = {}};
@@ -518,7 +519,7 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
 // coefficient is known: bisection takes 27.
 TEST(CriticalFriction, TakesFewProgramsAPattern) {
   for (const auto& [rows, most] : {std::pair{13, 6.5}, {15, 7.7}}) {
-    const auto problem = problems::wedged_problem(problems::paper_plane_truss(rows));
+    const auto problem = problems::wedged_problem(checked(problems::paper_plane_truss(rows)));
     const auto patterns = feasible(problem, 0.65);
     for (const auto start : {multiple(0.65), CriticalCell::nowhere}) {
       CriticalFriction critical(problem, width);

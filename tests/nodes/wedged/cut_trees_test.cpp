@@ -73,7 +73,7 @@ struct Leaves {
   void compare(const problems::WedgedProblem& problem, double mu, const std::string& where) {
     const auto without = searched(problem, mu, Tightening::never);
     const auto with = searched(problem, mu, Tightening::always);
-    EXPECT_TRUE(problem.motions.cols() > 0 || !with.bounds.empty()) << where;
+    EXPECT_TRUE(problem.modes.matrix.cols() > 0 || !with.bounds.empty()) << where;
     expect_same(with, without, where);
     const auto probed = searched(problem, mu, Tightening::always, {}, false, 3);
     expect_same(probed, without, where + ", probed");
@@ -95,11 +95,11 @@ TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     problems::WedgedProblem problem;
     try {
-      problem = problems::wedged_problem(random_structure(GetParam(), seed));
+      problem = problems::wedged_problem(checked(random_structure(GetParam(), seed)));
     } catch (const support::InputError&) {  // a mechanism
       continue;
     }
-    if (problem.motions.cols() > 0) continue;
+    if (problem.modes.matrix.cols() > 0) continue;
     for (const double mu : {0.3, 0.7, 1.0, 3.0})
       compared.compare(problem, mu, fmt::format("seed {}, mu {}", seed, mu));
   }
@@ -116,7 +116,7 @@ std::vector<problems::Structure> unconstrained_bodies(int dimension, std::size_t
     auto structure = random_loose_structure(dimension, seed);
     if (structure.contact.size() < 3) continue;
     try {
-      if (problems::wedged_problem(structure).motions.cols() > 0)
+      if (problems::wedged_problem(checked(structure)).modes.matrix.cols() > 0)
         bodies.push_back(std::move(structure));
     } catch (const support::InputError&) {  // a mechanism
     }
@@ -128,7 +128,7 @@ TEST_P(CutTreesIn, FindTheSameOfUnconstrainedBodies) {
   Leaves compared;
   int number = 0;
   for (const auto& body : unconstrained_bodies(GetParam(), 40)) {
-    const auto problem = problems::wedged_problem(body);
+    const auto problem = problems::wedged_problem(checked(body));
     for (const double mu : {0.4, 1.0, 2.5})
       compared.compare(problem, mu, fmt::format("body {}, mu {}", number, mu));
     ++number;
@@ -154,7 +154,7 @@ TEST_P(CutTreesIn, LeaveNothingOpenOfUnconstrainedBodies) {
   std::size_t flat = 0;
   int number = 0;
   for (const auto& body : unconstrained_bodies(GetParam(), 60)) {
-    const auto problem = problems::wedged_problem(body);
+    const auto problem = problems::wedged_problem(checked(body));
     for (const double mu : {0.01, 0.5, std::sqrt(0.5), 1.0, std::sqrt(2), 3.0, 100.0}) {
       const auto findings = searched(problem, mu, Tightening::never);
       for (const auto& leaf : findings.leaves) {
@@ -203,7 +203,7 @@ TEST(CutTrees, FindTheSameOnSymmetricGrids) {
   for (const int columns : {4, 5, 7, 8})
     for (const double lean : {-1.0, -0.5, 0.0, 0.5, 1.0})
       for (const double mu : {0.3, 0.8, 1.5, 3.0})
-        compared.compare(problems::wedged_problem(symmetric_grid(columns, 2, lean)), mu,
+        compared.compare(problems::wedged_problem(checked(symmetric_grid(columns, 2, lean))), mu,
                          fmt::format("{} columns, lean {}, mu {}", columns, lean, mu));
   EXPECT_GT(compared.all, 30U);
 }
@@ -212,14 +212,14 @@ TEST(CutTrees, FindTheSameInSpace) {
   Leaves compared;
   for (const int rows : {3, 5})
     for (const double mu : {0.3, 0.55, 0.8, 3.0})
-      compared.compare(problems::wedged_problem(problems::space_truss({.rows = rows})), mu,
+      compared.compare(problems::wedged_problem(checked(problems::space_truss({.rows = rows}))), mu,
                        fmt::format("{} rows, mu {}", rows, mu));
   EXPECT_GT(compared.all, 200U);
 }
 
 // Thirty candidates, with a tree so large that bounds pay.
 TEST(CutTrees, HaveFarFewerNodes) {
-  const auto problem = problems::wedged_problem(problems::space_truss({.rows = 15}));
+  const auto problem = problems::wedged_problem(checked(problems::space_truss({.rows = 15})));
   const auto without = searched(problem, 0.5, Tightening::never);
   const auto with = searched(problem, 0.5, Tightening::always);
   expect_same(with, without, "15 rows");
@@ -230,7 +230,8 @@ TEST(CutTrees, HaveFarFewerNodes) {
 }
 
 TEST(CutTrees, HaveFewerNodesWhereChildrenAreTriedFirst) {
-  const auto problem = problems::wedged_problem(problems::space_truss({.rows = 6, .depth = 5}));
+  const auto problem =
+      problems::wedged_problem(checked(problems::space_truss({.rows = 6, .depth = 5})));
   const auto plain = searched(problem, 0.5, Tightening::always);
   const auto probed = searched(problem, 0.5, Tightening::always, {}, false, 8);
   expect_same(probed, plain, "6 x 5");
@@ -261,7 +262,7 @@ struct Searched {
   mutable verify::Certificate certificate{};  // input of a proof
 
   Searched(const problems::Structure& structure, double mu, int probes = 0)
-      : problem(problems::wedged_problem(structure)),
+      : problem(problems::wedged_problem(checked(structure))),
         friction(problem.contact_names.size(), mu),
         enclosed(std::get<verify::EnclosedProblem>(enclosed_stiffness(structure))) {
     findings = searched(
@@ -278,9 +279,9 @@ struct Searched {
     certificate.names = problem.contact_names;
     certificate.friction = friction;
     certificate.blocks = problems::blocks_of(problem);
-    certificate.motions = static_cast<std::size_t>(problem.motions.cols());
+    certificate.motions = static_cast<std::size_t>(problem.modes.matrix.cols());
     certificate.motion_values.clear();
-    for (const auto& row : problem.motions.rowwise())
+    for (const auto& row : problem.modes.matrix.rowwise())
       certificate.motion_values.insert(certificate.motion_values.end(), row.begin(), row.end());
     return {certificate, enclosed.stiffness, enclosed.motions};
   }
@@ -349,7 +350,7 @@ double largest(const Searched& own, const ProvedBound& bound) {
   return most;
 }
 
-verify::Bound as_written(const ProvedBound& bound) {
+verify::CandidateBound as_written(const ProvedBound& bound) {
   return {.line = 0,
           .block = bound.block,
           .candidate = bound.candidate,

@@ -20,7 +20,7 @@
 namespace kusabi::wedged {
 namespace {
 
-problems::Structure structure_in(const std::string& place) {
+problems::CheckedStructure structure_in(const std::string& place) {
   const std::string path = KUSABI_SOURCE_DIR "/" + place;
   std::ifstream file(path);
   std::stringstream text;
@@ -28,7 +28,7 @@ problems::Structure structure_in(const std::string& place) {
   return problems::read_structure(text.str(), path);
 }
 
-PatternFindings listed(const problems::Structure& structure, double mu,
+PatternFindings listed(const problems::CheckedStructure& structure, double mu,
                        Proving proving = Proving::automatic) {
   engine::SingleProcess transport;
   engine::Analysis analysis(transport, {});

@@ -60,7 +60,7 @@ std::optional<Cones> whole_cones(const problems::WedgedProblem& problem, double 
 
 std::optional<problems::WedgedProblem> problem_of(const problems::Structure& structure) {
   try {
-    return problems::wedged_problem(structure);
+    return problems::wedged_problem(checked(structure));
   } catch (const support::InputError&) {  // a mechanism, which is no fault of ours
     return std::nullopt;
   }
@@ -87,9 +87,9 @@ TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
   problem.contact_names = {"sticks", "rests"};
-  problem.compliance = Eigen::MatrixXd::Identity(4, 4);
-  problem.compliance(0, 1) = problem.compliance(1, 0) = -0.5;
-  problem.stiffness = problem.compliance.inverse();
+  problem.compliance.matrix = Eigen::MatrixXd::Identity(4, 4);
+  problem.compliance.matrix(0, 1) = problem.compliance.matrix(1, 0) = -0.5;
+  problem.compliance.stiffness = problem.compliance.matrix.inverse();
   SignPatternTree tree(problem, std::vector<double>{3.0, 3.0});
   const auto outcome = engine::search(tree);
   ASSERT_EQ(outcome.solutions.size(), 1U);
@@ -100,15 +100,44 @@ TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   EXPECT_EQ(tree.tally().flat, 1U);
 }
 
+// A candidate that sticks displaces a body that can move between two opposite candidates: their
+// gaps add up to 2 e r_n, below the rounding of the terms of u_n, 1e-12 of 0.9 r_n + 0.45 |r_t|. As
+// long as one of both is not decided, equilibrium leaves it no reaction, and t* = 0, although there
+// is a configuration in which both have a gap of e r_n.
+TEST(FlatCones, HaveNoCandidateAtRestThatHasASmallGap) {
+  constexpr double e = 2e-12;
+  problems::WedgedProblem problem;
+  problem.dimension = 2;
+  problem.contact_names = {"sticks", "below", "above"};
+  auto& compliance = problem.compliance.matrix;
+  compliance = Eigen::MatrixXd::Identity(6, 6);
+  compliance(0, 1) = compliance(1, 0) = -0.5;
+  compliance(2, 0) = compliance(0, 2) = 0.9;
+  compliance(2, 1) = compliance(1, 2) = -0.45 + e;
+  compliance(2, 2) = 2;
+  problem.compliance.stiffness = compliance.inverse();
+  problem.modes.matrix = Eigen::MatrixXd::Zero(6, 1);
+  problem.modes.matrix(2, 0) = 1;
+  problem.modes.matrix(4, 0) = -1;
+  SignPatternTree tree(problem, std::vector<double>{3.0, 3.0, 3.0});
+  const auto outcome = engine::search(tree);
+  ASSERT_EQ(outcome.solutions.size(), 1U);
+  const auto& leaf = outcome.solutions[0].solution;
+  EXPECT_EQ(leaf.state, LeafState::feasible);
+  EXPECT_EQ(leaf.pattern, (SignPattern{.contact = 0b001, .separated = 0b110, .at_rest = 0}));
+  EXPECT_NEAR(leaf.lower, e / problems::mean_normal_compliance(problem), 1e-3 * e);
+  EXPECT_EQ(tree.tally().flat, 0U);
+}
+
 // With k inactive candidates each pattern has 2^k names.
 TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
   constexpr int candidates = 24;
   problems::WedgedProblem problem;
   problem.dimension = 2;
   problem.contact_names.resize(candidates);
-  problem.compliance = Eigen::MatrixXd::Identity(2 * candidates, 2 * candidates);
-  problem.compliance(0, 1) = problem.compliance(1, 0) = -0.5;
-  problem.stiffness = problem.compliance.inverse();
+  problem.compliance.matrix = Eigen::MatrixXd::Identity(2 * candidates, 2 * candidates);
+  problem.compliance.matrix(0, 1) = problem.compliance.matrix(1, 0) = -0.5;
+  problem.compliance.stiffness = problem.compliance.matrix.inverse();
   SignPatternTree tree(problem, std::vector<double>(candidates, 3.0));
   const auto outcome = engine::search(tree);
   ASSERT_EQ(outcome.solutions.size(), 1U);
@@ -122,11 +151,11 @@ TEST(FlatCones, ThatAreFacesOfAnotherAreLeftOut) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
   problem.contact_names = {"first", "second"};
-  problem.compliance = Eigen::MatrixXd{{1.0, -0.5, 0.3, 0.0},  //
-                                       {-0.5, 1.0, -0.15, 0.0},
-                                       {0.3, -0.15, 1.0, -0.5},
-                                       {0.0, 0.0, -0.5, 1.0}};
-  problem.stiffness = problem.compliance.inverse();
+  problem.compliance.matrix = Eigen::MatrixXd{{1.0, -0.5, 0.3, 0.0},  //
+                                              {-0.5, 1.0, -0.15, 0.0},
+                                              {0.3, -0.15, 1.0, -0.5},
+                                              {0.0, 0.0, -0.5, 1.0}};
+  problem.compliance.stiffness = problem.compliance.matrix.inverse();
   SignPatternTree tree(problem, std::vector<double>{3.0, 3.0});
   EXPECT_EQ(engine::search(tree).solutions.size(), 3U);
   EXPECT_EQ(tree.tally().flat, 1U);
@@ -204,7 +233,7 @@ TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
 // On a truss of one bay each candidate is a block: as a single tree it has hundreds of degenerate
 // nodes.
 TEST(FlatCones, OfAOneBayTrussAreTheProductOfItsBlocks) {
-  const auto problem = problems::wedged_problem(problems::space_truss({5, 2, 1}));
+  const auto problem = problems::wedged_problem(checked(problems::space_truss({5, 2, 1})));
   ASSERT_GT(problem.blocks.size(), 1U);
   auto one = problem;
   one.blocks.clear();

@@ -39,7 +39,7 @@ class PatternProgram {
         forces_.push_back(load);
         program_.add_column({.lower = 0, .upper = touches(i) ? unlimited : 0});
       }
-    for (Eigen::Index l = 0; l < loaded.problem.motions.cols(); ++l)
+    for (Eigen::Index l = 0; l < loaded.problem.modes.matrix.cols(); ++l)
       program_.add_column({.lower = -unlimited});
     lambda_ = program_.add_column({.lower = -unlimited});
     add_rows();
@@ -68,14 +68,15 @@ class PatternProgram {
     const auto& problem = loaded_.problem;
     const Eigen::MatrixXd w = loaded_.loads.displacements.cast<double>();
     const Eigen::MatrixXd b = loaded_.loads.motions.cast<double>();
-    const auto p = problem.motions.cols();
+    const auto p = problem.modes.matrix.cols();
     for (int j = 0; j < static_cast<int>(loaded_.clearance.size()); ++j) {
       std::vector<linear::LinearTerm> terms;
       for (std::size_t k = 0; k < forces_.size(); ++k)
-        terms.push_back({static_cast<int>(k), problem.compliance.row(2 * j).dot(forces_[k])});
-      for (Eigen::Index l = 0; l < p; ++l)
         terms.push_back(
-            {static_cast<int>(forces_.size()) + static_cast<int>(l), problem.motions(2 * j, l)});
+            {static_cast<int>(k), problem.compliance.matrix.row(2 * j).dot(forces_[k])});
+      for (Eigen::Index l = 0; l < p; ++l)
+        terms.push_back({static_cast<int>(forces_.size()) + static_cast<int>(l),
+                         problem.modes.matrix(2 * j, l)});
       terms.push_back({lambda_, w(2 * j, 1)});
       const double fixed = -w(2 * j, 0) - loaded_.clearance[j];
       program_.add_row({.lower = fixed, .upper = touches(j) ? fixed : unlimited}, terms);
@@ -83,7 +84,7 @@ class PatternProgram {
     for (Eigen::Index l = 0; l < p; ++l) {
       std::vector<linear::LinearTerm> terms;
       for (std::size_t k = 0; k < forces_.size(); ++k)
-        terms.push_back({static_cast<int>(k), forces_[k].dot(problem.motions.col(l))});
+        terms.push_back({static_cast<int>(k), forces_[k].dot(problem.modes.matrix.col(l))});
       terms.push_back({lambda_, b(1, l)});
       program_.add_row({.lower = -b(0, l), .upper = -b(0, l)}, terms);
     }
@@ -143,9 +144,9 @@ std::optional<LoadedProblem> loaded_body(std::uint64_t seed) {
       structure.loads.push_back(
           {kind, node, Eigen::Vector2d(uniform(generator), uniform(generator))});
   try {
-    auto loaded = loaded_problem(structure);
+    auto loaded = loaded_problem(checked(structure));
     const bool of_interest =
-        loaded.problem.motions.cols() > 0 && loaded.has_reference && loaded.has_dead;
+        loaded.problem.modes.matrix.cols() > 0 && loaded.has_reference && loaded.has_dead;
     return of_interest ? std::optional(std::move(loaded)) : std::nullopt;
   } catch (const support::InputError&) {  // a mechanism
     return {};

@@ -23,7 +23,7 @@ constexpr double cell_width = 1e-8;
 constexpr std::int64_t last_cell = 100'000'000;
 
 problems::WedgedProblem truss(int rows) {
-  auto problem = problems::wedged_problem(problems::plane_truss({.rows = rows}));
+  auto problem = problems::wedged_problem(checked(problems::plane_truss({.rows = rows})));
   problem.blocks.clear();
   return problem;
 }

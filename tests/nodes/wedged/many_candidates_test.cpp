@@ -33,23 +33,25 @@ IndexSet block_of_six() {
 problems::WedgedProblem posts_around(const problems::WedgedProblem& six) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
-  problem.stiffness = Eigen::MatrixXd::Zero(2 * candidates, 2 * candidates);
-  problem.compliance = problem.stiffness;
+  problem.compliance.stiffness = Eigen::MatrixXd::Zero(2 * candidates, 2 * candidates);
+  problem.compliance.matrix = problem.compliance.stiffness;
   const auto block = block_of_six();
   for (int i = 0; i < candidates; ++i) {
     problem.contact_names.push_back(fmt::format("c{}", i));
     if (i == 0) problem.blocks.push_back(block);
     if (block.contains(i)) continue;
     problem.blocks.push_back(IndexSet::single(i));
-    problem.stiffness.block<2, 2>(2 * i, 2 * i) << 2, 1, 1, 2;
-    problem.compliance.block<2, 2>(2 * i, 2 * i) << 2.0 / 3, -1.0 / 3, -1.0 / 3, 2.0 / 3;
+    problem.compliance.stiffness.block<2, 2>(2 * i, 2 * i) << 2, 1, 1, 2;
+    problem.compliance.matrix.block<2, 2>(2 * i, 2 * i) << 2.0 / 3, -1.0 / 3, -1.0 / 3, 2.0 / 3;
   }
   for (int k = 0; k < 6; ++k) {
     for (int l = 0; l < 6; ++l) {
       const int row = 2 * places[static_cast<std::size_t>(k)];
       const int column = 2 * places[static_cast<std::size_t>(l)];
-      problem.stiffness.block<2, 2>(row, column) = six.stiffness.block<2, 2>(2 * k, 2 * l);
-      problem.compliance.block<2, 2>(row, column) = six.compliance.block<2, 2>(2 * k, 2 * l);
+      problem.compliance.stiffness.block<2, 2>(row, column) =
+          six.compliance.stiffness.block<2, 2>(2 * k, 2 * l);
+      problem.compliance.matrix.block<2, 2>(row, column) =
+          six.compliance.matrix.block<2, 2>(2 * k, 2 * l);
     }
   }
   return problem;
@@ -75,7 +77,7 @@ std::set<IndexSet> contact_sets(const engine::Outcome<SignPatternTree>& outcome)
 // Of the six by all their leaves, one by one; of the posts by their closed form.
 std::set<IndexSet> expected(const problems::WedgedProblem& six) {
   std::set<IndexSet> sets;
-  conic::NodeSolver<2> solver(six.compliance / problems::mean_normal_compliance(six),
+  conic::NodeSolver<2> solver(six.compliance.matrix / problems::mean_normal_compliance(six),
                               std::vector<double>(6, two_blocks_mu));
   for (unsigned contact = 1; contact < 64; ++contact) {
     const auto sign = solver.solve(contact, 63U & ~contact).sign;

@@ -25,8 +25,8 @@ constexpr conic::Tolerances tight{};  // 1e-12
 problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dimension) {
   problems::WedgedProblem problem;
   problem.dimension = dimension;
-  problem.compliance = compliance;
-  problem.stiffness = compliance.inverse();
+  problem.compliance.matrix = compliance;
+  problem.compliance.stiffness = compliance.inverse();
   for (Eigen::Index i = 0; i < compliance.rows() / dimension; ++i) {
     problem.contact_names.push_back("c" + std::to_string(i));
     problem.friction.push_back(1);
@@ -48,8 +48,8 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
   const std::vector<double> friction(m, mu);
   const conic::Tolerances tolerances{.sign = tolerance};
   ContactSolver solver(problem, friction, tolerances);
-  const PreciseMatrix scaled = problem.precise_compliance / Precise(solver.unit());
-  const double error = problem.precise_error + 1e-30;
+  const PreciseMatrix scaled = problem.compliance.precise / Precise(solver.unit());
+  const double error = problem.compliance.precise_error + 1e-30;
   conic::PlainSolver<D, Precise> precise(scaled, friction, {.sign = 1e-20, .value = 1e-18}, error);
   std::vector<int> each(m);
   std::iota(each.begin(), each.end(), 0);
@@ -217,7 +217,7 @@ TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
         testing::random_problem({.dimension = 2, .candidates = 4, .contrast = 100}, generator)
             .second;
     const std::vector<int> kept{0, 1, 4, 5};  // rows of the candidates 0 and 2
-    auto less = exact_problem(problem.compliance(kept, kept), 2);
+    auto less = exact_problem(problem.compliance.matrix(kept, kept), 2);
     ContactSolver whole(problem, std::vector<double>(4, 2.0), tight);
     ContactSolver part(less, std::vector<double>(2, 2.0), tight);
     const double scale = part.unit() / whole.unit();

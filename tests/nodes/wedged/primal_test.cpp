@@ -79,7 +79,7 @@ TEST(WeightedRelaxation, IsTheLeastThatTheSimplexMethodFinds) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto problem = random_problem(2, m, seed);
     const Eigen::MatrixXd compliance =
-        problem.compliance / problems::mean_normal_compliance(problem);
+        problem.compliance.matrix / problems::mean_normal_compliance(problem);
     const Eigen::Index loose = seed % 3;
     Eigen::MatrixXd motions(2 * m, loose);
     for (auto& entry : motions.reshaped()) entry = 2 * uniform() - 1;
@@ -162,8 +162,9 @@ TEST(Clusters, AreThePartsOfAllCandidatesAndAsStiff) {
   const auto members = clusters.members(IndexSet::single(2));
   double mean = 0;
   for (const int i : members)
-    for (const int j : members) mean += problem.compliance(3 * i, 3 * j);
-  EXPECT_NEAR(clusters.problem.compliance(6, 6), mean / members.size() / members.size(), 1e-12);
+    for (const int j : members) mean += problem.compliance.matrix(3 * i, 3 * j);
+  EXPECT_NEAR(clusters.problem.compliance.matrix(6, 6), mean / members.size() / members.size(),
+              1e-12);
 }
 
 // Of the patterns of the list one is found, and none where the list is empty.

@@ -56,8 +56,8 @@ TEST(QuadraticBound, IsBelowAllLeavesOfSmallProblems) {
 TEST(QuadraticBound, MeetsTheCoefficientOfASingleCandidate) {
   for (const int dimension : {2, 3}) {
     const auto problem = random_problem(dimension, 1, 7);
-    const double exact =
-        problem.compliance(0, 0) / problem.compliance.row(0).tail(dimension - 1).norm();
+    const double exact = problem.compliance.matrix(0, 0) /
+                         problem.compliance.matrix.row(0).tail(dimension - 1).norm();
     EXPECT_LE(bound_of(problem).factor, exact * (1 + 1e-12));
     EXPECT_NEAR(bound_of(problem).factor, exact, 2e-2 * exact);
   }
@@ -65,7 +65,7 @@ TEST(QuadraticBound, MeetsTheCoefficientOfASingleCandidate) {
 
 TEST(QuadraticBound, IsNoneForUnconstrainedBodies) {
   auto problem = random_problem(2, 3, 1);
-  problem.motions = Eigen::MatrixXd::Ones(6, 1);
+  problem.modes.matrix = Eigen::MatrixXd::Ones(6, 1);
   EXPECT_EQ(bound_of(problem).factor, 0);
 }
 
@@ -76,7 +76,8 @@ verify::Certificate certificate_of(const problems::WedgedProblem& problem, doubl
   certificate.names = problem.contact_names;
   certificate.friction = candidate_friction(problem, factor);
   certificate.blocks = {certificate.all_candidates()};
-  for (const double entry : problem.stiffness.reshaped()) certificate.stiffness.push_back(entry);
+  for (const double entry : problem.compliance.stiffness.reshaped())
+    certificate.stiffness.push_back(entry);
   verify::Record record;
   record.claim = verify::Claim::form;
   record.numbers = numbers;
@@ -155,7 +156,7 @@ TEST(QuadraticProof, CountsTheErrorOfTheCompliance) {
   const auto multipliers = spectral(problem);
   const std::vector<double> friction(9, 0.1);
   EXPECT_TRUE(quadratic_is_infeasible(problem, friction, multipliers));
-  problem.compliance_error = 1;
+  problem.compliance.error = 1;
   EXPECT_FALSE(quadratic_is_infeasible(problem, friction, multipliers));
 }
 

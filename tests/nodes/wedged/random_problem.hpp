@@ -23,9 +23,9 @@ inline problems::WedgedProblem random_problem(int dimension, int candidates, std
   for (int i = 0; i < candidates; ++i) problem.contact_names.push_back(fmt::format("c{}", i));
   const Eigen::MatrixXd product =
       factor * factor.transpose() + 0.1 * size * Eigen::MatrixXd::Identity(size, size);
-  problem.stiffness = (product + product.transpose()) / 2;
-  const Eigen::MatrixXd inverse = problem.stiffness.inverse();
-  problem.compliance = (inverse + inverse.transpose()) / 2;
+  problem.compliance.stiffness = (product + product.transpose()) / 2;
+  const Eigen::MatrixXd inverse = problem.compliance.stiffness.inverse();
+  problem.compliance.matrix = (inverse + inverse.transpose()) / 2;
   return problem;
 }
 

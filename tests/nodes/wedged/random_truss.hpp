@@ -62,8 +62,8 @@ inline std::pair<problems::Structure, problems::WedgedProblem> random_problem(
   for (;;) {
     problems::Structure structure = random_truss(kind, generator);
     try {
-      problems::WedgedProblem problem = problems::wedged_problem(structure);
-      if (problem.motions.cols() > 0) continue;  // unconstrained
+      problems::WedgedProblem problem = problems::wedged_problem(checked(structure));
+      if (problem.modes.matrix.cols() > 0) continue;  // unconstrained
       return {std::move(structure), std::move(problem)};
     } catch (const support::InputError&) {
       continue;  // a mechanism, or a normal out of the body

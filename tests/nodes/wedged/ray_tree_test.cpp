@@ -31,7 +31,7 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
         PlaneTrussSize{.rows = 7, .bays = 3}}) {
     for (const double mu : {0.65, 1.0}) {
       const auto truss = problems::plane_truss(size);
-      auto problem = problems::wedged_problem(truss);
+      auto problem = problems::wedged_problem(checked(truss));
       problem.blocks.clear();  // rays are those of the whole
       const std::vector<double> friction(problem.friction.size(), mu);
       const rays::ReactionCone cone(problems::precise_compliance(problem), friction);
@@ -53,7 +53,7 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
 /// A problem of rays, and its solution by double description.
 struct RayProblem {
   explicit RayProblem(const problems::Structure& truss, double mu = 0.65)
-      : problem(problems::wedged_problem(truss)),
+      : problem(problems::wedged_problem(checked(truss))),
         friction(problem.friction.size(), mu),
         cone(problems::precise_compliance(problem), friction) {
     problem.blocks.clear();

@@ -41,7 +41,7 @@ void expect_rest(double angle, unsigned seed) {
   for (int repetition = 0; repetition < 12; ++repetition) {
     const auto [structure, bare] = testing::random_problem(
         {.dimension = 2, .candidates = 3, .free_nodes = 4, .contrast = 100}, generator);
-    const auto problem = problems::wedged_problem(with_rod(structure, angle));
+    const auto problem = problems::wedged_problem(checked(with_rod(structure, angle)));
     ContactSolver alone(bare, std::vector<double>(3, 1.5), tight);
     ContactSolver solver(problem, std::vector<double>(4, 1.5), tight);
     for (std::uint64_t contact = 1; contact < 8; ++contact) {
@@ -90,7 +90,7 @@ TEST(RelativeInterior, OfSeveralRestingCandidatesIsTheSamePointWhateverTheyAreCa
   compliance(0, 1) = compliance(1, 0) = 0.5;
   problems::WedgedProblem problem;
   problem.dimension = 2;
-  problem.compliance = problem.stiffness = compliance;
+  problem.compliance.matrix = problem.compliance.stiffness = compliance;
   problem.contact_names.assign(4, "c");
   ContactSolver solver(problem, std::vector<double>(4, 3.0), tight);
   for (std::uint64_t resting = 0; resting < 16; resting += 2) {
@@ -106,7 +106,7 @@ TEST(RelativeInterior, OfNodesThatAreNoTiesIsNothing) {
   compliance << 1, 0.5, 0.5, 1;
   problems::WedgedProblem problem;
   problem.dimension = 2;
-  problem.compliance = problem.stiffness = compliance;
+  problem.compliance.matrix = problem.compliance.stiffness = compliance;
   problem.contact_names.assign(1, "c");
   ContactSolver feasible(problem, std::vector<double>{3.0}, tight);
   EXPECT_FALSE(feasible.relative_interior(1, 0));
@@ -120,7 +120,7 @@ TEST(RelativeInterior, AtTheCriticalCoefficientTheCandidateIsLoaded) {
   compliance << 1, 0.5, 0.5, 1;
   problems::WedgedProblem problem;
   problem.dimension = 2;
-  problem.compliance = problem.stiffness = compliance;
+  problem.compliance.matrix = problem.compliance.stiffness = compliance;
   problem.contact_names.assign(1, "c");
   ContactSolver solver(problem, std::vector<double>{2.0}, tight);
   const auto found = solver.relative_interior(1, 0);

@@ -127,7 +127,7 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
     f = (f.array().abs() < 1e-13).select(Eigen::MatrixXd::Zero(f.rows(), f.cols()), f).eval();
     const int m = static_cast<int>(structure.contact.size());
     for (const double mu : {0.4, 1.2}) {
-      const auto found = feasible(problems::wedged_problem(structure), mu, 0, open);
+      const auto found = feasible(problems::wedged_problem(checked(structure)), mu, 0, open);
       for (std::uint64_t ones = 1; ones < std::uint64_t{1} << static_cast<unsigned>(m); ++ones) {
         const support::IndexSet contact = ones;
         const double most = margin(f, contact, mu).value_or(-1);
@@ -181,8 +181,9 @@ TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
     const auto structure = truss_in_corners(3, 2, bits);
     const auto tied = tied_apart(structure, 1e8);
     for (const double mu : {0.5, 1.5}) {
-      const auto own = feasible(problems::wedged_problem(structure), mu, 0, open);
-      EXPECT_EQ(own, feasible(problems::wedged_problem(tied), mu, of_the_tie, open_of_the_tie));
+      const auto own = feasible(problems::wedged_problem(checked(structure)), mu, 0, open);
+      EXPECT_EQ(own,
+                feasible(problems::wedged_problem(checked(tied)), mu, of_the_tie, open_of_the_tie));
       patterns += own.size();
     }
   }
@@ -191,7 +192,7 @@ TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
 }
 
 RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod method) {
-  const auto problem = problems::wedged_problem(structure);
+  const auto problem = problems::wedged_problem(checked(structure));
   const auto friction = everywhere(problem, mu);
   const auto cone = reaction_cone(problem, friction);
   engine::SingleProcess alone;
@@ -205,7 +206,7 @@ TEST(Corner, HasRaysWhoseCliquesAreThePatterns) {
   for (int trial = 0; trial < 30; ++trial) {
     SCOPED_TRACE(trial);
     const auto structure = truss_in_corners(3, 1 + trial % 2, bits);
-    const auto problem = problems::wedged_problem(structure);
+    const auto problem = problems::wedged_problem(checked(structure));
     for (const double mu : {0.5, 1.5}) {
       const auto found = rays_of(structure, mu, RayMethod::double_description);
       EXPECT_TRUE(found.health.sound());
@@ -256,8 +257,8 @@ problems::Structure tip_in_groove(double theta) {
 CriticalFindings critical(const problems::Structure& structure) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {});
-  return find_critical_friction(analysis, structure, problems::wedged_problem(structure),
-                                {.width = 1e-8});
+  const auto own = checked(structure);
+  return find_critical_friction(analysis, own, problems::wedged_problem(own), {.width = 1e-8});
 }
 
 TEST(Corner, OfAGrooveHoldsFromTheTangentOfItsHalfAngle) {
@@ -278,7 +279,7 @@ TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
   for (const double degrees : {10.0, 30.0}) {
     const double theta = degrees * std::numbers::pi / 180;
     const auto structure = wedge_in_groove(theta);
-    const auto problem = problems::wedged_problem(structure);
+    const auto problem = problems::wedged_problem(checked(structure));
     EXPECT_EQ(problem.contact_names,
               (std::vector<std::string>{"point@l", "left", "point@r", "right"}));
     EXPECT_TRUE(leaves_of(problem, std::tan(theta) * 0.999).empty());
@@ -307,7 +308,7 @@ TEST(Corner, OfASymmetricStructureHasSymmetricPatterns) {
       "[[contact]]\nnodes = [\"tip\"]\nnormal = [2, 1]\n"
       "[[contact]]\nnodes = [\"tip\"]\nnormal = [-2, 1]\n"
       "[[contact]]\nnodes = [\"b\"]\nnormal = [-4, 1]\n");
-  const auto problem = problems::wedged_problem(structure);
+  const auto problem = problems::wedged_problem(checked(structure));
   EXPECT_THAT(problem.contact_names, ::testing::ElementsAre("a", "tip@1", "tip@2", "b"));
   std::size_t found = 0;
   for (const double mu : {0.8, 3.0, 12.0}) {

@@ -78,9 +78,9 @@ TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
   const double mu = std::stod(GetParam());
   auto tree = tree_of(problem, mu);
   double unit = 0;
-  for (int i = 0; i < 10; ++i) unit += problem.compliance(3 * i, 3 * i) / 10;
+  for (int i = 0; i < 10; ++i) unit += problem.compliance.matrix(3 * i, 3 * i) / 10;
   const std::vector<double> friction(10, mu);
-  conic::NodeSolver<3> solver(problem.compliance / unit, friction);
+  conic::NodeSolver<3> solver(problem.compliance.matrix / unit, friction);
   std::set<ContactSet> feasible;
   for (std::uint64_t contact = 0; contact < 1024; ++contact) {
     const auto answer = solver.solve(contact, 1023 & ~contact);
@@ -116,7 +116,7 @@ TEST(SignPatternTree, EveryConfigurationSolvesTheWedgedProblem) {
     const Eigen::Map<const Eigen::VectorXd> r(found.reaction.data(), 30);
     const Eigen::Map<const Eigen::VectorXd> u(found.displacement.data(), 30);
     const double size = u.lpNorm<Eigen::Infinity>();
-    EXPECT_LE((problem.stiffness * u - r).lpNorm<Eigen::Infinity>(), 1e-9);
+    EXPECT_LE((problem.compliance.stiffness * u - r).lpNorm<Eigen::Infinity>(), 1e-9);
     double sum = 0;
     for (int i = 0; i < 10; ++i) {
       const bool contact = found.pattern.contact.contains(i);
@@ -186,7 +186,7 @@ TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
 TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
   const auto problem = named_example("space-truss.toml");
   double unit = 0;
-  for (int i = 0; i < 10; ++i) unit += problem.compliance(3 * i, 3 * i) / 10;
+  for (int i = 0; i < 10; ++i) unit += problem.compliance.matrix(3 * i, 3 * i) / 10;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     std::mt19937 random(seed);
     std::vector<double> friction(10);
@@ -194,7 +194,7 @@ TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
     SignPatternTree tree(problem, friction);
     const auto found = feasible_sets(engine::search(tree));
     EXPECT_GT(found.size(), 0U);
-    conic::NodeSolver<3> solver(problem.compliance / unit, friction);
+    conic::NodeSolver<3> solver(problem.compliance.matrix / unit, friction);
     std::set<ContactSet> feasible;
     for (std::uint64_t contact = 0; contact < 1024; ++contact) {
       const auto answer = solver.solve(contact, 1023 & ~contact);
@@ -211,8 +211,8 @@ TEST(SignPatternTree, DoesNotDependOnTheUnits) {
   const auto expected = feasible_sets(engine::search(tree));
   for (const double factor : {1e-5, 1e5}) {
     auto scaled = problem;
-    scaled.stiffness *= factor;
-    scaled.compliance /= factor;
+    scaled.compliance.stiffness *= factor;
+    scaled.compliance.matrix /= factor;
     auto other = tree_of(scaled, 0.65);
     EXPECT_EQ(feasible_sets(engine::search(other)), expected);
   }
@@ -275,7 +275,8 @@ TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
     EXPECT_TRUE(discarded.emplace(candidate.pattern.contact, candidate.discarded()).second);
     EXPECT_GT(candidate.polyhedral, 0);
   }
-  const Eigen::MatrixXd scaled = problem.compliance / problems::mean_normal_compliance(problem);
+  const Eigen::MatrixXd scaled =
+      problem.compliance.matrix / problems::mean_normal_compliance(problem);
   FacetBound polyhedral(scaled, friction, facets, {});
   conic::NodeSolver<3> cones(scaled, friction);
   std::map<support::IndexSet, bool> expected;
@@ -345,9 +346,9 @@ TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
       }
     };
     if (plane)
-      decide_all(conic::NodeSolver<2>(problem.compliance, friction));
+      decide_all(conic::NodeSolver<2>(problem.compliance.matrix, friction));
     else
-      decide_all(conic::NodeSolver<3>(problem.compliance, friction));
+      decide_all(conic::NodeSolver<3>(problem.compliance.matrix, friction));
     patterns += feasible.size();
     SignPatternTree cones(problem, friction);
     EXPECT_EQ(feasible_sets(engine::search(cones)), feasible) << seed;

@@ -105,7 +105,7 @@ TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
       SCOPED_TRACE(::testing::Message() << dimension << " " << seed);
       problems::WedgedProblem problem;
       try {
-        problem = problems::wedged_problem(random_structure(dimension, seed));
+        problem = problems::wedged_problem(checked(random_structure(dimension, seed)));
       } catch (const support::InputError&) {  // a mechanism
         continue;
       }

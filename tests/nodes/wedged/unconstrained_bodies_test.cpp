@@ -21,8 +21,8 @@ constexpr double degree = std::numbers::pi / 180;
 CriticalFindings critical(const problems::Structure& structure) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {});
-  return find_critical_friction(analysis, structure, problems::wedged_problem(structure),
-                                {.width = 1e-8});
+  const auto own = checked(structure);
+  return find_critical_friction(analysis, own, problems::wedged_problem(own), {.width = 1e-8});
 }
 
 /// A trapezoid of height 1 whose sides lie on the walls of a groove.

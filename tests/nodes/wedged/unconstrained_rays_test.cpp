@@ -23,7 +23,7 @@ namespace {
 using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
 
 RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod method) {
-  const auto problem = problems::wedged_problem(structure);
+  const auto problem = problems::wedged_problem(checked(structure));
   const std::vector<double> friction(problem.contact_names.size(), mu);
   const auto cone = reaction_cone(problem, friction);
   engine::SingleProcess alone;
@@ -55,8 +55,8 @@ TEST(UnconstrainedRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
   std::size_t cones = 0;
   for (int trial = 0; trial < 30; ++trial) {
     const auto truss = loose_truss(3 + trial % 4, bits);
-    const auto problem = problems::wedged_problem(truss);
-    ASSERT_EQ(problem.motions.cols(), 3);
+    const auto problem = problems::wedged_problem(checked(truss));
+    ASSERT_EQ(problem.modes.matrix.cols(), 3);
     const double mu = trial % 2 == 0 ? 0.5 : 1.2;
     const auto found = rays_of(truss, mu, RayMethod::double_description);
     const auto by_tree = rays_of(truss, mu, RayMethod::tree);

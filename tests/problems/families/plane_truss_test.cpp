@@ -20,7 +20,7 @@ namespace {
 
 TEST(PlaneTruss, OfTheUsualSizeIsTheExample) {
   const auto truss = plane_truss({});
-  const auto example = load_structure(test::source_path("examples/plane-truss.toml"));
+  const Structure example = load_structure(test::source_path("examples/plane-truss.toml"));
   // The coordinates of the example are typed with sixteen digits.
   EXPECT_LT((truss.coordinates - example.coordinates).cwiseAbs().maxCoeff(), 1e-14);
   ASSERT_EQ(truss.members.size(), example.members.size());
@@ -35,8 +35,8 @@ TEST(PlaneTruss, OfTheUsualSizeIsTheExample) {
   };
   EXPECT_EQ(pairs(truss), pairs(example));
   EXPECT_EQ(truss.fixed, example.fixed);
-  const auto own = wedged_problem(truss);
-  const auto theirs = wedged_problem(example);
+  const auto own = wedged_problem(checked(truss));
+  const auto theirs = wedged_problem(checked(example));
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(truss.contact[i].node, example.contact[i].node);
     EXPECT_LT((own.frames[i] - theirs.frames[i]).cwiseAbs().maxCoeff(), 1e-15);
@@ -60,7 +60,8 @@ TEST(PlaneTruss, OfAnySizeAndBraceStandsFirm) {
     for (const int bays : {1, 2, 3, 4}) {
       for (const auto verticals : {Verticals::none, Verticals::inner, Verticals::all}) {
         const auto truss = plane_truss({.rows = rows, .bays = bays, .verticals = verticals});
-        EXPECT_EQ(wedged_problem(truss).contact_names.size(), static_cast<std::size_t>(rows))
+        EXPECT_EQ(wedged_problem(checked(truss)).contact_names.size(),
+                  static_cast<std::size_t>(rows))
             << rows << ' ' << bays;
       }
     }
@@ -88,7 +89,7 @@ TEST(PlaneTruss, OfAnImpossibleSizeIsRefused) {
 
 TEST(PlaneTruss, IsWrittenAndReadBackToTheLastBit) {
   const auto truss = plane_truss({.rows = 6, .bays = 3, .width = 4.4, .lean = 17});
-  const auto copy = read_structure(structure_text(truss), "copy");
+  const Structure copy = read_structure(structure_text(truss), "copy");
   EXPECT_EQ(copy.coordinates, truss.coordinates);
   EXPECT_EQ(copy.node_names, truss.node_names);
 }

@@ -44,7 +44,7 @@ TEST(SpaceTruss, OfAnySizeStandsFirm) {
     for (const int depth : {2, 3, 5}) {
       for (int bays = 1; bays <= rows; ++bays) {
         const auto truss = space_truss({rows, depth, bays});
-        const auto problem = wedged_problem(truss);  // throws if it is a mechanism
+        const auto problem = wedged_problem(checked(truss));  // throws if it is a mechanism
         EXPECT_EQ(problem.contact_names.size(), static_cast<std::size_t>(rows * depth));
       }
     }
@@ -63,7 +63,7 @@ TEST(SpaceTruss, OfAnImpossibleSizeIsRefused) {
 TEST(StructureText, IsReadBackToTheLastBit) {
   for (const auto& size : {SpaceTrussSize{}, SpaceTrussSize{2, 2, 1}, SpaceTrussSize{7, 3, 2}}) {
     const auto truss = space_truss(size);
-    const auto copy = read_structure(structure_text(truss), "copy");
+    const Structure copy = read_structure(structure_text(truss), "copy");
     EXPECT_EQ(copy.name, truss.name);
     EXPECT_EQ(copy.node_names, truss.node_names);
     expect_alike(copy, truss);
@@ -71,7 +71,7 @@ TEST(StructureText, IsReadBackToTheLastBit) {
 }
 
 TEST(StructureText, KeepsNamesUnitsRollersAndGroups) {
-  const auto structure = read_structure(R"(
+  const Structure structure = read_structure(R"(
 name = "a \"quoted\" name, \\ and 'more'"
 dimension = 2
 units = { length = "µm", force = "k\"N" }
@@ -100,8 +100,8 @@ normal = [0, 1]
 tangent = [1, 0.5]
 friction_factor = 0.1
 )",
-                                        "original");
-  const auto copy = read_structure(structure_text(structure), "copy");
+                                             "original");
+  const Structure copy = read_structure(structure_text(structure), "copy");
   EXPECT_EQ(copy.name, structure.name);
   EXPECT_EQ(copy.units.length, structure.units.length);
   EXPECT_EQ(copy.units.force, structure.units.force);

@@ -68,14 +68,14 @@ double reference_force(const Structure& structure, const std::string& load_case)
 }
 
 TEST(Actions, EachVariableActionLeadsOnce) {
-  const Structure structure = read_structure(one_bar(general), "hanger.toml");
+  const auto structure = read_structure(one_bar(general), "hanger.toml");
   EXPECT_THAT(load_cases(structure), ElementsAre("6.10 snow leads", "6.10 wind leads"));
   EXPECT_EQ(reference_force(structure, "6.10 snow leads"), -1.5 * 7);
   EXPECT_EQ(reference_force(structure, "6.10 wind leads"), -1.5 * 0.5 * 7);
 }
 
 TEST(Actions, WithoutALeadingActionAllAreReduced) {
-  const Structure structure = read_structure(
+  const auto structure = read_structure(
       one_bar("[combinations]\nrule = \"6.10ab\"\nxi = 0.8\nreference = \"snow\""), "hanger.toml");
   EXPECT_THAT(load_cases(structure), ElementsAre("6.10a", "6.10b snow leads", "6.10b wind leads"));
   EXPECT_EQ(reference_force(structure, "6.10a"), -1.5 * 0.5 * 7);
@@ -87,7 +87,7 @@ TEST(Actions, WithoutALeadingActionAllAreReduced) {
 
 // The bounds of each range, as exact products, are within the nominal load and the half-width.
 TEST(Actions, RangesHoldBothFactors) {
-  const Structure structure = read_structure(one_bar(general), "hanger.toml");
+  const auto structure = read_structure(one_bar(general), "hanger.toml");
   const auto expect_held = [&](const std::string& load_case, const std::string& action,
                                double lower, double upper, int axis, double force) {
     const auto parameter = ranges(structure, load_case).at(action);
@@ -125,7 +125,7 @@ psi0 = 0.7
 exclusive = "crane"
 forces = [{ nodes = ["low"], force = [1, 0] }]
 )";
-  const Structure structure = read_structure(one_bar(general, tail), "hanger.toml");
+  const auto structure = read_structure(one_bar(general, tail), "hanger.toml");
   EXPECT_THAT(load_cases(structure),
               ElementsAre("6.10 snow leads, crane left", "6.10 wind leads, crane left",
                           "6.10 crane left leads, crane left", "6.10 snow leads, crane right",
@@ -137,7 +137,7 @@ forces = [{ nodes = ["low"], force = [1, 0] }]
 TEST(Actions, EqualFactorsAreNominal) {
   std::string text = one_bar(general);
   text.replace(text.find("[0.9, 1.1]"), 10, "[1.2, 1.2]");
-  const Structure structure = read_structure(text, "hanger.toml");
+  const auto structure = read_structure(text, "hanger.toml");
   EXPECT_FALSE(ranges(structure, "6.10 snow leads").contains("own weight"));
 }
 

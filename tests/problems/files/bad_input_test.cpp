@@ -49,7 +49,7 @@ testing::Matcher<std::string> promised_error(const std::string& text) {
 
 std::string error_of(const std::string& text, const std::string& file_name) {
   try {
-    const Structure structure = read_structure(text, file_name);
+    const auto structure = read_structure(text, file_name);
     // Files whose names begin with "limit-" have faults that only limit analysis finds.
     if (file_name.starts_with("limit-")) {
       limit_problem(structure);

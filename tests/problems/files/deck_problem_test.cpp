@@ -65,7 +65,7 @@ TEST(DeckProblem, IsTheProblemOfTheSameStructureByHand) {
       "name = \"block on a block\"\ndimension = 2\nunits = { length = \"mm\", force = \"N\" }\n"
       "[[mesh]]\nname = \"d\"\nfile = \"d.inp\"\n"
       "[[contact]]\nnodes = [\"d.1\", \"d.2\", \"d.3\"]\nagainst = \"d.TABLE\"\nnormal = [0, 1]\n";
-  const auto expected = read_structure({by_hand, {{"d.inp", blocks}}}, "h.toml");
+  const Structure expected = read_structure({by_hand, {{"d.inp", blocks}}}, "h.toml");
   EXPECT_EQ(found.name, expected.name);
   EXPECT_EQ(found.node_names, expected.node_names);
   EXPECT_EQ(found.fixed, expected.fixed);
@@ -214,7 +214,7 @@ TEST(DeckProblem, SaysWhichMaterialIsMissing) {
 TEST(DeckProblem, IsMentionedWhereADeckIsAMesh) {
   const std::string toml = test::head(2) + "[[mesh]]\nname = \"d\"\nfile = \"d.inp\"\n";
   const auto warnings = [&](const std::string& more) {
-    return read_structure({toml + more, {{"d.inp", blocks + contact}}}, "p.toml").warnings;
+    return read_structure({toml + more, {{"d.inp", blocks + contact}}}, "p.toml")->warnings;
   };
   EXPECT_THAT(warnings(""), Contains(HasSubstr("kusabi import writes a problem file with them")));
   EXPECT_THAT(warnings("supports = false\n[[supports]]\nnodes = [\"d.GROUND\"]\n"),

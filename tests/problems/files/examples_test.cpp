@@ -61,7 +61,7 @@ void expect_same_structure(const Structure& structure, const Json& expected) {
 
 /// Every frame has the columns `expected`.
 void expect_frames(const Structure& structure, const std::vector<std::vector<double>>& expected) {
-  for (const Eigen::MatrixXd& frame : wedged_problem(structure).frames) {
+  for (const Eigen::MatrixXd& frame : wedged_problem(checked(structure)).frames) {
     for (Eigen::Index column = 0; column < frame.cols(); ++column) {
       const auto& vector = expected.at(static_cast<std::size_t>(column));
       const Eigen::Map<const Eigen::VectorXd> map(vector.data(), structure.dimension);

@@ -355,11 +355,11 @@ TEST(GivenNormals, ThatPointOutOfTheBodyAreRefused) {
 // The paper's own normal is that of the mirrored edge, 2 atan(0.1) off.
 TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreReported) {
   const auto path = std::string(KUSABI_SOURCE_DIR "/examples/paper/elastic-body.toml");
-  const auto warnings = load_structure(path).warnings;
+  const auto warnings = load_structure(path)->warnings;
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings[0], StartsWith(path + ":"));
   EXPECT_THAT(warnings[0], HasSubstr("the normal is 11.4 degrees off the surface of the body"));
-  EXPECT_THAT(load_structure(KUSABI_SOURCE_DIR "/examples/elastic-body.toml").warnings,
+  EXPECT_THAT(load_structure(KUSABI_SOURCE_DIR "/examples/elastic-body.toml")->warnings,
               ElementsAre());
 }
 

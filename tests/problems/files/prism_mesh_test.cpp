@@ -39,7 +39,7 @@ std::string joined(const std::vector<std::string>& lines) {
 
 void expect_prism(const std::string& name, const std::string& text) {
   const ProblemText problem{test::head(3) + test::mesh_of(name, 3), {{name, text}}};
-  const auto structure = read_structure(problem, "test.toml");
+  const Structure structure = read_structure(problem, "test.toml");
   ASSERT_EQ(structure.elements.size(), 1U);
   const Element& element = structure.elements[0];
   ASSERT_EQ(element.shape, ElementShape::prism15);
@@ -77,7 +77,7 @@ TEST(Prism, HasTheFacesOfAbaqus) {
           "6\n*ELEMENT, TYPE=C3D6\n1, 1, 2, 3, 4, 5, 6\n*SURFACE, NAME=s\n1, " +
               face + "\n"}}};
     std::vector<std::string> names;
-    const auto structure = read_structure(problem, "test.toml");
+    const Structure structure = read_structure(problem, "test.toml");
     for (const auto& candidate : structure.contact)
       names.push_back(structure.node_names[static_cast<std::size_t>(candidate.node)]);
     return names;

@@ -50,7 +50,7 @@ TEST_F(ProblemTexts, HaveAllFilesThatAreNamedAndIncluded) {
   EXPECT_EQ(text.meshes.size(), 2U);
   EXPECT_EQ(text.meshes.at("parts/a.inp"), square);
   EXPECT_TRUE(text.meshes.contains("parts/elements.txt"));
-  EXPECT_EQ(load_structure(folder_ / "p.toml").elements.size(), 1U);
+  EXPECT_EQ(load_structure(folder_ / "p.toml")->elements.size(), 1U);
 }
 
 TEST_F(ProblemTexts, SayWhoNamesAFileThatIsMissing) {

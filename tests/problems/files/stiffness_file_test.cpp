@@ -44,28 +44,31 @@ ProblemText with_rows(const std::string& toml) {
 }
 
 WedgedProblem own_brick() {
-  return wedged_problem(test::read(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) +
-                                   clamped_below + touches_right));
+  return wedged_problem(checked(test::read(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) +
+                                           clamped_below + touches_right)));
 }
 
 WedgedProblem own_brick_held_but_for_6_and_7() {
-  return wedged_problem(test::read(
+  return wedged_problem(checked(test::read(
       test::head(3) + test::mesh_of("box-hex8-41.msh", 3) +
-      "[[supports]]\nnodes = [\"m.box\"]\nexcept = [\"m.6\", \"m.7\"]\n" + touches_right));
+      "[[supports]]\nnodes = [\"m.box\"]\nexcept = [\"m.6\", \"m.7\"]\n" + touches_right)));
 }
 
 TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
   for (const char* name : {"box-hex8-substructure.mtx", "box-hex8-stored.sti"}) {
-    const auto structure = read_structure(
+    const Structure structure = read_structure(
         with_rows(brick(fmt::format("[[stiffness]]\nmesh = \"m\"\nfile = \"{}\"\n", name))),
         "test.toml");
     const bool is_stored = name == std::string("box-hex8-stored.sti");
     // In its substructures all nodes except the retained ones, 6 and 7, are fixed: see the warning.
     const auto expected = is_stored ? own_brick() : own_brick_held_but_for_6_and_7();
     EXPECT_EQ(structure.warnings.size(), is_stored ? 0U : 1U);
-    const auto found = wedged_problem(structure);
-    EXPECT_TRUE(found.compliance.isApprox(expected.compliance, calculix_rounding)) << name;
-    EXPECT_TRUE(found.stiffness.isApprox(expected.stiffness, calculix_rounding)) << name;
+    const auto found = wedged_problem(checked(structure));
+    EXPECT_TRUE(found.compliance.matrix.isApprox(expected.compliance.matrix, calculix_rounding))
+        << name;
+    EXPECT_TRUE(
+        found.compliance.stiffness.isApprox(expected.compliance.stiffness, calculix_rounding))
+        << name;
     EXPECT_EQ(found.contact_names, expected.contact_names);
     EXPECT_EQ(structure.superelements.front().rounding, is_stored ? 0.5e-13 : 0.5e-12);
   }
@@ -78,13 +81,13 @@ TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
                     "\"box-hex8-stored.sti\"\nothers = \"free\"\n[[contact]]\nnodes = [\"6\", "
                     "\"7\"]\nnormal = [-1, 0, 0]\n";
   const auto found = wedged_problem(read_structure(with_rows(toml), "test.toml"));
-  EXPECT_TRUE(found.compliance.isApprox(own_brick().compliance, calculix_rounding));
+  EXPECT_TRUE(found.compliance.matrix.isApprox(own_brick().compliance.matrix, calculix_rounding));
 }
 
 // The claim of the first lines of the example.
 TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
   const auto name = test::source_path("examples/brick-by-calculix.toml");
-  const auto given = load_structure(name);
+  const Structure given = load_structure(name);
   EXPECT_TRUE(given.elements.empty());
   auto problem = problem_text(name);
   const auto replace = [&](const std::string& old, const std::string& by) {
@@ -97,9 +100,9 @@ TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
   replace("[[stiffness]]\nfile = \"brick-by-calculix.sti\"\nmesh = \"brick\"\n",
           "[[supports]]\nnodes = [\"brick.clamped\"]\n");
   const auto own = wedged_problem(read_structure(problem, name));
-  const auto found = wedged_problem(given);
+  const auto found = wedged_problem(checked(given));
   EXPECT_EQ(found.contact_names.size(), 6U);
-  EXPECT_TRUE(found.compliance.isApprox(own.compliance, calculix_rounding));
+  EXPECT_TRUE(found.compliance.matrix.isApprox(own.compliance.matrix, calculix_rounding));
 }
 
 /// The stiffness of the whole brick without supports, in the order of its nodes.
@@ -149,8 +152,8 @@ TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
         lines(k, "coordinate real general", nonzero, true),
         lines(k, "coordinate double symmetric", lower, true),
         lines(k, "Coordinate Real Symmetric", upper, true), ours.str()}) {
-    const auto found = wedged_problem(with_matrix("", matrix, clamped_below));
-    EXPECT_TRUE(found.compliance.isApprox(expected.compliance, summation_rounding))
+    const auto found = wedged_problem(checked(with_matrix("", matrix, clamped_below)));
+    EXPECT_TRUE(found.compliance.matrix.isApprox(expected.compliance.matrix, summation_rounding))
         << matrix.substr(0, 60);
   }
 }
@@ -167,7 +170,7 @@ TEST(StiffnessFile, TakesItsNodesAsListedAndRowsAsSaid) {
                           "nodes = [\"b\", \"a\"]\nrows = [\"x\", \"y\", \"free\", \"held\"]\n",
                       {}};
   problem.meshes["k.mtx"] = matrix;
-  const auto structure = read_structure(problem, "test.toml");
+  const Structure structure = read_structure(problem, "test.toml");
   const auto& [rows, stiffness, own_rounding] = structure.superelements.front();
   EXPECT_EQ(own_rounding, 0);
   ASSERT_EQ(rows.size(), 6U);
@@ -231,7 +234,7 @@ TEST(StiffnessFile, OfALooseBodyIsRefusedByItsNodes) {
   const auto structure =
       with_matrix("", lines(unconstrained_stiffness(), "array real general", all, false));
   try {
-    wedged_problem(structure);
+    wedged_problem(checked(structure));
     FAIL() << "a loose body was accepted";
   } catch (const support::InputError& error) {
     EXPECT_THAT(error.what(),

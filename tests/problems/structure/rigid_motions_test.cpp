@@ -69,7 +69,7 @@ TEST(RigidMotions, DoNotDependOnTheUnitNorOnThePlace) {
       hold(body, 1, 1);
       EXPECT_EQ(motions(body), "can move along x");
       const auto bodies = unconstrained_bodies(body);
-      const auto held = grounded_structure(body, bodies);
+      const auto held = grounded_structure(body, free_degrees(body), bodies);
       EXPECT_THAT(moving_nodes(held, free_degrees(held)), testing::IsEmpty());
     }
   }

@@ -206,7 +206,7 @@ TEST_P(SolidElement, IsWrittenAndReadBack) {
   body.name = "patch";
   body.units = {"m", "kN"};
   body.fixed[0] = {true, true, body.dimension == 3};
-  const auto copy = read_structure(structure_text(body), "copy");
+  const Structure copy = read_structure(structure_text(body), "copy");
   ASSERT_EQ(copy.elements.size(), body.elements.size());
   for (std::size_t i = 0; i < body.elements.size(); ++i) {
     EXPECT_EQ(copy.elements[i].shape, GetParam());

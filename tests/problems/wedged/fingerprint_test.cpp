@@ -76,7 +76,7 @@ TEST(Fingerprint, ChangesWithEveryIngredient) {
   for (const auto& change : changes) {
     Structure structure = test::cantilever(3);
     change(structure);
-    seen.insert(wedged_problem(structure).fingerprint);
+    seen.insert(wedged_problem(checked(structure)).provenance.fingerprint);
   }
   EXPECT_EQ(seen.size(), changes.size());
 }
@@ -123,8 +123,8 @@ c = [1.000, 0]
 )";
 
 TEST(Fingerprint, DoesNotChangeWithTheSpelling) {
-  EXPECT_EQ(wedged_problem(read_structure(tidy, "tidy")).fingerprint,
-            wedged_problem(read_structure(untidy, "untidy")).fingerprint);
+  EXPECT_EQ(wedged_problem(read_structure(tidy, "tidy")).provenance.fingerprint,
+            wedged_problem(read_structure(untidy, "untidy")).provenance.fingerprint);
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
   for (int draw = 0; draw < 40; ++draw) {
     SCOPED_TRACE(draw);
     const Structure structure = test::random_corners(2 + draw % 2, bits);
-    const auto problem = wedged_problem(structure);
+    const auto problem = wedged_problem(checked(structure));
     const Eigen::Index d = structure.dimension;
     const Eigen::MatrixXd expected = test::compliance_by_multipliers(structure);
-    Eigen::MatrixXd added = problem.compliance - expected;
+    Eigen::MatrixXd added = problem.compliance.matrix - expected;
     const auto corners = nodes_with_several_normals(structure);
     EXPECT_EQ(corners.size(), d == 2 ? 4U : 5U);
     const double size = expected.norm();
@@ -52,10 +52,11 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
       added.block(d * i, d * i, d, d).setZero();
     }
     EXPECT_LE(added.norm(), 1e-10 * size);
-    EXPECT_LE(problem.precise_error, 1e-18);
+    EXPECT_LE(problem.compliance.precise_error, 1e-18);
     EXPECT_LE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(expected).eigenvalues()(0),
               1e-12 * size);
-    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(problem.stiffness).eigenvalues()(0),
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(problem.compliance.stiffness)
+                  .eigenvalues()(0),
               0);
   }
 }
@@ -67,9 +68,9 @@ TEST(Corner, MovesOnceAndTakesTheSumOfItsReactions) {
     SCOPED_TRACE(draw);
     const Structure structure = test::random_corners(2 + draw % 2, bits);
     const Eigen::Index d = structure.dimension;
-    const auto problem = wedged_problem(structure);
-    const WholeStructure whole(structure, problem);
-    const Eigen::VectorXd reactions = test::random_vector(problem.compliance.rows(), bits);
+    const auto problem = wedged_problem(checked(structure));
+    const WholeStructure whole(checked(structure), problem);
+    const Eigen::VectorXd reactions = test::random_vector(problem.compliance.matrix.rows(), bits);
     const auto state = whole.under(
         std::span<const double>(reactions.data(), static_cast<std::size_t>(reactions.size())));
     const Eigen::VectorXd seen = test::compliance_by_multipliers(structure) * reactions;
@@ -106,9 +107,9 @@ TEST(Corner, ConnectsWhatItIsAgainst) {
   const Eigen::Vector2d up(0, 1), right(1, 0);
   structure.contact = {
       {first, up, std::nullopt, 1}, {second, up, std::nullopt, 1}, {third, up, std::nullopt, 1}};
-  EXPECT_EQ(wedged_problem(structure).blocks.size(), 3U);
+  EXPECT_EQ(wedged_problem(checked(structure)).blocks.size(), 3U);
   structure.contact.push_back({first, right, std::nullopt, 1, std::nullopt, {{second, 1}}});
-  const auto problem = wedged_problem(structure);
+  const auto problem = wedged_problem(checked(structure));
   ASSERT_EQ(problem.blocks.size(), 2U);
   EXPECT_EQ(problem.blocks[0], support::IndexSet(0b1011));
   EXPECT_THAT(problem.contact_names,
@@ -143,7 +144,7 @@ TEST(Corner, IsNamedAfterWhatItTouches) {
 
 // In a list of edges, a node of two edges has the normal of each.
 TEST(Corner, OfASurfaceHasTheNormalsOfItsEdges) {
-  const auto structure = read_structure(
+  const Structure structure = read_structure(
       square("[[contact]]\nnodes = [\"b.left\", \"b.bottom\"]\nnormal = \"surface\"\n"), "s");
   ASSERT_EQ(structure.contact.size(), 5U);
   for (const int i : {0, 1})
@@ -153,13 +154,14 @@ TEST(Corner, OfASurfaceHasTheNormalsOfItsEdges) {
     EXPECT_TRUE(structure.contact[static_cast<std::size_t>(i)].normal.isApprox(
         Eigen::Vector2d(0, 1), 1e-15));
   const auto again = read_structure(structure_text(structure), "again");
-  EXPECT_EQ(wedged_problem(again).contact_names, wedged_problem(structure).contact_names);
-  EXPECT_EQ(wedged_problem(again).compliance, wedged_problem(structure).compliance);
+  EXPECT_EQ(wedged_problem(again).contact_names, wedged_problem(checked(structure)).contact_names);
+  EXPECT_EQ(wedged_problem(again).compliance.matrix,
+            wedged_problem(checked(structure)).compliance.matrix);
 }
 
 std::string refusal(const Structure& structure) {
   try {
-    wedged_problem(structure);
+    wedged_problem(checked(structure));
   } catch (const support::InputError& error) {
     return error.what();
   }

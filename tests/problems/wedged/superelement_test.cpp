@@ -63,17 +63,17 @@ Structure cantilever(int count) {
 TEST(Superelement, OfABeamBendsAsByHand) {
   for (const int count : {1, 2, 7}) {
     const double l = count;
-    const WedgedProblem problem = wedged_problem(cantilever(count));
-    EXPECT_NEAR(problem.compliance(0, 0), l * l * l / 3, matrix_rounding * l * l * l);
-    EXPECT_NEAR(problem.compliance(1, 1), l, matrix_rounding * l);
-    EXPECT_EQ(problem.compliance(0, 1), 0);
+    const WedgedProblem problem = wedged_problem(checked(cantilever(count)));
+    EXPECT_NEAR(problem.compliance.matrix(0, 0), l * l * l / 3, matrix_rounding * l * l * l);
+    EXPECT_NEAR(problem.compliance.matrix(1, 1), l, matrix_rounding * l);
+    EXPECT_EQ(problem.compliance.matrix(0, 1), 0);
   }
 }
 
 // The clamp takes the force; its moment acts on a rotation without support reaction.
 TEST(Superelement, HandsForcesToTheSupports) {
   const Structure structure = cantilever(3);
-  const WholeStructure whole(structure, wedged_problem(structure));
+  const WholeStructure whole(checked(structure), wedged_problem(checked(structure)));
   const auto state = whole.under(std::vector<double>{2, 5}, std::vector<double>{18, 15});
   EXPECT_NEAR(state.reactions(1, 0), -2, matrix_rounding);
   EXPECT_NEAR(state.reactions(0, 0), -5, matrix_rounding);
@@ -85,17 +85,17 @@ TEST(Superelement, IsAsGoodAsTheBarsAndElementsInIt) {
   std::mt19937 bits(5);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   for (int round = 0; round < 6; ++round) {
     const Structure structure = test::random_bodies(round % 2 == 0 ? 2 : 3, bits);
-    const WedgedProblem expected = wedged_problem(structure);
-    const WedgedProblem found = wedged_problem(test::with_a_matrix(structure));
-    EXPECT_TRUE(found.compliance.isApprox(expected.compliance, matrix_rounding));
-    EXPECT_NE(found.fingerprint, expected.fingerprint);
-    EXPECT_LE(found.precise_error, 1e-15);
+    const WedgedProblem expected = wedged_problem(checked(structure));
+    const WedgedProblem found = wedged_problem(checked(test::with_a_matrix(structure)));
+    EXPECT_TRUE(found.compliance.matrix.isApprox(expected.compliance.matrix, matrix_rounding));
+    EXPECT_NE(found.provenance.fingerprint, expected.provenance.fingerprint);
+    EXPECT_LE(found.compliance.precise_error, 1e-15);
   }
 }
 
 TEST(Superelement, ComesApartWhereItsMatrixDoes) {
   Structure structure = cantilever(1);
-  EXPECT_EQ(wedged_problem(structure).blocks.size(), 1U);
+  EXPECT_EQ(wedged_problem(checked(structure)).blocks.size(), 1U);
   structure.fixed[0] = {};
   structure.superelements.clear();
   Superelement two;  // a spring at each node
@@ -103,12 +103,12 @@ TEST(Superelement, ComesApartWhereItsMatrixDoes) {
   two.stiffness = sparse(Eigen::Matrix4d::Identity());
   structure.superelements.push_back(two);
   structure.contact.push_back({0, Eigen::Vector2d(0, 1), std::nullopt});
-  EXPECT_EQ(wedged_problem(structure).blocks.size(), 2U);
+  EXPECT_EQ(wedged_problem(checked(structure)).blocks.size(), 2U);
 }
 
 std::string error_of(const Structure& structure) {
   try {
-    wedged_problem(structure);
+    wedged_problem(checked(structure));
   } catch (const support::InputError& error) {
     return error.what();
   }
@@ -164,7 +164,7 @@ TEST(Superelement, IsRefusedIfItIsNoStiffness) {
 
 TEST(Superelement, IsNoneOfLimitAnalysis) {
   try {
-    limit_problem(cantilever(1));
+    limit_problem(checked(cantilever(1)));
     FAIL() << "limit analysis of a matrix";
   } catch (const support::InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("a stiffness of another program has no yield force"));

@@ -86,8 +86,8 @@ Eigen::MatrixXd across(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& va
 // The same rigid-body modes as the system, displacements that differ by these only; and the whole
 // structure consistent with its candidates.
 void expect_what_multipliers_say(const Structure& structure, Eigen::Index motions) {
-  const auto problem = wedged_problem(structure);
-  ASSERT_EQ(problem.motions.cols(), motions);
+  const auto problem = wedged_problem(checked(structure));
+  ASSERT_EQ(problem.modes.matrix.cols(), motions);
   const auto [matrix, loads] = test::multiplier_system(structure);
   Eigen::FullPivLU<Eigen::MatrixXd> system(matrix);
   system.setThreshold(1e-11);
@@ -96,23 +96,24 @@ void expect_what_multipliers_say(const Structure& structure, Eigen::Index motion
     Eigen::FullPivLU<Eigen::MatrixXd> of_seen(seen);
     of_seen.setThreshold(1e-9);
     EXPECT_EQ(of_seen.rank(), motions);
-    EXPECT_LE(across(problem.motions, seen).norm(), 1e-9 * seen.norm());
+    EXPECT_LE(across(problem.modes.matrix, seen).norm(), 1e-9 * seen.norm());
   } else {
     EXPECT_EQ(motions, 0);
   }
-  const WholeStructure whole(structure, problem);
+  const WholeStructure whole(checked(structure), problem);
   std::mt19937 bits(2);
   for (int draw = 0; draw < 3; ++draw) {
     const Eigen::VectorXd r =
-        across(problem.motions, test::random_vector(problem.compliance.rows(), bits));
-    const Eigen::VectorXd u = problem.compliance * r;
+        across(problem.modes.matrix, test::random_vector(problem.compliance.matrix.rows(), bits));
+    const Eigen::VectorXd u = problem.compliance.matrix * r;
     const Eigen::VectorXd expected = loads.transpose() * system.solve(Eigen::VectorXd(loads * r));
-    EXPECT_LE(across(problem.motions, u - expected).norm(), 1e-9 * u.norm());
+    EXPECT_LE(across(problem.modes.matrix, u - expected).norm(), 1e-9 * u.norm());
     EXPECT_GT(u.norm(), 1e-6 * r.norm());
 
     const Eigen::VectorXd moved =
-        motions == 0 ? u
-                     : Eigen::VectorXd(u + problem.motions * test::random_vector(motions, bits));
+        motions == 0
+            ? u
+            : Eigen::VectorXd(u + problem.modes.matrix * test::random_vector(motions, bits));
     const auto state = whole.under(std::vector<double>(r.begin(), r.end()),
                                    std::vector<double>(moved.begin(), moved.end()));
     EXPECT_LE(state.imbalance, 1e-11);
@@ -180,13 +181,13 @@ TEST(TiedMeshes, OfALooseBodyAreInPlace) {
     Structure off = row.structure;
     off.coordinates(0, off.ties[2].node) += gap;
     try {
-      wedged_problem(off);
+      wedged_problem(checked(off));
       ADD_FAILURE() << gap;
     } catch (const support::InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("differs from its own"));
     }
     for (const int node : row.at(0, 0)) test::fix(off, node);
-    EXPECT_EQ(wedged_problem(off).motions.cols(), 0);
+    EXPECT_EQ(wedged_problem(checked(off)).modes.matrix.cols(), 0);
   }
 }
 

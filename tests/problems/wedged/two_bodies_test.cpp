@@ -31,20 +31,20 @@ TEST(TwoBodies, AreAsSoftAsBothTogether) {
   const int a = crossing_bars(structure, 2, 8);
   const int b = crossing_bars(structure, 4, 1);
   structure.contact = {{a, Eigen::Vector2d(1, 0), std::nullopt, 1, std::nullopt, {{b, 1}}}};
-  const auto problem = wedged_problem(structure);
+  const auto problem = wedged_problem(checked(structure));
   EXPECT_EQ(problem.contact_names, std::vector<std::string>{"node 0|node 3"});
-  EXPECT_DOUBLE_EQ(problem.compliance(0, 0), 1.0 / 2 + 1.0 / 4);
-  EXPECT_DOUBLE_EQ(problem.compliance(1, 1), 1.0 / 8 + 1.0);
-  EXPECT_DOUBLE_EQ(problem.compliance(0, 1), 0);
+  EXPECT_DOUBLE_EQ(problem.compliance.matrix(0, 0), 1.0 / 2 + 1.0 / 4);
+  EXPECT_DOUBLE_EQ(problem.compliance.matrix(1, 1), 1.0 / 8 + 1.0);
+  EXPECT_DOUBLE_EQ(problem.compliance.matrix(0, 1), 0);
 
   // The opposite place half-way between two nodes: u_b = (u_1 + u_2)/2, and each takes half of the
   // force.
   const int c = crossing_bars(structure, 16, 5);
   structure.contact[0].against = {{b, 0.5}, {c, 0.5}};
-  const auto between = wedged_problem(structure);
+  const auto between = wedged_problem(checked(structure));
   EXPECT_EQ(between.contact_names, std::vector<std::string>{"node 0|node 3+"});
-  EXPECT_DOUBLE_EQ(between.compliance(0, 0), 1.0 / 2 + (1.0 / 4 + 1.0 / 16) / 4);
-  EXPECT_DOUBLE_EQ(between.compliance(1, 1), 1.0 / 8 + (1.0 + 1.0 / 5) / 4);
+  EXPECT_DOUBLE_EQ(between.compliance.matrix(0, 0), 1.0 / 2 + (1.0 / 4 + 1.0 / 16) / 4);
+  EXPECT_DOUBLE_EQ(between.compliance.matrix(1, 1), 1.0 / 8 + (1.0 + 1.0 / 5) / 4);
 }
 
 TEST(TwoBodies, AreWhatMultipliersSay) {
@@ -52,16 +52,17 @@ TEST(TwoBodies, AreWhatMultipliersSay) {
   for (int draw = 0; draw < 40; ++draw) {
     const Structure structure = test::random_bodies(2 + draw % 2, bits);
     SCOPED_TRACE(draw);
-    const auto problem = wedged_problem(structure);
+    const auto problem = wedged_problem(checked(structure));
     Eigen::MatrixXd expected = test::compliance_by_multipliers(structure);
     // The direction of the roller is independent of all others.
     const Eigen::Index held = expected.rows() - structure.dimension + 1;
     EXPECT_LE(expected.row(held).norm(), 1e-12 * expected.norm());
-    EXPECT_GT(problem.compliance(held, held), 0);
-    expected(held, held) = problem.compliance(held, held);
-    EXPECT_LE((problem.compliance - expected).norm(), 1e-10 * expected.norm());
-    EXPECT_LE(problem.precise_error, 1e-18);
-    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(problem.stiffness).eigenvalues()(0),
+    EXPECT_GT(problem.compliance.matrix(held, held), 0);
+    expected(held, held) = problem.compliance.matrix(held, held);
+    EXPECT_LE((problem.compliance.matrix - expected).norm(), 1e-10 * expected.norm());
+    EXPECT_LE(problem.compliance.precise_error, 1e-18);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(problem.compliance.stiffness)
+                  .eigenvalues()(0),
               0);
   }
 }
@@ -70,9 +71,9 @@ TEST(TwoBodies, AreInEquilibrium) {
   std::mt19937 bits(4);
   for (int draw = 0; draw < 20; ++draw) {
     const Structure structure = test::random_bodies(2 + draw % 2, bits);
-    const auto problem = wedged_problem(structure);
-    const WholeStructure whole(structure, problem);
-    const Eigen::VectorXd reactions = test::random_vector(problem.compliance.rows(), bits);
+    const auto problem = wedged_problem(checked(structure));
+    const WholeStructure whole(checked(structure), problem);
+    const Eigen::VectorXd reactions = test::random_vector(problem.compliance.matrix.rows(), bits);
     const auto state = whole.under(
         std::span<const double>(reactions.data(), static_cast<std::size_t>(reactions.size())));
     // No moments: the places of random pairs and constraints do not match their weights.
@@ -113,10 +114,10 @@ TEST(TwoBodies, TiedWhereTheirNodesMeetAreOne) {
     tied.ties.push_back({twin, {{node, 1}}});
   }
   // The upright at x = 2 is connected to both of the second half.
-  const auto one = wedged_problem(whole);
-  const auto two = wedged_problem(tied);
-  EXPECT_EQ(one.compliance, two.compliance);
-  EXPECT_NE(one.fingerprint, two.fingerprint);
+  const auto one = wedged_problem(checked(whole));
+  const auto two = wedged_problem(checked(tied));
+  EXPECT_EQ(one.compliance.matrix, two.compliance.matrix);
+  EXPECT_NE(one.provenance.fingerprint, two.provenance.fingerprint);
 }
 
 TEST(InclinedSupport, AlongAnAxisIsARoller) {
@@ -125,7 +126,8 @@ TEST(InclinedSupport, AlongAnAxisIsARoller) {
     fixed.fixed[4][static_cast<std::size_t>(axis)] = true;
     Structure inclined = test::cantilever(3);
     inclined.inclined.push_back({4, -3 * Eigen::Vector2d::Unit(axis)});
-    EXPECT_EQ(wedged_problem(fixed).compliance, wedged_problem(inclined).compliance);
+    EXPECT_EQ(wedged_problem(checked(fixed)).compliance.matrix,
+              wedged_problem(checked(inclined)).compliance.matrix);
   }
 }
 
@@ -139,7 +141,8 @@ TEST(InclinedSupport, LetsItsNodeMoveAcross) {
   structure.members.push_back({tip, end, 5, {}});
   structure.fixed[static_cast<std::size_t>(end)] = {false, true, false};
   structure.contact = {{end, Eigen::Vector2d(-1, 0), std::nullopt, 1}};
-  EXPECT_NEAR(wedged_problem(structure).compliance(0, 0), 1.0 / 10 + 1.0 / 5, 1e-10);
+  EXPECT_NEAR(wedged_problem(checked(structure)).compliance.matrix(0, 0), 1.0 / 10 + 1.0 / 5,
+              1e-10);
 }
 
 // Half of a symmetric truss on rollers moves as the whole does under twice the load.
@@ -158,15 +161,15 @@ TEST(Roller, AtACandidateIsAPlaneOfSymmetry) {
       structure.members.push_back({top, left, 3, {}});
     }
     structure.contact = {{top, Eigen::Vector2d(0, -1), std::nullopt, 1}};
-    return wedged_problem(structure);
+    return wedged_problem(checked(structure));
   };
-  EXPECT_DOUBLE_EQ(truss(true).compliance(0, 0), 2 * truss(false).compliance(0, 0));
-  EXPECT_EQ(truss(true).compliance(0, 1), 0);
+  EXPECT_DOUBLE_EQ(truss(true).compliance.matrix(0, 0), 2 * truss(false).compliance.matrix(0, 0));
+  EXPECT_EQ(truss(true).compliance.matrix(0, 1), 0);
 }
 
 std::string refusal(const Structure& structure) {
   try {
-    wedged_problem(structure);
+    wedged_problem(checked(structure));
   } catch (const support::InputError& error) {
     return error.what();
   }

@@ -43,8 +43,8 @@ normal = [-1, 0.25]
 }
 
 Eigen::VectorXd in_equilibrium(const WedgedProblem& problem, std::mt19937& random) {
-  const Eigen::VectorXd any = test::random_vector(problem.compliance.rows(), random);
-  const Eigen::MatrixXd& g = problem.motions;
+  const Eigen::VectorXd any = test::random_vector(problem.compliance.matrix.rows(), random);
+  const Eigen::MatrixXd& g = problem.modes.matrix;
   return any - g * (g.transpose() * g).ldlt().solve(g.transpose() * any);
 }
 
@@ -73,17 +73,17 @@ Eigen::VectorXd global_forces(const Structure& structure, const WedgedProblem& p
 
 TEST(UnconstrainedBodies, MoveAsTheWholeStiffnessSays) {
   const Structure structure = block();
-  const auto problem = wedged_problem(structure);
-  ASSERT_EQ(problem.motions.cols(), 3);
-  ASSERT_EQ(problem.unconstrained_bodies.size(), 1U);
-  EXPECT_EQ(problem.unconstrained_bodies[0].motions, "can move along x and y and turn");
-  const WholeStructure whole(structure, problem);
+  const auto problem = wedged_problem(checked(structure));
+  ASSERT_EQ(problem.modes.matrix.cols(), 3);
+  ASSERT_EQ(problem.modes.bodies.size(), 1U);
+  EXPECT_EQ(problem.modes.bodies[0].motions, "can move along x and y and turn");
+  const WholeStructure whole(checked(structure), problem);
   std::mt19937 random(1);
   const Eigen::MatrixXd stiffness = whole_stiffness(structure);
   for (int trial = 0; trial < 5; ++trial) {
     const Eigen::VectorXd r = in_equilibrium(problem, random);
     const Eigen::VectorXd u =
-        problem.compliance * r + problem.motions * test::random_vector(3, random);
+        problem.compliance.matrix * r + problem.modes.matrix * test::random_vector(3, random);
     const auto state = whole.under(list(r), list(u));
     const Eigen::VectorXd all = state.displacements.reshaped();
     EXPECT_LE((stiffness * all - global_forces(structure, problem, r)).norm(), 1e-11 * r.norm());
@@ -99,21 +99,21 @@ TEST(UnconstrainedBodies, MoveAsTheWholeStiffnessSays) {
 
 TEST(UnconstrainedBodies, HaveIndependentRigidBodyModes) {
   const Structure structure = block();
-  const auto problem = wedged_problem(structure);
-  const Eigen::MatrixXd gram = problem.motions.transpose() * problem.motions;
+  const auto problem = wedged_problem(checked(structure));
+  const Eigen::MatrixXd gram = problem.modes.matrix.transpose() * problem.modes.matrix;
   EXPECT_LE((gram - Eigen::MatrixXd(gram.diagonal().asDiagonal())).norm(), 1e-14 * gram.norm());
-  EXPECT_THAT(problem.precise_motion_error, testing::AllOf(testing::Gt(0), testing::Lt(1e-26)));
+  EXPECT_THAT(problem.modes.precise_error, testing::AllOf(testing::Gt(0), testing::Lt(1e-26)));
   const auto all = all_candidates(problem);
   EXPECT_EQ(problem.blocks, std::vector{all});
-  const Eigen::VectorXd largest = problem.motions.cwiseAbs().colwise().maxCoeff().transpose();
+  const Eigen::VectorXd largest = problem.modes.matrix.cwiseAbs().colwise().maxCoeff().transpose();
   for (const double size : largest)
     EXPECT_THAT(size, testing::AllOf(testing::Gt(0.4), testing::Le(1)));
 }
 
 // The same body with other springs: the difference is a rigid-body mode.
 TEST(UnconstrainedBodies, DoNotDependOnTheGroundingSprings) {
-  const auto problem = wedged_problem(block());
-  const auto sprung = wedged_problem(block(R"(
+  const auto problem = wedged_problem(checked(block()));
+  const auto sprung = wedged_problem(checked(block(R"(
 [[springs]]
 nodes = ["b.0,0", "b.4,0"]
 axes = ["y"]
@@ -122,17 +122,17 @@ stiffness = 0.3
 nodes = ["b.2,3"]
 axes = ["x"]
 stiffness = 7
-)"));
-  EXPECT_EQ(sprung.motions.cols(), 0);
-  EXPECT_TRUE(sprung.unconstrained_bodies.empty());
-  EXPECT_NE(problem.fingerprint, sprung.fingerprint);
+)")));
+  EXPECT_EQ(sprung.modes.matrix.cols(), 0);
+  EXPECT_TRUE(sprung.modes.bodies.empty());
+  EXPECT_NE(problem.provenance.fingerprint, sprung.provenance.fingerprint);
   std::mt19937 random(2);
   const Eigen::VectorXd r = in_equilibrium(problem, random);
-  const Eigen::VectorXd difference = (problem.compliance - sprung.compliance) * r;
-  const Eigen::MatrixXd& g = problem.motions;
+  const Eigen::VectorXd difference = (problem.compliance.matrix - sprung.compliance.matrix) * r;
+  const Eigen::MatrixXd& g = problem.modes.matrix;
   const Eigen::VectorXd rigid = g * (g.transpose() * g).ldlt().solve(g.transpose() * difference);
-  EXPECT_GT((sprung.compliance * r).norm(), 1e-3 * r.norm());
-  EXPECT_LE((difference - rigid).norm(), 1e-12 * (sprung.compliance * r).norm());
+  EXPECT_GT((sprung.compliance.matrix * r).norm(), 1e-3 * r.norm());
+  EXPECT_LE((difference - rigid).norm(), 1e-12 * (sprung.compliance.matrix * r).norm());
 }
 
 // A bar along x on a spring: 1/F = 1/(1/k + L/EA) along x.
@@ -164,10 +164,10 @@ normal = [-1, 0]
 )",
                                         "bar");
   const auto problem = wedged_problem(structure);
-  EXPECT_EQ(problem.motions.cols(), 0);
-  EXPECT_DOUBLE_EQ(problem.compliance(0, 0), 1 / 0.5 + 2.0 / 6);
-  EXPECT_DOUBLE_EQ(problem.compliance(1, 1), 0.25);
-  EXPECT_DOUBLE_EQ(problem.compliance(0, 1), 0);
+  EXPECT_EQ(problem.modes.matrix.cols(), 0);
+  EXPECT_DOUBLE_EQ(problem.compliance.matrix(0, 0), 1 / 0.5 + 2.0 / 6);
+  EXPECT_DOUBLE_EQ(problem.compliance.matrix(1, 1), 0.25);
+  EXPECT_DOUBLE_EQ(problem.compliance.matrix(0, 1), 0);
   const WholeStructure whole(structure, problem);
   const auto state = whole.under(std::vector<double>{3, 0});  // 3 along -x
   EXPECT_DOUBLE_EQ(state.displacements(0, 0), -6);
@@ -198,12 +198,12 @@ normal = [-1, 0]
 )",
                                                      "bars"));
   ASSERT_EQ(problem.blocks.size(), 2U);
-  EXPECT_EQ(problem.motions.cols(), 6);
+  EXPECT_EQ(problem.modes.matrix.cols(), 6);
   for (const auto& each : problem.blocks) {
     const auto part = block_problem(problem, each);
-    EXPECT_EQ(part.motions.rows(), 4);
-    EXPECT_EQ(part.motions.cols(), 3);
-    EXPECT_EQ(part.precise_motions.cols(), 3);
+    EXPECT_EQ(part.modes.matrix.rows(), 4);
+    EXPECT_EQ(part.modes.matrix.cols(), 3);
+    EXPECT_EQ(part.modes.precise.cols(), 3);
   }
 }
 
@@ -225,8 +225,8 @@ nodes = ["b"]
 normal = [-1, 0]
 )",
                                                  "bar"));
-  EXPECT_EQ(one.motions.cols(), 2);
-  EXPECT_EQ(one.unconstrained_bodies[0].motions, "can move along x and y and turn");
+  EXPECT_EQ(one.modes.matrix.cols(), 2);
+  EXPECT_EQ(one.modes.bodies[0].motions, "can move along x and y and turn");
 }
 
 }  // namespace

@@ -22,15 +22,16 @@ constexpr double rounding = 1e-13;
 constexpr double condensed_rounding = 1e-10;
 
 TEST(WedgedProblem, OfTwoBarsIsAsByHand) {
-  const WedgedProblem problem = wedged_problem(test::two_bars());
+  const WedgedProblem problem = wedged_problem(checked(test::two_bars()));
   // Axes: K = diag(1, 3); n = (-1, 1) / sqrt 2, t = (1, 1) / sqrt 2.
-  EXPECT_TRUE(problem.stiffness.isApprox(Eigen::Matrix2d{{2, 1}, {1, 2}}, rounding));
-  EXPECT_TRUE(problem.compliance.isApprox(Eigen::Matrix2d{{2, -1}, {-1, 2}} / 3.0, rounding));
+  EXPECT_TRUE(problem.compliance.stiffness.isApprox(Eigen::Matrix2d{{2, 1}, {1, 2}}, rounding));
+  EXPECT_TRUE(
+      problem.compliance.matrix.isApprox(Eigen::Matrix2d{{2, -1}, {-1, 2}} / 3.0, rounding));
   EXPECT_EQ(problem.dimension, 2);
-  EXPECT_EQ(problem.nodes, 3);
-  EXPECT_EQ(problem.members, 2);
+  EXPECT_EQ(problem.provenance.nodes, 3);
+  EXPECT_EQ(problem.provenance.members, 2);
   EXPECT_THAT(problem.contact_names, testing::ElementsAre("node 2"));
-  EXPECT_EQ(problem.units.force, "kN");
+  EXPECT_EQ(problem.provenance.units.force, "kN");
 }
 
 TEST(WedgedProblem, WithARollerIsAsByUnitLoads) {
@@ -50,18 +51,19 @@ TEST(WedgedProblem, WithARollerIsAsByUnitLoads) {
   const double xx = by_x.cwiseAbs2().dot(lengths);
   const double yy = by_y.cwiseAbs2().dot(lengths);
   const double xy = by_x.cwiseProduct(by_y).dot(lengths);
-  EXPECT_TRUE(wedged_problem(structure).compliance.isApprox(Eigen::Matrix2d{{xx, -xy}, {-xy, yy}},
-                                                            rounding));
+  EXPECT_TRUE(wedged_problem(checked(structure))
+                  .compliance.matrix.isApprox(Eigen::Matrix2d{{xx, -xy}, {-xy, yy}}, rounding));
 }
 
 class WedgedExample : public testing::TestWithParam<const char*> {
  protected:
-  Structure structure_ = load_structure(test::source_path(GetParam()));
+  CheckedStructure structure_ = load_structure(test::source_path(GetParam()));
   WedgedProblem problem_ = wedged_problem(structure_);
 };
 
 TEST_P(WedgedExample, MatricesAreSymmetricDefiniteAndInverseToEachOther) {
-  const auto& [stiffness, compliance] = std::tie(problem_.stiffness, problem_.compliance);
+  const auto& [stiffness, compliance] =
+      std::tie(problem_.compliance.stiffness, problem_.compliance.matrix);
   EXPECT_EQ(stiffness, Eigen::MatrixXd(stiffness.transpose()));
   EXPECT_EQ(compliance, Eigen::MatrixXd(compliance.transpose()));
   EXPECT_TRUE((stiffness * compliance).isIdentity(condensed_rounding));
@@ -72,9 +74,11 @@ TEST_P(WedgedExample, ScalesWithTheAxialStiffness) {
   for (const double factor : {1e-6, 1e-3, 1e3, 1e9}) {
     Structure scaled = structure_;
     for (Member& member : scaled.members) member.axial_stiffness *= factor;
-    const WedgedProblem problem = wedged_problem(scaled);
-    EXPECT_TRUE(problem.stiffness.isApprox(factor * problem_.stiffness, condensed_rounding));
-    EXPECT_TRUE(problem.compliance.isApprox(problem_.compliance / factor, condensed_rounding));
+    const WedgedProblem problem = wedged_problem(checked(scaled));
+    EXPECT_TRUE(problem.compliance.stiffness.isApprox(factor * problem_.compliance.stiffness,
+                                                      condensed_rounding));
+    EXPECT_TRUE(problem.compliance.matrix.isApprox(problem_.compliance.matrix / factor,
+                                                   condensed_rounding));
   }
 }
 
@@ -82,8 +86,9 @@ TEST_P(WedgedExample, ScalesWithTheUnitOfLength) {
   for (const double factor : {1e-9, 1e3}) {
     Structure scaled = structure_;
     scaled.coordinates *= factor;
-    EXPECT_TRUE(
-        wedged_problem(scaled).stiffness.isApprox(problem_.stiffness / factor, condensed_rounding));
+    EXPECT_TRUE(wedged_problem(checked(scaled))
+                    .compliance.stiffness.isApprox(problem_.compliance.stiffness / factor,
+                                                   condensed_rounding));
   }
 }
 
@@ -93,18 +98,20 @@ INSTANTIATE_TEST_SUITE_P(Examples, WedgedExample,
 
 TEST(WedgedProblem, EigenvaluesAndNormalPartsDoNotDependOnTheTangents) {
   Structure structure = load_structure(test::source_path("examples/space-truss.toml"));
-  const WedgedProblem problem = wedged_problem(structure);
+  const WedgedProblem problem = wedged_problem(checked(structure));
   std::mt19937 bits(9);
   for (ContactCandidate& candidate : structure.contact) {
     candidate.tangent = test::random_vector(3, bits);
   }
-  const WedgedProblem turned = wedged_problem(structure);
-  ASSERT_FALSE(turned.stiffness.isApprox(problem.stiffness, 1e-3));  // the tangents differ
-  EXPECT_TRUE(turned.stiffness.selfadjointView<Eigen::Lower>().eigenvalues().isApprox(
-      problem.stiffness.selfadjointView<Eigen::Lower>().eigenvalues(), condensed_rounding));
+  const WedgedProblem turned = wedged_problem(checked(structure));
+  ASSERT_FALSE(turned.compliance.stiffness.isApprox(problem.compliance.stiffness,
+                                                    1e-3));  // the tangents differ
+  EXPECT_TRUE(turned.compliance.stiffness.selfadjointView<Eigen::Lower>().eigenvalues().isApprox(
+      problem.compliance.stiffness.selfadjointView<Eigen::Lower>().eigenvalues(),
+      condensed_rounding));
   const auto normals = Eigen::seq(0, Eigen::last, 3);
-  EXPECT_TRUE(turned.stiffness(normals, normals)
-                  .isApprox(problem.stiffness(normals, normals), condensed_rounding));
+  EXPECT_TRUE(turned.compliance.stiffness(normals, normals)
+                  .isApprox(problem.compliance.stiffness(normals, normals), condensed_rounding));
 }
 
 TEST(WedgedProblem, OfASlenderTrussIsSolved) {
@@ -113,7 +120,7 @@ TEST(WedgedProblem, OfASlenderTrussIsSolved) {
   // the lower left node of the bay, arm n - i, the lower chord with the moment about its upper
   // right node, arm n - i - 1, and the diagonal with sqrt 2; each vertical has 1.
   const int bays = 30;
-  const WedgedProblem problem = wedged_problem(test::cantilever(bays));
+  const WedgedProblem problem = wedged_problem(checked(test::cantilever(bays)));
   double compliance = 0.0;
   for (int bay = 0; bay < bays; ++bay) {
     const double upper = bays - bay;
@@ -123,7 +130,7 @@ TEST(WedgedProblem, OfASlenderTrussIsSolved) {
     compliance +=
         upper * upper + lower * lower + diagonal * diagonal * diagonal + vertical * vertical;
   }
-  EXPECT_NEAR(problem.compliance(0, 0), compliance, 1e-9 * compliance);
+  EXPECT_NEAR(problem.compliance.matrix(0, 0), compliance, 1e-9 * compliance);
 }
 
 template <typename Action>
@@ -137,13 +144,13 @@ std::string error_of(Action action) {
 }
 
 TEST(WedgedProblem, RefusesAMechanismAndNamesWhatMoves) {
-  EXPECT_EQ(error_of([] { wedged_problem(test::cantilever(3, 2)); }),
+  EXPECT_EQ(error_of([] { wedged_problem(checked(test::cantilever(3, 2))); }),
             "test: the structure is a mechanism: \"node 6\", \"node 7\" move without straining any "
             "member; expected supports and members that prevent this");
 }
 
 TEST(WedgedProblem, NamesOnlyTheFirstOfManyMovingNodes) {
-  EXPECT_THAT(error_of([] { wedged_problem(test::cantilever(9, 0)); }),
+  EXPECT_THAT(error_of([] { wedged_problem(checked(test::cantilever(9, 0))); }),
               testing::HasSubstr("\"node 2\", \"node 3\", \"node 4\", \"node 5\", \"node 6\", "
                                  "\"node 7\" and 12 more move"));
 }
@@ -154,7 +161,7 @@ TEST(WedgedProblem, RefusesAStiffnessThatLeavesNoDigits) {
     for (std::size_t index = 0; index < structure.members.size(); index += 2) {
       structure.members[index].axial_stiffness = axial_stiffness;
     }
-    return error_of([&] { wedged_problem(structure); });
+    return error_of([&] { wedged_problem(checked(structure)); });
   };
   for (const double axial_stiffness : {1e-30, 1e30}) {
     EXPECT_THAT(error_with(axial_stiffness),
@@ -168,7 +175,8 @@ TEST(WedgedProblem, RefusesAStiffnessThatLeavesNoDigits) {
 TEST(WedgedProblem, ChecksAStructureMadeByAProgram) {
   Structure structure = test::two_bars();
   structure.members[1].axial_stiffness = std::nan("");
-  EXPECT_THAT(error_of([&] { wedged_problem(structure); }), testing::StartsWith("test: EA is nan"));
+  EXPECT_THAT(error_of([&] { wedged_problem(checked(structure)); }),
+              testing::StartsWith("test: EA is nan"));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ Structure example(const std::string& name) {
 
 Eigen::VectorXd random_reactions(const WedgedProblem& problem, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  return Eigen::VectorXd::NullaryExpr(problem.compliance.rows(), [&] { return normal(random); });
+  return Eigen::VectorXd::NullaryExpr(problem.compliance.matrix.rows(),
+                                      [&] { return normal(random); });
 }
 
 std::vector<double> list(const Eigen::VectorXd& vector) {
@@ -69,8 +70,8 @@ normal = [0, 1]
 TEST(WholeStructure, IsInEquilibriumAtEveryNode) {
   for (const char* const name : {"space-truss", "plane-truss"}) {
     const auto structure = example(name);
-    const auto problem = wedged_problem(structure);
-    const WholeStructure whole(structure, problem);
+    const auto problem = wedged_problem(checked(structure));
+    const WholeStructure whole(checked(structure), problem);
     auto loose = structure;
     for (auto& axes : loose.fixed) axes = {false, false, false};
     const auto all = free_degrees(loose);
@@ -96,13 +97,13 @@ TEST(WholeStructure, IsInEquilibriumAtEveryNode) {
 TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
   for (const char* const name : {"space-truss", "plane-truss", "elastic-body"}) {
     const auto structure = example(name);
-    const auto problem = wedged_problem(structure);
-    const WholeStructure whole(structure, problem);
+    const auto problem = wedged_problem(checked(structure));
+    const WholeStructure whole(checked(structure), problem);
     std::mt19937 random(8);
     for (int draw = 0; draw < 10; ++draw) {
       const auto r = random_reactions(problem, random);
       const auto state = whole.under(list(r));
-      const Eigen::VectorXd u = problem.compliance * r;
+      const Eigen::VectorXd u = problem.compliance.matrix * r;
       const auto d = static_cast<Eigen::Index>(structure.dimension);
       for (std::size_t i = 0; i < structure.contact.size(); ++i) {
         const Eigen::VectorXd own =
@@ -126,8 +127,8 @@ TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
 // At every node of a truss, bar forces, contact forces and support reactions are in equilibrium.
 TEST(WholeStructure, KnowsTheForcesInTheBars) {
   const auto structure = example("space-truss");
-  const auto problem = wedged_problem(structure);
-  const WholeStructure whole(structure, problem);
+  const auto problem = wedged_problem(checked(structure));
+  const WholeStructure whole(checked(structure), problem);
   std::mt19937 random(3);
   const auto reactions = list(random_reactions(problem, random));
   const auto state = whole.under(reactions);

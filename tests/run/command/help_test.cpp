@@ -72,8 +72,8 @@ TEST(Help, ListsEachSubcommandOnceInOneLine) {
     const auto begin = "  " + std::string(entry.name()) + "  ";
     const auto is_its = [&](const auto& line) { return line.starts_with(begin); };
     ASSERT_EQ(std::ranges::count_if(lines, is_its), 1) << entry.name();
-    EXPECT_TRUE(std::ranges::find_if(lines, is_its)->ends_with(entry.subcommand->purpose()));
-    EXPECT_FALSE(entry.subcommand->example().empty());
+    EXPECT_TRUE(std::ranges::find_if(lines, is_its)->ends_with(entry.text.purpose));
+    EXPECT_FALSE(entry.text.example.empty());
   }
 }
 
@@ -81,7 +81,7 @@ TEST(Help, ExamplesAreCallsThatAreTaken) {
   const auto names = command_list();
   for (const auto& entry : names.entries()) {
     std::istringstream words("kusabi " + std::string(entry.name()) + " " +
-                             std::string(entry.subcommand->example()));
+                             std::string(entry.text.example));
     std::vector<std::string> call;
     for (std::string word; words >> word;) call.push_back(word);
     std::vector<const char*> argv;
@@ -105,7 +105,7 @@ TEST(Manual, HasAllOptionsOfAllSubcommands) {
   const auto whole = manual(list);
   for (const auto& entry : list.entries()) {
     const auto page = manual(list, entry);
-    EXPECT_THAT(whole, HasSubstr(roff(std::string(entry.subcommand->purpose()))));
+    EXPECT_THAT(whole, HasSubstr(roff(std::string(entry.text.purpose))));
     EXPECT_TRUE(page.starts_with(".TH KUSABI\\-")) << page;
     for (const auto& row : entry.table.rows()) {
       if (!row.shown()) continue;

@@ -91,7 +91,7 @@ TEST(OptionTable, MakesTheCallAgainOfWhatWasGiven) {
   table.file("file", file, Role::input, "");
   table.number("--mu", &mu, above(0), "");
   table.flag("--no-tighten", tighten, "", false);
-  table.node_limit(limits);
+  table.search_limits(limits);
   table.quiet();
   EXPECT_EQ(taken(table, "file", "it's a truss.toml"), "");
   EXPECT_EQ(taken(table, "--mu", "0.50"), "");

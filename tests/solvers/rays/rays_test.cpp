@@ -33,7 +33,7 @@ nlohmann::json reference(const std::string& name) {
 
 ReactionCone cone_of(const problems::Structure& structure, double mu) {
   const std::vector<double> friction(structure.contact.size(), mu);
-  return {problems::precise_compliance(problems::wedged_problem(structure)), friction};
+  return {problems::precise_compliance(problems::wedged_problem(checked(structure))), friction};
 }
 
 test::Reactions reactions(const ReactionCone& cone, const std::vector<ZeroSet>& zeros) {
@@ -237,12 +237,12 @@ TEST(Rays, AreThoseOfBruteForceOnSmallTrusses) {
   for (const int rows : {2, 3, 4, 5, 6}) {
     for (const int bays : {1, 2, 3}) {
       const auto truss = plane_truss({.rows = rows, .bays = bays});
-      const auto problem = problems::wedged_problem(truss);
+      const auto problem = problems::wedged_problem(checked(truss));
       for (const double mu : {0.4, 0.65, 1.0, 2.0}) {
         const std::vector<double> friction(problem.friction.size(), mu);
         const auto cone = cone_of(truss, mu);
         EXPECT_TRUE(test::same_rays(reactions(cone, complementary_rays(cone).rays),
-                                    test::rays_by_brute_force(problem.compliance, friction)))
+                                    test::rays_by_brute_force(problem.compliance.matrix, friction)))
             << rows << " rows, " << bays << " bays, mu = " << mu;
       }
     }
@@ -319,14 +319,14 @@ TEST(Rays, OfAllPatternsTogetherAreTheComplementaryOnes) {
 
 TEST(Rays, SolveTheWedgedProblemExactlyWhereTheyAreZero) {
   const auto truss = plane_truss({.rows = 8});
-  const auto problem = problems::wedged_problem(truss);
+  const auto problem = problems::wedged_problem(checked(truss));
   const double mu = 0.8;
   const auto cone = cone_of(truss, mu);
   Health health;
   for (const ZeroSet& zero : complementary_rays(cone).rays) {
     const Ray ray = cone.ray(zero, health);
     const double size = ray.displacement.cwiseAbs().maxCoeff();
-    EXPECT_LT((problem.compliance * ray.reaction - ray.displacement).cwiseAbs().maxCoeff(),
+    EXPECT_LT((problem.compliance.matrix * ray.reaction - ray.displacement).cwiseAbs().maxCoeff(),
               1e-12 * size);
     const Supports supports(zero, cone.all());
     double normal_sum = 0;

@@ -1,0 +1,169 @@
+// States until a node is closed, or a support to branch on.
+#include "nodes/limit/loss/loss_opening.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "nodes/limit/root/worst_case.hpp"
+
+namespace kusabi::limit {
+
+using support::IndexSet;
+
+namespace {
+
+/// A piece is large enough to be worth a message, and small enough that others soon have its
+/// states.
+constexpr std::uint64_t programs_of_a_piece = 8;
+constexpr std::uint64_t nodes_of_a_piece = 400;
+
+/// Room below the scaled factor of a state: corrections of equilibrium may change it.
+constexpr double factor_room = closed_gap;
+
+// Supports that are pairwise disjoint outside of `kept`, the smallest first.
+std::vector<IndexSet> packing(const std::vector<IndexSet>& supports, const IndexSet& kept) {
+  std::vector<std::pair<int, IndexSet>> rest;
+  rest.reserve(supports.size());
+  for (const auto& support : supports) {
+    auto each = support - kept;
+    const int size = each.size();
+    rest.emplace_back(size, std::move(each));
+  }
+  std::ranges::stable_sort(rest, {}, &std::pair<int, IndexSet>::first);
+  std::vector<IndexSet> packed;
+  IndexSet all;
+  for (auto& [size, each] : rest) {
+    if (each.meets(all)) continue;
+    all |= each;
+    packed.push_back(std::move(each));
+  }
+  return packed;
+}
+
+IndexSet with(IndexSet set, int member) {
+  set.insert(member);
+  return set;
+}
+
+}  // namespace
+
+/// A node while it is opened.
+struct LossOpener::Opening {
+  const LossNode& node;
+  std::vector<IndexSet> supports{};  // of states without lost members
+  IndexSet branches{};               // members to branch on; empty: closed
+};
+
+// If a state is not proved, one with a larger margin is looked for, then one of any members.
+LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
+                                         const IndexSet& avoided) {
+  if (std::ranges::find(known_.undecided, lost) != known_.undecided.end()) return Found::undecided;
+  const std::pair<IndexSet, double> attempts[] = {
+      {avoided, yield_margins[0]}, {avoided, yield_margins[1]}, {{}, yield_margins[0]}};
+  for (const auto& [members, margin] : attempts) {
+    ++piece_.programs;
+    if (program_.solve(lost, members, here.node.kept, margin) != StateProgram::Result::found) break;
+    if (auto state = proof_.proved(program_.state(), known_.target, lost)) {
+      here.supports.push_back(state->support);
+      piece_.states.push_back(*std::move(state));
+      return Found::state;
+    }
+  }
+  piece_.suspect = lost;
+  piece_.has_suspect = true;
+  return Found::none;
+}
+
+// One further loss: the members that all supports have are tried one by one.
+// @return whether the node is opened completely
+bool LossOpener::finish_last(Opening& here) {
+  IndexSet common = here.supports.front() - here.node.kept;
+  for (const auto& support : here.supports) common &= support;
+  while (!common.empty()) {
+    const int member = common.lowest();
+    const auto found = find_state(here, with(here.node.lost, member), common);
+    if (found == Found::none) return false;
+    if (found == Found::state) common &= here.supports.back();
+    common -= IndexSet::single(member);
+  }
+  return true;
+}
+
+// Several further losses: disjoint supports, until they are too many to be broken, or no more are
+// found.
+bool LossOpener::pack(Opening& here) {
+  const auto& kept = here.node.kept;
+  for (;;) {
+    const auto packed = packing(here.supports, kept);
+    if (packed.front().empty() || static_cast<int>(packed.size()) > here.node.left) return true;
+    IndexSet all;
+    for (const auto& each : packed) all |= each;
+    const auto found = find_state(here, here.node.lost, all);
+    if (found != Found::state) return found == Found::undecided;
+    const auto rest = here.supports.back() - kept;
+    if (rest.empty()) return true;
+    if (rest.meets(all)) break;
+  }
+  const auto smallest = std::ranges::min_element(
+      here.supports, {}, [&](const IndexSet& support) { return (support - kept).size(); });
+  here.branches = *smallest - kept;
+  return true;
+}
+
+// The member of most supports first.
+void LossOpener::branch(const Opening& here) {
+  std::vector<std::pair<std::ptrdiff_t, int>> members;
+  for (const int member : here.branches) {
+    const auto uses = std::ranges::count_if(
+        here.supports, [member](const IndexSet& support) { return support.contains(member); });
+    members.emplace_back(-uses, member);
+  }
+  std::ranges::sort(members);
+  auto kept = here.node.kept;
+  std::vector<LossNode> children;
+  for (const auto& [uses, member] : members) {
+    children.push_back({with(here.node.lost, member), kept, here.node.left - 1});
+    kept.insert(member);
+  }
+  stack_.insert(stack_.end(), children.rbegin(), children.rend());
+}
+
+bool LossOpener::open_one(const LossNode& node) {
+  Opening here{node};
+  const auto take = [&](const IndexSet& support) {
+    if (!support.meets(node.lost)) here.supports.push_back(support);
+  };
+  for (const auto& support : known_.supports) take(support);
+  for (const auto& state : piece_.states) take(state.support);
+  if (here.supports.empty()) {
+    const auto found = find_state(here, node.lost, {});
+    if (found != Found::state) return found == Found::undecided;
+  }
+  const auto is_kept = [&](const IndexSet& support) { return node.kept.includes(support); };
+  if (node.left == 0 || std::ranges::any_of(here.supports, is_kept)) return true;
+  if (node.left == 1) return finish_last(here);
+  if (!pack(here)) return false;
+  branch(here);
+  return true;
+}
+
+LossPiece LossOpener::open(const LossNode& node) {
+  piece_ = {};
+  stack_ = {node};
+  program_.restart(known_.target / factor_unit_ + factor_room);
+  while (!stack_.empty() && piece_.programs < programs_of_a_piece &&
+         piece_.nodes < nodes_of_a_piece) {
+    auto next = std::move(stack_.back());
+    stack_.pop_back();
+    const bool whole = open_one(next) && !support::asked(stop_);
+    ++piece_.nodes;
+    if (whole) continue;
+    stack_.push_back(std::move(next));
+    break;
+  }
+  piece_.open.assign(stack_.rbegin(), stack_.rend());
+  return std::move(piece_);
+}
+
+}  // namespace kusabi::limit

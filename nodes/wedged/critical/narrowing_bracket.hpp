@@ -1,0 +1,55 @@
+// Current bracket of the critical friction coefficient. Searches only make it narrower, and each
+// change is shown in the progress output.
+#pragma once
+
+#include <optional>
+
+#include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+
+namespace kusabi::wedged {
+
+/// The same on all ranks.
+class NarrowingBracket {
+ public:
+  NarrowingBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
+
+  /// No configuration is wedged at this coefficient or below.
+  [[nodiscard]] double lower() const { return lower_; }
+  /// A leaf is feasible at this coefficient; nothing if none is known.
+  [[nodiscard]] const std::optional<double>& upper() const { return upper_; }
+  [[nodiscard]] double upper_or_infinity() const;
+  /// The leaf of upper(), with the candidates of its block.
+  [[nodiscard]] const std::optional<PatternNode>& leaf() const { return leaf_; }
+  [[nodiscard]] bool lower_proved() const { return lower_ == 0 || lower_proved_; }
+  [[nodiscard]] bool upper_proved() const { return upper_proved_; }
+  [[nodiscard]] bool is_one_cell(double width) const;
+
+  /// Raises the lower bound; without effect if a better one is known.
+  void raise(double lower);
+  /// Decreases the upper bound, at which the leaf is feasible; without effect if a better one is
+  /// known.
+  void sink(double upper, const PatternNode& leaf);
+
+  /// Records that the lower bound was verified, possibly at a smaller coefficient.
+  void prove_lower(double lower);
+  void prove_upper(double upper, const PatternNode& leaf);
+  /// Replaces a lower bound that cannot be verified.
+  void move_lower(double lower);
+  void move_upper(std::optional<double> upper);
+  void move_upper(double upper, const PatternNode& leaf);
+
+  /// Reports changes since the last call, unless the run is still short.
+  void show();
+
+ private:
+  engine::Analysis& analysis_;
+  double most_;
+  double lower_ = 0;
+  std::optional<double> upper_;
+  std::optional<PatternNode> leaf_;
+  bool lower_proved_ = false, upper_proved_ = false;
+  bool changed_ = false;
+};
+
+}  // namespace kusabi::wedged

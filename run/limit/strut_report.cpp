@@ -1,0 +1,99 @@
+// Both factors of the bracket, each with its standing.
+#include "run/limit/strut_report.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/limit/utilisation.hpp"
+#include "run/output/values.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using limit::LimitAnswer;
+
+/// Utilisation from which on a strut is at its strength: that of a collapse is 1 up to rounding.
+constexpr double at_strength = 1 - 1e-9;
+
+// Struts in compression at their strength at the collapse, or the worst one.
+std::vector<std::string> struts_at_strength(const LimitReport& report) {
+  const auto& worst = report.answer.worst;
+  const auto& collapse = worst && worst->collapse ? worst->collapse : report.answer.nominal;
+  std::vector<std::string> names;
+  if (!collapse) return names;
+  const auto used = problems::utilisation(report.problem, collapse->forces);
+  for (int i = 0; i < report.problem.member_count(); ++i) {
+    const bool strut = report.options.question.residual(i) < report.problem.compression(i);
+    if (strut && collapse->forces(i) < 0 && used(i) >= at_strength)
+      names.push_back(problems::member_name(report.problem, i));
+  }
+  return names;
+}
+
+bool at_no_factor(const LimitAnswer& answer) {
+  return answer.worst ? answer.worst->status == limit::RootStatus::not_carried
+                      : answer.status == limit::LoadStatus::not_carried;
+}
+
+std::string factor_text(const LimitAnswer& answer) {
+  if (at_no_factor(answer)) return answer.whole() ? "no load factor, proved" : "no load factor";
+  if (answer.worst) {
+    const auto& [lower, upper, lower_proved, upper_proved] = answer.worst->ends;
+    return fmt::format("load factor {:.10g} ... {:.10g}{}", lower, upper,
+                       answer.worst->proved ? ", proved" : " (not proved)");
+  }
+  if (!answer.nominal) return "open";
+  return fmt::format("load factor {:.10g}", answer.nominal->factor);
+}
+
+}  // namespace
+
+std::string strut_text(const LimitReport& report) {
+  std::string text = "\nstruts, which lose force after they have buckled\n";
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "  all at their strength: {}; an upper value\n", factor_text(report.answer));
+  fmt::format_to(out, "  all at their residual strength: {}; a lower value\n",
+                 factor_text(*report.residual));
+  if (report.residual->worst)
+    fmt::format_to(out, "    {}\n", interval_text(guaranteed_interval(*report.residual)));
+  const auto names = struts_at_strength(report);
+  fmt::format_to(out, "  struts at their strength at the collapse: {}\n",
+                 names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " ")));
+  return text;
+}
+
+nlohmann::ordered_json strut_json(const LimitReport& report) {
+  const auto& residual = *report.residual;
+  nlohmann::ordered_json json{
+      {"at_strength", struts_at_strength(report)},
+      {"nominal",
+       residual.nominal ? number_or_null(residual.nominal->factor) : nlohmann::ordered_json()},
+      {"at_no_factor", at_no_factor(residual)}};
+  if (const auto& worst = residual.worst) {
+    json["lower"] = number_or_null(worst->ends.lower);
+    json["upper"] = number_or_null(worst->ends.upper);
+    json["proved"] = worst->proved;
+    json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
+  }
+  return json;
+}
+
+std::string strut_sentence(const LimitAnswer& residual) {
+  if (at_no_factor(residual))
+    return "With all struts at their residual strength no load factor is carried.";
+  const auto& worst = residual.worst;
+  if (worst && std::isfinite(worst->ends.lower)) {
+    return fmt::format("With all struts at their residual strength it is at least {:.8g}{}.",
+                       worst->ends.lower, worst->ends.lower_proved ? "" : " (not proved)");
+  }
+  if (!residual.nominal) return "With all struts at their residual strength it is not known.";
+  return fmt::format("With all struts at their residual strength it is {:.8g}.",
+                     residual.nominal->factor);
+}
+
+}  // namespace kusabi::run

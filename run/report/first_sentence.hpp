@@ -1,0 +1,21 @@
+// First sentence of a page: the leading answer, the friction that it needs, and what slips first.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/report/answers.hpp"
+#include "run/report/short_names.hpp"
+
+namespace kusabi::run {
+
+/// Empty if there is nothing to say beyond the verdict: no answer is known.
+/// @param leading the first by rank; null: none
+/// @throws WrongInput
+std::string first_sentence(const ResultReader& reader, const Answer* leading,
+                           const ShortNames& names);
+
+/// "0.5774 (an angle of friction of 30°)", four digits.
+std::string friction_text(double coefficient);
+
+}  // namespace kusabi::run

@@ -1,0 +1,38 @@
+// Stages of the preparation.
+#include "run/wedged/contact_problem.hpp"
+
+#include "run/output/values.hpp"
+#include "run/session/kept_state.hpp"
+#include "run/wedged/agreement.hpp"
+#include "run/wedged/ignored_loads.hpp"
+
+namespace kusabi::run {
+
+ContactProblem contact_problem(CommandRun& run, const ProblemInput& input,
+                               std::optional<double> friction) {
+  auto [structure, facets] = input.structure_and_facets(run);
+  warn_all(run.session(), ignored_loads(structure, run.name()));
+  if (friction) warn_of_facets(run, input, facets, *friction);
+  auto problem = agreed_problem(run, structure);
+  return {std::move(structure), std::move(facets), std::move(problem)};
+}
+
+problems::WedgedProblem agreed_problem(CommandRun& run,
+                                       const problems::CheckedStructure& structure) {
+  auto problem = run.within_limits(
+      [&](const auto& work) { return problems::wedged_problem(structure, work); });
+  agree(run.session(), problem);
+  return problem;
+}
+
+void warn_of_facets(CommandRun& run, const ProblemInput& input,
+                    const std::vector<problems::FacetDoubt>& facets, double friction) {
+  warn_all(run.session(), facet_warnings(facets, friction, input.file));
+}
+
+void keep_state(CommandRun& run, const CheckpointChoice& choice,
+                const problems::WedgedProblem& problem) {
+  run.keep_state(choice, {{"the problem", hexadecimal(problem.provenance.fingerprint)}});
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,131 @@
+// Directions, yield forces and loads are compared as those of other limit loads.
+#include "verify/limit/loss_claim.hpp"
+
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "verify/limit/limit_consistency.hpp"
+#include "verify/limit/limit_proof.hpp"
+#include "verify/limit/loss_cover.hpp"
+#include "verify/structure/assembly.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+support::IndexSet set_of(const std::vector<std::size_t>& members) {
+  support::IndexSet set;
+  for (const auto member : members) set.insert(static_cast<int>(member));
+  return set;
+}
+
+std::vector<double> recorded_sum(const std::vector<Force>& forces, const Structure& truss,
+                                 const Freedom& freedom) {
+  std::vector<double> sum(freedom.count);
+  for (const auto& force : forces) {
+    for (std::size_t axis = 0; axis < truss.dimension; ++axis) {
+      const auto number = freedom.number[force.node][axis];
+      if (number != Freedom::none) sum[number] += force.components[axis];
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+LimitCertificate recorded_loads(const Structure& truss) {
+  const Freedom freedom(truss);
+  LimitCertificate loads;
+  loads.displacements = freedom.count;
+  for (const auto& bar : truss.bars) {
+    loads.tension.push_back(bar.tension);
+    loads.compression.push_back(bar.compression);
+    auto& column = loads.columns.emplace_back();
+    const auto cosines = direction(truss, bar).cosines;
+    for (std::size_t axis = 0; axis < truss.dimension; ++axis) {
+      const double cosine = (cosines[axis].lower() + cosines[axis].upper()).scaled(-1).nearest();
+      if (const auto e = freedom.number[bar.first][axis]; e != Freedom::none && cosine != 0)
+        column.emplace_back(e, -cosine);
+      if (const auto e = freedom.number[bar.second][axis]; e != Freedom::none && cosine != 0)
+        column.emplace_back(e, cosine);
+    }
+  }
+  loads.dead = recorded_sum(truss.dead, truss, freedom);
+  loads.reference = recorded_sum(truss.reference, truss, freedom);
+  for (std::size_t j = 0; j < truss.uncertain->size(); ++j) {
+    auto& column = loads.uncertain.emplace_back();
+    for (const auto& each : (*truss.uncertain)[j]) {
+      const auto e = freedom.number[each.node][each.axis];
+      if (e != Freedom::none) column.emplace_back(e, each.weight);
+    }
+    loads.alpha.push_back(*truss.half_widths[j]);
+    loads.names.push_back(truss.load_names[j]);
+  }
+  return loads;
+}
+
+LossClaim::LossClaim(const LossStatement& statement, std::optional<Structure> structure)
+    : statement_(statement), evidence_(recorded_loads(statement.truss)) {
+  if (structure) {
+    for (auto& bar : structure->bars) {
+      bar.tension /= statement.sudden;
+      bar.compression /= statement.sudden;
+    }
+    if (evidence_.uncertain.empty()) {  // the dead load as given
+      structure->uncertain.emplace();
+      structure->half_widths.clear();
+    }
+  } else {
+    structure = statement.truss;
+  }
+  auto found = limit_consistency(evidence_, *structure);
+  if (auto* const why = std::get_if<std::string>(&found)) {
+    difference_ = std::move(*why);
+    return;
+  }
+  truss_ = std::get<LimitTruss>(std::move(found));
+  exact_ = exact_truss(*structure);
+  add_uncertain(evidence_.uncertain, evidence_.alpha, exact_);
+  for (const auto& bar : structure->bars)
+    names_.push_back(structure->names[bar.first] + "-" + structure->names[bar.second]);
+  for (const auto member : statement.lost)
+    evidence_.tension[member] = evidence_.compression[member] = 0;
+  evidence_.load = statement.load;
+  evidence_.motion = statement.motion;
+}
+
+std::vector<std::string> LossClaim::check_loss(double& upper) const {
+  std::vector<std::string> refusals;
+  const LimitProof proof(evidence_, *truss_);
+  upper = -std::numeric_limits<double>::infinity();
+  if (statement_.fatal) {
+    if (!proof.shows_no_factor())
+      refusals.emplace_back("the motion does not prove that no load factor remains after the loss");
+    return refusals;
+  }
+  const auto found = proof.upper();
+  if (const auto* const why = std::get_if<std::string>(&found)) {
+    refusals.push_back("upper bound: " + *why);
+  } else {
+    upper = rounded_up(std::get<mpq_class>(found));
+  }
+  if (!statement_.lower) return refusals;
+  std::vector<support::IndexSet> supports;
+  for (const auto& state : statement_.states) supports.push_back(set_of(state.support));
+  const LossCover cover(supports, set_of(statement_.kept), static_cast<int>(statement_.most));
+  if (const auto& flaw = cover.flaw()) {
+    std::string why = "no state is left after the loss of";
+    for (const int member : *flaw) why += ' ' + names_[static_cast<std::size_t>(member)];
+    refusals.push_back(flaw->empty() ? "it has no states" : why);
+  }
+  return refusals;
+}
+
+std::optional<std::string> LossClaim::refusal_of_state(std::size_t number) const {
+  const auto carried = carried_factor(exact_, statement_.states[number]);
+  if (!carried) return "its forces are not in equilibrium within the yield forces";
+  if (carried->factor < *statement_.lower) return "it carries less than the claimed factor";
+  return {};
+}
+
+}  // namespace kusabi::verify

@@ -1,0 +1,50 @@
+// Stress states that carry every admissible load, in exact arithmetic. A state has member forces
+// and a load factor for the dead load, and a response to each uncertain load: for the load
+// coefficients zeta, forces and factor are those of the dead load plus sum_j (zeta_j / alpha_j)
+// times response j.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <gmpxx.h>
+
+#include "verify/limit/exact_truss.hpp"
+#include "verify/limit/limit_certificate.hpp"
+
+namespace kusabi::verify {
+
+/// Forces and factor of one load, in equilibrium up to rounding.
+struct StressColumn {
+  double factor = 0;
+  Sparse forces;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& factor& forces;
+  }
+};
+
+struct StressState {
+  std::vector<std::size_t> support;   ///< members that may have forces, ascending
+  std::vector<StressColumn> columns;  ///< of the dead load, then of each uncertain load
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& support& columns;
+  }
+};
+
+/// An exact state near a recorded one.
+struct CarriedFactor {
+  mpq_class factor;                  ///< the least over all admissible loads
+  std::vector<std::size_t> members;  ///< with forces, ascending
+};
+
+/// A load factor that the members of the support carry under every admissible load: forces close to
+/// those of the state are in exact equilibrium and within the yield forces. Nothing if there are
+/// none. @pre indices are in range, forces are finite and within the support
+std::optional<CarriedFactor> carried_factor(const ExactTruss& truss, const StressState& state);
+
+}  // namespace kusabi::verify
