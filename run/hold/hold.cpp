@@ -29,7 +29,6 @@ class Hold final : public Subcommand {
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
-  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   void refuse_without_loads() const;
@@ -156,11 +155,6 @@ std::vector<Step> Hold::results(CommandRun& run) {
 
 Verdict Hold::verdict() const {
   return hold_verdict(options_, loaded_, findings_);
-}
-
-std::vector<std::string> Hold::remarks(CommandRun& run) {
-  if (findings_.status() == engine::Status::solved) return {};
-  return run.how_to_go_on(findings_.status());
 }
 
 }  // namespace

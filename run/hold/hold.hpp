@@ -9,6 +9,7 @@
 #include "engine/options.hpp"
 #include "nodes/wedged/hold/grip_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
+#include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
 
 namespace kusabi::run {

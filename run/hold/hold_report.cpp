@@ -75,7 +75,7 @@ HoldingGrip grip_of(const wedged::GripRange& found) {
   const auto& [least, most] = std::tie(found.least, found.most);
   grip.least = {Bound{least.out, standing(least.out_proved)},
                 Bound{least.held, standing(least.held_proved)}};
-  if (!most.unbounded) {
+  if (!most.unbounded && most.known) {
     grip.most = {Bound{most.held, standing(most.held_proved)},
                  Bound{most.out, standing(most.out_proved)}};
   }
@@ -97,6 +97,7 @@ ordered_json grip_json(const wedged::GripRange& found) {
 std::string grip_table(const wedged::GripRange& found) {
   if (!found.held) return {};
   const auto least = in_table(found.least.out, found.least.held);
+  if (!found.most.unbounded && !found.most.known) return {};
   if (found.most.unbounded)
     return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", least.lower);
   const auto most = in_table(found.most.held, found.most.out);

@@ -136,6 +136,7 @@ void add(GripEnd& sum, const GripEnd& own) {
   sum.out += own.out;
   sum.held_proved = sum.held_proved && own.held_proved;
   sum.out_proved = sum.out_proved && own.out_proved;
+  sum.known = sum.known && own.known;
   sum.unbounded = sum.unbounded || own.unbounded;
 }
 
@@ -174,10 +175,17 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
       const auto first = grip.first();
       found.status = grip.status();
       if (found.status != engine::Status::solved) break;
-      if (first.leaf.empty()) {
+      if (first.is_infeasible()) {
         found.held = false;
-        found.held_proved = first.is_infeasible();
         break;
+      }
+      if (first.leaf.empty()) {  // degenerate states alone: no bound but zero
+        if (!own.most.unbounded)
+          own.most = {.held_proved = false, .out_proved = false, .known = false};
+        own.least.held_proved = false;
+        add(found.least, own.least);
+        add(found.most, own.most);
+        continue;
       }
       own.least = grip.end(Kind::below, first.leaf.front());
       if (!own.most.unbounded) {

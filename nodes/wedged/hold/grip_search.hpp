@@ -18,6 +18,7 @@ struct GripEnd {
   double out = 0;
   bool held_proved = true;
   bool out_proved = true;  ///< false: open, or computed
+  bool known = true;       ///< false: neither number is known, only that there may be states
   bool unbounded = false;  ///< no end: a wedged configuration may be added in any multiple
   std::optional<LoadedPattern> pattern{};  ///< of the block, at `held`
 };
