@@ -60,7 +60,8 @@ void record_state(engine::Analysis& analysis, const RecordedBlock& block,
   if (nodes.sign(pattern) == HoldSign::feasible) {
     record.state(block.number, share, in_whole(pattern, block.candidates),
                  nodes.state_numbers(pattern));
-  } else if (grip) {  // the only state of its pattern, perhaps
+  } else if (grip && grip->kind != GripRestriction::Kind::equal) {
+    // The sum of the only state of its pattern is neither above nor below itself.
     record_state(analysis, block, pattern, share, {}, record);
   }
 }
