@@ -1,5 +1,6 @@
-"""Random plane bodies under load: load factors that can be held, and the smallest friction
-coefficient for the dead load, by linear programs in rational numbers for every sign pattern.
+"""Random plane bodies under load: load factors that can be held, also with a given sum of the normal
+reactions, the range of that sum, and the smallest friction coefficient for the dead load, by linear
+programs in rational numbers for every sign pattern. Certificates of all answers are verified.
 
     python3 bench/hostile/hold.py --kusabi build/kusabi --count 300 --seed 1 --found wrong/
 
@@ -10,6 +11,7 @@ import math
 import os
 import pathlib
 import random
+import subprocess
 import sys
 import tempfile
 from decimal import localcontext
@@ -20,7 +22,7 @@ import bodies
 import generate_bodies
 from compare import Kusabi
 from exact_program import INFEASIBLE, Program, exact_optimum
-from structure import Mechanism
+from structure import Mechanism, blocks
 
 KINDS = ["loose-truss", "loose-mesh", "wedge", "pair", "loose-pair", "corner", "loose-corner"]
 #: Error of rows relative to their largest term: dependent equations of 80 digits remain consistent.
@@ -77,8 +79,8 @@ class Loaded:
             context.prec = 40
             return Fraction(+value)
 
-    def program(self, mu, contacts, dead_only):
-        """The states of one pattern, and the column of the load factor."""
+    def program(self, mu, contacts, dead_only, total=None):
+        """The states of one pattern, the column of the load factor, and those of the normal reactions."""
         program = Program()
         last = 2 * self.candidates
         edges = [(program.column(upper=LARGE), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in contacts for sign in (1, -1)]
@@ -105,18 +107,36 @@ class Loaded:
             terms = {j: self.motions[n][k] + slope * self.motions[t][k] for j, n, t, slope in edges}
             terms[factor] = self.motions[last + 1][k]
             row("E", self.motions[last][k], terms)
-        return program, factor
+        if total is not None:
+            row("E", -Fraction(total), {j: Fraction(1) for j, *_ in edges})
+        return program, factor, [j for j, *_ in edges]
 
     def patterns(self):
         return ([i for i, touches in enumerate(choice) if touches] for choice in product((1, 0), repeat=self.candidates))
 
-    def intervals(self, mu):
+    def sums(self, mu):
+        """The least and the largest sum of the normal reactions under the dead load; nothing without a state."""
+        ends = []
+        for contacts in self.patterns():
+            for sense in (1, -1):
+                program, _, normals = self.program(Fraction(mu), contacts, True)
+                for column in normals:
+                    program.columns[column].cost = float(sense)
+                status, value = exact_optimum(program)
+                if status == INFEASIBLE:
+                    break
+                ends.append(sense * float(value))
+        if not ends:
+            return None
+        return min(ends), math.inf if max(ends) > LARGE / 11 else max(ends)
+
+    def intervals(self, mu, total=None):
         """Load factors that can be held, as a union of intervals."""
         found = []
         for contacts in self.patterns():
             ends = []
             for sense in (1, -1):
-                program, factor = self.program(Fraction(mu), contacts, False)
+                program, factor, _ = self.program(Fraction(mu), contacts, False, total)
                 program.columns[factor].cost = float(sense)
                 status, value = exact_optimum(program)
                 if status == INFEASIBLE:
@@ -133,6 +153,13 @@ class Loaded:
                 joined.append((low, high))
         return joined
 
+    def is_one_part(self):
+        """True if all candidates are coupled, by the compliance or by rigid-body modes."""
+        size = 2 * self.candidates
+        coupled = [[self.flexibility[i][j] or any(x and y for x, y in zip(self.motions[i], self.motions[j])) for j in range(size)]
+                   for i in range(size)]
+        return len(blocks(coupled, 2)) == 1
+
     def holds(self, mu):
         """True if the dead load can be held."""
         return any(exact_optimum(self.program(Fraction(mu), contacts, True)[0])[0] != INFEASIBLE for contacts in self.patterns())
@@ -146,6 +173,57 @@ def without_points(intervals):
     return [(low, high) for low, high in intervals if not near(low, high)]
 
 
+def compare_intervals(what, result, code, truth):
+    """Differences of an answer about load factors."""
+    answer = result["verdict"]["answer"]
+    held = [(-math.inf if each["low"] is None else each["low"], math.inf if each["high"] is None else each["high"])
+            for each in result["result"]["intervals"]]
+    if answer["reason"] in ("supports", "wedging"):
+        held = [(-math.inf, math.inf)]
+    if code == 3:
+        inside = all(any(low - NEAR * max(1, abs(low)) <= a and b <= high + NEAR * max(1, abs(high)) for low, high in truth)
+                     for a, b in held)
+        return [] if inside else [f"{what}: {held} is not within {truth}"]
+    one, other = without_points(held), without_points(truth)
+    if len(one) != len(other) or not all(near(x, y) for a, b in zip(one, other) for x, y in zip(a, b)):
+        return [f"{what}: {held}, but {truth}"]
+    return []
+
+
+def compare_sums(what, grip, truth):
+    """Differences of a range of sums of normal reactions."""
+    if not grip["held"]:
+        return [] if truth is None else [f"{what}: no state, but {truth}"]
+    if truth is None:
+        return [f"{what}: {grip}, but there is no state"]
+    wrong = []
+    least, most = grip["least"], grip["most"]
+    if least["out_proved"] and least["out"] > truth[0] + NEAR * max(1, truth[0]):
+        wrong.append(f"{what}: not below {least['out']}, but {truth}")
+    if most is None:
+        if not math.isinf(truth[1]):
+            wrong.append(f"{what}: no upper bound, but {truth}")
+    elif most["out_proved"] and most["out"] < truth[1] - NEAR * max(1, truth[1]):
+        wrong.append(f"{what}: not above {most['out']}, but {truth}")
+    elif most["out_proved"] and not (near(least["held"], truth[0]) and near(most["held"], truth[1])):
+        wrong.append(f"{what}: {least['held']} to {most['held']}, but {truth}")
+    return wrong
+
+
+def verify(what, kusabi, path, names):
+    """Refusals of certificates."""
+    wrong = []
+    for name in names:
+        place = os.path.join(kusabi.folder, name)
+        if not os.path.exists(place):
+            continue
+        done = subprocess.run([kusabi.path, "verify", place, "--problem", path, "--serial"],
+                              capture_output=True, text=True, timeout=300)
+        if done.returncode not in (0, 3):
+            wrong.append(f"{what}: verify {name}: {done.stdout.strip()[-80:]} {done.stderr.strip()[:300]}")
+    return wrong
+
+
 def examine(kusabi, seed, index):
     """(text, differences, whether the answer is open) of one case; nothing for a mechanism."""
     case = generate_bodies.make(seed, index, KINDS, [1.0, 1e2])
@@ -153,31 +231,35 @@ def examine(kusabi, seed, index):
     text, forces, clearances = with_loads(case, rng)
     path = os.path.join(kusabi.folder, "loaded.toml")
     pathlib.Path(path).write_text(text)
+    for each in pathlib.Path(kusabi.folder).glob("cert*"):
+        each.unlink()
     try:
         loaded = Loaded(text, forces, clearances)
     except Mechanism:
         return None
     wrong, open_answers = [], 0
-    code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu))
+    certificate = os.path.join(kusabi.folder, "cert")
+    what = f"hold --mu {case.mu} --grip"
+    code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--grip", "--certificate", certificate)
     if result is None:
-        return text, [f"hold --mu {case.mu}: exit code {code}: {line}"], 0
-    answer = result["verdict"]["answer"]
-    truth = loaded.intervals(case.mu)
-    held = [(-math.inf if each["low"] is None else each["low"], math.inf if each["high"] is None else each["high"])
-            for each in result["result"]["intervals"]]
-    if answer["reason"] in ("supports", "wedging"):
-        held = [(-math.inf, math.inf)]
-    if code == 3:
-        open_answers += 1
-        inside = all(any(low - NEAR * max(1, abs(low)) <= a and b <= high + NEAR * max(1, abs(high)) for low, high in truth)
-                     for a, b in held)
-        if not inside:
-            wrong.append(f"hold --mu {case.mu}: {held} is not within {truth}")
-    else:
-        one, other = without_points(held), without_points(truth)
-        if len(one) != len(other) or not all(near(x, y) for a, b in zip(one, other) for x, y in zip(a, b)):
-            wrong.append(f"hold --mu {case.mu}: {held}, but {truth}")
-    code, result, line = kusabi.run("hold", path)
+        return text, [f"{what}: exit code {code}: {line}"], 0
+    open_answers += code == 3
+    wrong += compare_intervals(what, result, code, loaded.intervals(case.mu))
+    sums = loaded.sums(case.mu)
+    if "grip" in result["result"]:
+        wrong += compare_sums(what, result["result"]["grip"], sums)
+    wrong += verify(what, kusabi, path, ["cert"])
+    total = rng.uniform(0.2, 3)
+    what = f"hold --mu {case.mu} --total {total!r}"
+    if loaded.is_one_part():
+        code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--total", repr(total), "--certificate", certificate)
+        if result is not None:
+            open_answers += code == 3
+            wrong += compare_intervals(what, result, code, loaded.intervals(case.mu, total))
+            wrong += verify(what, kusabi, path, ["cert"])
+        elif code != 2:
+            wrong.append(f"{what}: exit code {code}: {line}")
+    code, result, line = kusabi.run("hold", path, "--certificate", certificate)
     if code == 2 and "there is no dead load" in line:  # it acts on supports alone
         return text, wrong, open_answers
     if result is None:
@@ -189,6 +271,7 @@ def examine(kusabi, seed, index):
         wrong.append(f"hold: the dead load is held at the lower bound {found['lower']}")
     if found["upper_proved"] and found["upper"] is not None and not loaded.holds(found["upper"] * (1 + 1e-6)):
         wrong.append(f"hold: the dead load is not held at the upper bound {found['upper']}")
+    wrong += verify("hold", kusabi, path, ["cert.lower", "cert.upper"])
     return text, wrong, open_answers
 
 

@@ -47,6 +47,7 @@ verify::ContactPoint contact_point(const problems::ContactCandidate& candidate) 
   point.friction = candidate.friction;
   point.against = parts(candidate.against);
   point.surface = candidate.surface;
+  point.clearance = candidate.clearance;
   return point;
 }
 

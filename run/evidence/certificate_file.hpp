@@ -26,6 +26,18 @@ std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction,
                                std::span<const wedged::ProvedBound> bounds = {});
 
+/// A name in one line, with control characters as \x0a.
+std::string one_line(const std::string& name);
+
+/// ' ' and a hexadecimal number, for each number.
+void append_numbers(std::string& text, std::span<const double> numbers);
+
+/// Lines of the names and the friction of all candidates, of the blocks, and of the rigid-body
+/// modes.
+std::string candidate_lines(const problems::WedgedProblem& problem,
+                            std::span<const double> friction);
+std::string motion_lines(const problems::WedgedProblem& problem);
+
 /// Line of a node, including its line end.
 std::string certificate_line(const wedged::Evidence& evidence);
 
@@ -59,6 +71,9 @@ class CertificateFile {
 
   /// Writes a node. A full disk is reported by close(). @pre wanted()
   void add(const wedged::Evidence& evidence);
+
+  /// Writes whole lines of another kind of certificate. @pre wanted()
+  void add(std::string_view lines) { put(lines); }
 
   /// Closes this part; collective over all ranks. @pre wanted()
   void close();

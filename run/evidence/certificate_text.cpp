@@ -9,9 +9,6 @@
 #include "support/sha1.hpp"
 
 namespace kusabi::run {
-namespace {
-
-// A name in one line, with other characters escaped.
 std::string one_line(const std::string& name) {
   std::string text;
   for (const char c : name) {
@@ -20,6 +17,8 @@ std::string one_line(const std::string& name) {
   }
   return text;
 }
+
+namespace {
 
 template <class Numbers>
 void append(std::string& text, const Numbers& numbers) {
@@ -54,18 +53,38 @@ const char* kind_name(wedged::Evidence::Kind kind) {
 
 }  // namespace
 
-std::string certificate_header(const problems::WedgedProblem& problem,
-                               std::span<const double> friction,
-                               std::span<const wedged::ProvedBound> bounds) {
-  const auto& motions = problem.modes.matrix;
-  auto text = fmt::format("kusabi certificate 4\ndimension {}\ncandidates {}\n", problem.dimension,
-                          problem.contact_names.size());
+void append_numbers(std::string& text, std::span<const double> numbers) {
+  append(text, numbers);
+}
+
+std::string candidate_lines(const problems::WedgedProblem& problem,
+                            std::span<const double> friction) {
+  auto text =
+      fmt::format("dimension {}\ncandidates {}\n", problem.dimension, problem.contact_names.size());
   for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
   text += "friction";
   append(text, friction);
   const auto blocks = problems::blocks_of(problem);
   text += fmt::format("\nblocks {}\n", blocks.size());
   for (const auto& block : blocks) text += fmt::format("block {}\n", support::hexadecimal(block));
+  return text;
+}
+
+std::string motion_lines(const problems::WedgedProblem& problem) {
+  const auto& motions = problem.modes.matrix;
+  auto text = fmt::format("motions {}\n", motions.cols());
+  for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
+    for (Eigen::Index k = 0; k < motions.cols(); ++k)
+      text += fmt::format("{}{:a}", k == 0 ? "" : " ", motions(i, k));
+    text += '\n';
+  }
+  return text;
+}
+
+std::string certificate_header(const problems::WedgedProblem& problem,
+                               std::span<const double> friction,
+                               std::span<const wedged::ProvedBound> bounds) {
+  auto text = "kusabi certificate 4\n" + candidate_lines(problem, friction);
   text += "stiffness\n";
   const auto stiffness = problems::free_stiffness(problem);
   for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
@@ -74,12 +93,7 @@ std::string certificate_header(const problems::WedgedProblem& problem,
     }
     text += '\n';
   }
-  text += fmt::format("motions {}\n", motions.cols());
-  for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
-    for (Eigen::Index k = 0; k < motions.cols(); ++k)
-      text += fmt::format("{}{:a}", k == 0 ? "" : " ", motions(i, k));
-    text += '\n';
-  }
+  text += motion_lines(problem);
   text += fmt::format("bounds {}\n", bounds.size());
   for (const auto& bound : bounds) append_bound(text, bound);
   return text + "nodes\n";

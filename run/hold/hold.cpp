@@ -9,10 +9,13 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
+#include "run/hold/hold_certificate.hpp"
 #include "run/hold/hold_report.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -29,6 +32,8 @@ class Hold final : public Subcommand {
 
  private:
   void refuse_without_loads() const;
+  void refuse_total() const;
+  [[nodiscard]] std::uint64_t fingerprint_of_loads() const;
 
   HoldOptions options_;
   problems::CheckedStructure structure_;
@@ -43,8 +48,26 @@ void Hold::describe(OptionTable& table) {
   table.load_case(options_.load_case);
   table.number("--mu-max", &options_.question.most, above(0),
                "upper limit of the search for the smallest coefficient");
+  table
+      .number("--total", &options_.question.total, above(0),
+              "only states whose normal reactions add up to this force: the load that pushes a "
+              "clamped part out")
+      .needs("--mu");
+  table
+      .flag("--grip", options_.grip,
+            "also the least and the largest sum of the normal reactions over all states under the "
+            "dead load")
+      .needs("--mu");
   table.output();
+  table
+      .file("--certificate", options_.certificate, Role::evidence,
+            "certificate for kusabi verify; without --mu one for each bound, NAME.lower and "
+            "NAME.upper")
+      .ends_in({".lower", ".upper"});
   table.search_limits(options_.limits);
+  table.resume(options_.checkpoint,
+               ". With --certificate the trees of the answer are searched again");
+  table.save_on(options_.checkpoint);
   table.quiet_and_serial();
 }
 
@@ -56,6 +79,28 @@ void Hold::refuse_without_loads() const {
       "{}: there is no {}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
       options_.input.file, options_.mu ? "load" : "dead load",
       options_.mu ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
+}
+
+// A sum of normal reactions is that of one decoupled part.
+void Hold::refuse_total() const {
+  if (!options_.question.total) return;
+  if (options_.grip) throw WrongInput("--grip: the sum is given by --total; expected one of them");
+  const int parts = wedged::loaded_blocks(loaded_);
+  if (parts != 1) {
+    throw WrongInput(fmt::format(
+        "--total: loads act on {} decoupled parts; expected a structure with one", parts));
+  }
+}
+
+std::uint64_t Hold::fingerprint_of_loads() const {
+  support::Fingerprint fingerprint;
+  for (const auto& load : structure_->loads) {
+    fingerprint.add(load.kind == problems::Load::Kind::dead ? 0.0 : 1.0);
+    fingerprint.add(static_cast<double>(load.node));
+    for (const double component : load.force) fingerprint.add(component);
+  }
+  for (const double clearance : loaded_.clearance) fingerprint.add(clearance);
+  return fingerprint.value();
 }
 
 void Hold::prepare(CommandRun& run) {
@@ -70,7 +115,11 @@ void Hold::prepare(CommandRun& run) {
       run.within_limits([&](const auto& work) { return wedged::loaded_problem(structure_, work); });
   if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.input.file);
   refuse_without_loads();
+  refuse_total();
   agree(run.session(), loaded_.problem);
+  run.keep_state(options_.checkpoint,
+                 {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
+                  {"the loads", hexadecimal(fingerprint_of_loads())}});
 }
 
 std::string Hold::announcement(const std::string& ranks) const {
@@ -82,10 +131,21 @@ std::string Hold::announcement(const std::string& ranks) const {
 
 void Hold::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
-  if (options_.mu)
-    findings_.factors = wedged::held_factors(analysis, loaded_, *options_.mu, options_.question);
-  else
-    findings_.friction = wedged::holding_friction(analysis, loaded_, options_.question);
+  auto& question = options_.question;
+  question.recorder = hold_recorder(
+      run.session(),
+      {options_.certificate, options_.input.file, options_.load_case, question.total, run.quiet()},
+      loaded_);
+  if (!options_.mu) {
+    findings_.friction = wedged::holding_friction(analysis, loaded_, question);
+    return;
+  }
+  const auto record =
+      question.recorder ? question.recorder(wedged::HoldEnd::factors, *options_.mu) : nullptr;
+  findings_.factors = wedged::held_factors(analysis, loaded_, *options_.mu, question, record.get());
+  if (options_.grip && findings_.factors->status == engine::Status::solved)
+    findings_.grip = wedged::grip_range(analysis, loaded_, *options_.mu, question, record.get());
+  if (record) record->finish();
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {

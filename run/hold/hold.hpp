@@ -7,7 +7,9 @@
 #include <string>
 
 #include "engine/options.hpp"
+#include "nodes/wedged/hold/grip_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
+#include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
 
 namespace kusabi::run {
@@ -17,19 +19,28 @@ struct HoldOptions {
   std::optional<double> mu;  ///< absent: the smallest coefficient is requested
   std::string load_case;
   wedged::HoldQuestion question;
+  bool grip = false;        ///< the grip range is requested
+  std::string certificate;  ///< file name; empty: none
   engine::Limits limits;
+  CheckpointChoice checkpoint;
 };
 
-/// One of both is present after the search.
+/// `friction` or `factors` is present after the search.
 struct HoldFindings {
   std::optional<wedged::HoldingFriction> friction{};
   std::optional<wedged::HeldFactors> factors{};
+  std::optional<wedged::GripRange> grip{};  ///< beside `factors`
 
   [[nodiscard]] engine::Status status() const {
-    return friction ? friction->status : factors ? factors->status : engine::Status::solved;
+    if (friction) return friction->status;
+    if (grip && grip->status != engine::Status::solved) return grip->status;
+    return factors ? factors->status : engine::Status::solved;
   }
-  [[nodiscard]] const std::vector<wedged::HoldCost>& costs() const {
-    return friction ? friction->costs : factors->costs;
+  [[nodiscard]] std::vector<wedged::HoldCost> costs() const {
+    if (friction) return friction->costs;
+    auto all = factors->costs;
+    if (grip) all.insert(all.end(), grip->costs.begin(), grip->costs.end());
+    return all;
   }
 };
 

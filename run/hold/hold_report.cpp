@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/values.hpp"
+#include "run/verdict/answer_words.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
 #include "run/verdict/words.hpp"
@@ -51,6 +53,7 @@ HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProble
                         .intervals = {},
                         .outside = standing(found.proved),
                         .open = found.open};
+  answer.total = options.question.total;
   if (found.any_by_supports) answer.reason = HoldReason::supports;
   if (found.any_by_wedging) answer.reason = HoldReason::wedging;
   if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
@@ -61,6 +64,44 @@ HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProble
          end_of(each.high, each.proved, each.high_out, each.high_proved, true)});
   }
   return answer;
+}
+
+HoldingGrip grip_of(const wedged::GripRange& found) {
+  HoldingGrip grip{.held = found.held,
+                   .held_standing = standing(found.held_proved),
+                   .unbounded = found.most.unbounded,
+                   .unbounded_standing = standing(found.most.held_proved)};
+  if (found.status != engine::Status::solved || !found.held) return grip;
+  const auto& [least, most] = std::tie(found.least, found.most);
+  grip.least = {Bound{least.out, standing(least.out_proved)},
+                Bound{least.held, standing(least.held_proved)}};
+  if (!most.unbounded && most.known) {
+    grip.most = {Bound{most.held, standing(most.held_proved)},
+                 Bound{most.out, standing(most.out_proved)}};
+  }
+  return grip;
+}
+
+ordered_json grip_json(const wedged::GripRange& found) {
+  if (!found.held) return {{"held", false}};
+  const auto end = [](const wedged::GripEnd& own) -> ordered_json {
+    if (own.unbounded) return nullptr;
+    return {{"held", own.held},
+            {"out", own.out},
+            {"held_proved", own.held_proved},
+            {"out_proved", own.out_proved}};
+  };
+  return {{"held", true}, {"least", end(found.least)}, {"most", end(found.most)}};
+}
+
+std::string grip_table(const wedged::GripRange& found) {
+  if (!found.held) return {};
+  const auto least = in_table(found.least.out, found.least.held);
+  if (!found.most.unbounded && !found.most.known) return {};
+  if (found.most.unbounded)
+    return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", least.lower);
+  const auto most = in_table(found.most.held, found.most.out);
+  return fmt::format("sum of the normal reactions: {} to {}\n", least.lower, most.upper);
 }
 
 std::string end_text(double held, double out, bool upward) {
@@ -154,8 +195,10 @@ ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings
                            {"state", state_json(loaded, each.block, each.pattern, each.state)}});
     }
   }
-  return {{"holding_friction", std::move(holding)},
-          {"intervals", findings.factors ? std::move(intervals) : ordered_json()}};
+  ordered_json result{{"holding_friction", std::move(holding)},
+                      {"intervals", findings.factors ? std::move(intervals) : ordered_json()}};
+  if (findings.grip) result["grip"] = grip_json(*findings.grip);
+  return result;
 }
 
 }  // namespace
@@ -171,6 +214,13 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
     verdict.answer = factors_of(options, loaded, *findings.factors);
     any = findings.factors->any_by_supports;
   }
+  if (findings.grip && findings.grip->status == engine::Status::solved) {
+    auto& factors = std::get<HoldingFactors>(verdict.answer);
+    factors.grip = grip_of(*findings.grip);
+    verdict.details.push_back(grip_sentence(*factors.grip));
+  }
+  if (findings.friction && !options.certificate.empty() && verdict.ended != engine::Status::solved)
+    verdict.missing.emplace_back("No certificate was written, since the search ended early.");
   if (!any) {
     verdict.details.emplace_back(
         "\"Can hold\" means that a state of equilibrium exists; whether it is reached depends on "
@@ -206,6 +256,7 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
       text += reactions_text(loaded, each.block, each.pattern, each.state);
     fmt::format_to(out, "(factors of the reference load at friction coefficient {})\n",
                    options.mu.value_or(0));
+    if (findings.grip) text += grip_table(*findings.grip);
   }
   std::uint64_t opened = 0;
   for (const auto& cost : findings.costs()) opened += cost.opened;
@@ -216,13 +267,15 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
 
 ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
                        const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
+  ordered_json given{{"mu", number_or_null(options.mu)},
+                     {"mu_max", options.question.most},
+                     {"case", options.load_case}};
+  if (options.question.total) given["total"] = *options.question.total;
+  if (options.grip) given["grip"] = true;
   return {{"command", "hold"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(structure, loaded.problem, options.input.file)},
-          {"options",
-           {{"mu", number_or_null(options.mu)},
-            {"mu_max", options.question.most},
-            {"case", options.load_case}}},
+          {"options", std::move(given)},
           {"status", status_text(hold_verdict(options, loaded, findings))},
           {"result", result_json(loaded, findings)},
           {"statistics", costs_json(findings)}};

@@ -34,6 +34,9 @@ void reserve(const LoadSteps& found, std::vector<Reservation>& all);
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const CertificateCheck& found, std::vector<Reservation>& all);
 
+/// The range of sums of normal reactions.
+std::string grip_sentence(const HoldingGrip& grip);
+
 /// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
 const char* unless_proved(Standing standing);
 

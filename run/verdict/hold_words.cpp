@@ -96,8 +96,8 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
 
 std::string headline_of(const HoldingFactors& found, engine::Status ended) {
   if (found.reason == HoldReason::supports) return by_supports;
-  const auto where =
-      fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
+  auto where = fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
+  if (found.total) where += fmt::format(" with normal reactions that add up to {}", *found.total);
   if (found.reason == HoldReason::wedging) {
     return fmt::format(
         "It can hold any load {}: it can be wedged there, with a residual stress of any size.",
@@ -130,7 +130,55 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
                      others);
 }
 
+std::string grip_sentence(const HoldingGrip& grip) {
+  if (!grip.held) {
+    return fmt::format(
+        "There is no state under the dead load alone{}, and no sum of normal "
+        "reactions.",
+        unless_proved(grip.held_standing));
+  }
+  const auto& least = grip.least.lower;
+  const auto& most = grip.most.upper;
+  const auto lower = fmt::format("{}{}", rounded_down(least ? least->value : 0),
+                                 least ? unless_proved(least->standing) : "");
+  if (grip.unbounded) {
+    return fmt::format(
+        "In every state under the dead load alone the normal reactions add up to {} or more; there "
+        "is no upper bound, since it can be wedged with a residual stress of any size{}.",
+        lower, unless_proved(grip.unbounded_standing));
+  }
+  if (!most) {
+    return fmt::format(
+        "In every state under the dead load alone the normal reactions add up to {} "
+        "or more; an upper bound is not known.",
+        lower);
+  }
+  return fmt::format(
+      "In every state under the dead load alone the normal reactions add up to between {} and "
+      "{}{}.",
+      lower, rounded_up(most->value), unless_proved(most->standing));
+}
+
+namespace {
+
+void reserve(const HoldingGrip& grip, std::vector<Reservation>& all) {
+  const auto computed = [](const std::optional<Bound>& bound) {
+    return !bound || bound->standing == Standing::computed;
+  };
+  if (!grip.held) {
+    if (grip.held_standing == Standing::computed)
+      all.push_back({"That there is no state under the dead load is computed, not proved.", true});
+    return;
+  }
+  if (computed(grip.least.lower) || (!grip.unbounded && computed(grip.most.upper)) ||
+      (grip.unbounded && grip.unbounded_standing == Standing::computed))
+    all.push_back({"A bound of the sum of the normal reactions is not proved.", true});
+}
+
+}  // namespace
+
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all) {
+  if (found.grip) reserve(*found.grip, all);
   if (found.open && ended == engine::Status::solved) {
     all.push_back(
         {"Some sign patterns are undecided; load factors that only they hold may be missing.",

@@ -1,4 +1,6 @@
 // Sentences about zero-one programs and certificates.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -55,6 +57,63 @@ std::string of_factor(const CertificateCheck::Factor& factor) {
                     "; every load factor from {:.17g} on up to there is carried under every "
                     "admissible load, and none below {:.17g} is",
                     upper, lower);
+}
+
+std::string range_text(const CertificateCheck::Range& range) {
+  if (std::isinf(range.low) && std::isinf(range.high)) return "all factors";
+  if (std::isinf(range.low)) return fmt::format("up to {:.17g}", range.high);
+  if (std::isinf(range.high)) return fmt::format("from {:.17g} on", range.low);
+  if (range.low == range.high) return fmt::format("{:.17g}", range.low);
+  return fmt::format("from {:.17g} to {:.17g}", range.low, range.high);
+}
+
+std::string ranges_text(const std::vector<CertificateCheck::Range>& ranges) {
+  std::string text;
+  for (const auto& range : ranges) text += (text.empty() ? "" : ", ") + range_text(range);
+  return text;
+}
+
+bool is_of_dead_load(const CertificateCheck::Held& held) {
+  if (!held.of_reference) return true;
+  if (held.held.size() + held.none.size() != 1) return false;
+  const auto& only = held.held.empty() ? held.none.front() : held.held.front();
+  return only.low == 0 && only.high == 0;
+}
+
+std::string grip_text(const CertificateCheck::GripBounds& grip) {
+  std::string text = "the normal reactions of every state under the dead load add up to ";
+  if (grip.below) text += fmt::format("{:.17g} or more", *grip.below);
+  if (grip.below && grip.above) text += " and ";
+  if (grip.above) text += fmt::format("{:.17g} or less", *grip.above);
+  return text;
+}
+
+std::string of_held(const CertificateCheck::Held& held) {
+  const bool grip = held.grip && (held.grip->below || held.grip->above);
+  if (held.held.empty() && held.none.empty() && !grip)
+    return "NOTHING PROVED: the certificate has neither a state nor a complete tree";
+  auto text = fmt::format("PROVED: at friction coefficient {}", held.friction);
+  if (held.total) text += fmt::format(" and with normal reactions that add up to {}", *held.total);
+  std::string separator = ", ";
+  const auto add = [&](const std::string& part) {
+    text += separator + part;
+    separator = "; ";
+  };
+  if (is_of_dead_load(held)) {
+    if (!held.held.empty()) add("it can hold the dead load");
+    if (!held.none.empty()) add("it cannot hold the dead load");
+  } else {
+    if (!held.held.empty())
+      add(fmt::format("it can hold these factors of the reference load: {}",
+                      ranges_text(held.held)));
+    if (!held.none.empty()) add(fmt::format("it cannot hold: {}", ranges_text(held.none)));
+  }
+  if (grip) add(grip_text(*held.grip));
+  if (held.but_far_motions) {
+    text +=
+        fmt::format(", except for displacements over {:.2g} times the strains", held.far_motion);
+  }
+  return text;
 }
 
 std::string of_loss(const CertificateCheck::Loss& loss) {
@@ -131,12 +190,19 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
   }
   if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
     return of_factor(*factor);
+  if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim))
+    return of_held(*held);
   if (const auto* const loss = std::get_if<CertificateCheck::Loss>(&found.claim))
     return of_loss(*loss);
   return "NOT PROVED";
 }
 
 void reserve(const CertificateCheck& found, std::vector<Reservation>& all) {
+  if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim)) {
+    const bool grip = held->grip && (held->grip->below || held->grip->above);
+    if (found.refusals == 0 && held->held.empty() && held->none.empty() && !grip)
+      all.push_back({"Nothing is claimed of any load.", true});
+  }
   const auto* const list = std::get_if<CertificateCheck::List>(&found.claim);
   if (list == nullptr || list->undecided == 0) return;
   all.push_back(

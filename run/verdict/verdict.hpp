@@ -94,6 +94,15 @@ struct HoldingBracket {
   HoldReason reason = HoldReason::searched;
 };
 
+/// The least and the largest sum of the normal reactions over all states under the dead load.
+struct HoldingGrip {
+  bool held = true;                           ///< false: there is no state
+  Standing held_standing = Standing::proved;  ///< of this answer
+  Bracket least{}, most{};                    ///< of each end
+  bool unbounded = false;                     ///< there is no largest sum
+  Standing unbounded_standing = Standing::proved;
+};
+
 /// Factors of the reference load that can be held at one coefficient: `hold --mu`.
 struct HoldingFactors {
   /// Both ends are held; infinite: no end.
@@ -109,6 +118,8 @@ struct HoldingFactors {
   Standing outside = Standing::proved;  ///< of the claim that no other factor is held
   bool open = false;                    ///< factors may be missing
   HoldReason reason = HoldReason::searched;
+  std::optional<double> total{};      ///< sum of the normal reactions in all these states
+  std::optional<HoldingGrip> grip{};  ///< if it was requested
 };
 
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
@@ -210,6 +221,26 @@ struct CertificateCheck {
   struct Example {
     std::uint64_t patterns = 0;
   };
+  /// Factors of the reference load; infinite: no end.
+  struct Range {
+    double low = 0, high = 0;
+  };
+  /// Bounds of the sum of the normal reactions in all states under the dead load.
+  struct GripBounds {
+    std::optional<double> below{}, above{};  ///< absent: none is proved
+  };
+  /// States under load.
+  struct Held {
+    double friction = 0;
+    bool of_reference = true;       ///< false: the file has a dead load only
+    std::optional<double> total{};  ///< sum of the normal reactions in these states
+    std::vector<Range> held{};      ///< each factor has a state
+    std::vector<Range> none{};      ///< no factor has one
+    std::optional<GripBounds> grip{};
+    bool but_far_motions = false;  ///< proofs leave out displacements over `far_motion` times the
+                                   ///< strains
+    double far_motion = 0;
+  };
   /// Least load factor over all losses of some members.
   struct Loss {
     std::uint64_t most = 1, cases = 1;
@@ -221,7 +252,7 @@ struct CertificateCheck {
     double upper = 0;
   };
   std::uint64_t refusals = 0;
-  std::variant<std::monostate, List, Example, Factor, Loss> claim{};
+  std::variant<std::monostate, List, Example, Factor, Loss, Held> claim{};
 };
 
 /// A measurement, and its agreement with the reference: `bench`.

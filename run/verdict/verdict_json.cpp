@@ -80,14 +80,24 @@ ordered_json answer_json(const HoldingFactors& found) {
                          {"below", bracket_json(each.below)},
                          {"above", bracket_json(each.above)}});
   }
-  return {{"kind", "holding-factors"},
-          {"friction", found.friction},
-          {"factor", found.factor},
-          {"of_reference", found.of_reference},
-          {"intervals", std::move(intervals)},
-          {"outside", standing_name(found.outside)},
-          {"open", found.open},
-          {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+  ordered_json json{{"kind", "holding-factors"},
+                    {"friction", found.friction},
+                    {"factor", found.factor},
+                    {"of_reference", found.of_reference},
+                    {"intervals", std::move(intervals)},
+                    {"outside", standing_name(found.outside)},
+                    {"open", found.open},
+                    {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+  if (found.total) json["total"] = *found.total;
+  if (found.grip) {
+    json["grip"] = {{"held", found.grip->held},
+                    {"held_standing", standing_name(found.grip->held_standing)},
+                    {"least", bracket_json(found.grip->least)},
+                    {"most", bracket_json(found.grip->most)},
+                    {"unbounded", found.grip->unbounded},
+                    {"unbounded_standing", standing_name(found.grip->unbounded_standing)}};
+  }
+  return json;
 }
 
 ordered_json answer_json(const FrictionSteps& found) {

@@ -19,12 +19,14 @@
 #include "run/output/page.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/verify/verify_hold.hpp"
 #include "run/verify/verify_limit.hpp"
 #include "run/verify/verify_loss.hpp"
 #include "run/verify/verify_patterns.hpp"
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
+#include "verify/wedged/hold_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -67,7 +69,7 @@ class Verify final : public Subcommand {
 void Verify::describe(OptionTable& table) {
   table
       .file("certificate", options_.certificate, Role::input,
-            "certificate of kusabi patterns, critical or limit")
+            "certificate of kusabi patterns, critical, hold or limit")
       .required();
   table.file(
       "--problem", options_.problem, Role::input,
@@ -108,6 +110,8 @@ void Verify::search(CommandRun& run) {
     findings_ = verify_loss(run, options_, structure_, text_);
   } else if (text_.starts_with(verify::limit_first_words)) {
     findings_ = verify_limit(run, options_, structure_, text_);
+  } else if (text_.starts_with(verify::hold_first_words)) {
+    findings_ = verify_hold(run, options_, structure_, text_);
   } else {
     findings_ = verify_patterns(run, options_, structure_, text_);
   }

@@ -71,6 +71,7 @@ class Bounds {
   Bounds(const Matrix& compliance, double error, const std::vector<int>& owners,
          const Motions<Real>& motions = {}, int loads = 0)
       : loads_(loads),
+        equation_(motions.equation),
         error_(error),
         rounding_((static_cast<double>(compliance.rows()) + 4) * numbers::unit_roundoff<Real>),
         owners_(owners) {
@@ -148,6 +149,11 @@ class Bounds {
     const double sum_error = corrected * std::sqrt(inverse) * safety + rounding_ * sizes +
                              load.reaction * static_cast<double>(sets.cones.size());
 
+    // Normal forces of the correction are not in the side equation, whose entries are at most 1.
+    const double equation_error =
+        equation_ == SideEquation::none ? 0 : corrected * std::sqrt(inverse) * safety;
+    if (equation_ == SideEquation::exact && equation_error > negligible_sum * sizes) return result;
+
     double level = infinity;
     double raw = infinity;
     const auto take = [&](const Real& value, double cost) {
@@ -170,7 +176,7 @@ class Bounds {
       const double delta =
           (carries(k, sets) ? corrected / (roots_[D * k] / safety) : 0) + load.reaction;
       if (mu == 0) {
-        take(r[D * k], delta);
+        take(r[D * k], delta + (is_slack(k) ? equation_error : 0));
         continue;
       }
       Real tangential = 0;
@@ -399,6 +405,8 @@ class Bounds {
   /// Limit of the relative equilibrium correction of valid multipliers: other conclusions, for
   /// other coefficients of friction, take them as exact.
   static constexpr double most_balance = 1e-6;
+  /// Relative error of an exact side equation, in states that count as feasible.
+  static constexpr double negligible_sum = 1e-10;
 
   /// Index of the first cut's multiplier.
   [[nodiscard]] Eigen::Index first_cut() const {
@@ -408,6 +416,12 @@ class Bounds {
   [[nodiscard]] bool is_load(int cone) const {
     return owners_[static_cast<std::size_t>(cone)] >=
            static_cast<int>(first_cones_.size()) - loads_;
+  }
+
+  /// True for the last load if it is the slack of the side equation; its entry there is 1.
+  [[nodiscard]] bool is_slack(int cone) const {
+    return equation_ == SideEquation::with_slack &&
+           static_cast<std::size_t>(cone) + 1 == owners_.size();
   }
 
   [[nodiscard]] double normal_root(int candidate) const {
@@ -451,6 +465,7 @@ class Bounds {
   }
 
   int loads_ = 0;
+  SideEquation equation_ = SideEquation::none;
   double error_, rounding_;
   RigidModeBounds motions_;
   Matrix normal_motions_;         // H, m rows

@@ -30,6 +30,11 @@ inline constexpr double sliding = 1e-12;
 /// of a node, up to the rounding of positions and directions in the file.
 inline constexpr double not_felt = 1e-10;
 
+/// A last column of G that is an equation for the reactions alone, with normal parts. A correction
+/// of normal displacements by normal forces changes it: by a negligible amount, or so that the last
+/// load, its slack, takes the change up.
+enum class SideEquation { none, exact, with_slack };
+
 template <class Real>
 struct Motions {
   using Matrix = MatrixOf<Real>;
@@ -40,6 +45,7 @@ struct Motions {
   Matrix combination;
   /// Number of modes with a normal part; these come first.
   int lifting = 0;
+  SideEquation equation = SideEquation::none;
   /// Error bound of an entry of `at_cones`.
   double error = 0;
 
@@ -47,7 +53,7 @@ struct Motions {
 
   template <class Other>
   [[nodiscard]] Motions<Other> cast(double rounding) const {
-    return {at_cones.template cast<Other>(), combination.template cast<Other>(), lifting,
+    return {at_cones.template cast<Other>(), combination.template cast<Other>(), lifting, equation,
             error + rounding};
   }
 };
@@ -97,11 +103,26 @@ EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index s
 /// @param motions G, D rows per cone; entries of at most about 1
 /// @param error error bound of an entry
 /// @param loads number of loads, whose cones are the last and have no displacement
+/// @param equation of the last column, whose normal rows are kept
 template <int D, class Real>
-Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error, int loads = 0) {
+Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error, int loads = 0,
+                              SideEquation equation = SideEquation::none) {
+  using Matrix = typename Motions<Real>::Matrix;
+  if (equation != SideEquation::none) {
+    const Eigen::Index own = motions.cols() - 1;
+    auto result = ordered_motions<D, Real>(Matrix(motions.leftCols(own)), error, loads);
+    Matrix combination = Matrix::Identity(motions.cols(), motions.cols());
+    combination.topLeftCorner(own, own) = result.combination;
+    motions.leftCols(own) = result.at_cones;
+    result.combination = std::move(combination);
+    result.at_cones = std::move(motions);
+    result.error = std::max(result.error, error);
+    result.equation = equation;
+    return result;
+  }
   const Eigen::Index p = motions.cols();
   Motions<Real> result;
-  result.combination = Motions<Real>::Matrix::Identity(p, p);
+  result.combination = Matrix::Identity(p, p);
   const auto [lifting, growth] =
       eliminate(motions, result.combination, D, sliding, Eigen::Index{D} * loads);
   result.lifting = static_cast<int>(lifting);

@@ -37,7 +37,8 @@ WEDGED = {
 }
 # Arguments of `hold`.
 HOLD = {
-    "ladder.toml": ((), ("--mu", 0.4), ("--mu", 0.6), ("--mu", 1.4), ("--node-limit", 1)),
+    "ladder.toml": ((), ("--mu", 0.4), ("--mu", 0.6), ("--mu", 1.4), ("--node-limit", 1), ("--mu", 0.4, "--grip"),
+                    ("--mu", 0.3, "--grip"), ("--mu", 1.4, "--grip"), ("--mu", 0.4, "--total", 2)),
     "peg-under-load.toml": ((), ("--mu", 0.5), ("--mu", 0.5, "--node-limit", 3)),
 }
 LIMIT = {

@@ -2,6 +2,9 @@
 // verify/structure/solid_element.cpp.
 #include "verify/structure/assembly.hpp"
 
+#include <set>
+#include <utility>
+
 #include "verify/arithmetic/disjoint_sets.hpp"
 #include "verify/structure/placed_nodes.hpp"
 #include "verify/structure/solid_element.hpp"
@@ -116,7 +119,15 @@ Frame frame(const ContactPoint& point, std::size_t dimension) {
   return {n, t, {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};
 }
 
-std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom) {
+namespace {
+
+// The connected components of free displacements, and one displacement of each candidate.
+struct Connected {
+  DisjointSets sets;
+  std::vector<std::size_t> own;
+};
+
+Connected connected(const Structure& structure, const Freedom& freedom) {
   DisjointSets sets(freedom.count);
   const auto join = [&](const std::vector<std::size_t>& numbers) {
     for (const auto number : numbers) sets.join(number, numbers.front());
@@ -166,12 +177,34 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
     join(moving);
     own.push_back(moving.front());
   }
+  return {std::move(sets), std::move(own)};
+}
+
+}  // namespace
+
+std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom) {
+  auto [sets, own] = connected(structure, freedom);
   std::map<std::size_t, std::size_t> first;  // first candidate of each set
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const auto set = sets.of(own[i]);
     result.push_back(first.emplace(set, i).first->second);
   }
+  return result;
+}
+
+std::vector<bool> touched(const Structure& structure, const Freedom& freedom,
+                          const std::vector<Force>& load) {
+  auto [sets, own] = connected(structure, freedom);
+  std::set<std::size_t> loaded;
+  for (const auto& [node, components] : load) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+      if (components[axis] == 0) continue;
+      for (const auto number : freedom.parts(node, axis)) loaded.insert(sets.of(number));
+    }
+  }
+  std::vector<bool> result;
+  for (const auto number : own) result.push_back(loaded.contains(sets.of(number)));
   return result;
 }
 

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "verify/arithmetic/cholesky.hpp"
 #include "verify/arithmetic/numbering.hpp"
 #include "verify/structure/assembly.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 #include "verify/structure/several_normals.hpp"
 
 namespace kusabi::verify {
@@ -48,12 +50,14 @@ long half_exponent(const Dyadic& value) {
 
 class Condensation {
  public:
-  Condensation(const Structure& structure, double springs, const support::LongWork& work)
-      : structure_(structure), springs_(springs), work_(work), freedom_(structure) {}
+  Condensation(const Structure& structure, std::span<const ForceList> loads, double springs,
+               const support::LongWork& work)
+      : structure_(structure), loads_(loads), springs_(springs), work_(work), freedom_(structure) {}
 
-  std::variant<EnclosedMatrix, std::string> result();
+  std::variant<LoadedStiffness, std::string> result();
 
  private:
+  void add_loads(SparseEnclosure& stiffness);
   void release_rollers(const ContactPoint& point, SparseEnclosure& stiffness);
   void number_candidates(SparseEnclosure& stiffness);
   std::optional<std::string> cut();
@@ -63,16 +67,20 @@ class Condensation {
   void refine(std::size_t column);
   void complement();
   EnclosedMatrix turned();
+  LoadedStiffness separated(EnclosedMatrix whole) const;
 
   [[nodiscard]] Dyadic entry(std::size_t i, std::size_t j) const {
     return {complement_[parts_.contact * i + j], stiffness_grid};
   }
 
   const Structure& structure_;
+  std::span<const ForceList> loads_;
   double springs_;
   const support::LongWork& work_;
   Freedom freedom_;
   std::vector<std::vector<std::size_t>> seen_;  // d displacements of each candidate
+  std::vector<std::size_t> load_numbers_;       // rows of the loads, d or none
+  std::vector<long> load_scales_;               // forces are multiplied by 2^this
   CandidateNumbers corners_;  // displacements of candidates at nodes with several contact normals,
                               // already in their frames
   std::vector<std::size_t> place_;  // position of each free displacement in C or N
@@ -129,10 +137,44 @@ void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& s
   }
 }
 
+// A load is a row of K^0, H'f, and stays with the candidates: condensed with them it becomes E'f.
+// Forces are scaled by powers of two to the size of the stiffness. Loads are the displacements of
+// one more candidate.
+void Condensation::add_loads(SparseEnclosure& stiffness) {
+  const double size = typical_stiffness(structure_);
+  for (std::size_t load = 0; load < structure_.dimension; ++load) {
+    const auto row = freedom_.count++;
+    stiffness.emplace_back()[row] = Enclosure(size);
+    load_numbers_.push_back(row);
+    if (load >= loads_.size()) continue;
+    double largest = 0;
+    for (const auto& force : loads_[load]) {
+      for (const double component : force.components)
+        largest = std::max(largest, std::abs(component));
+    }
+    const int scale = largest == 0 ? 0 : std::ilogb(size) - std::ilogb(largest);
+    load_scales_.push_back(scale);
+    for (const auto& [node, components] : loads_[load]) {
+      for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
+        const double scaled = std::ldexp(components[axis], scale);
+        if (std::ldexp(scaled, -scale) != components[axis])
+          throw std::domain_error("a force is too small beside another one");
+        const Enclosure force(scaled);
+        if (force.is_zero()) continue;
+        for (const auto& [number, weight] : freedom_.weighted(node, axis)) {
+          stiffness[row][number] += force * weight;
+          stiffness[number][row] += force * weight;
+        }
+      }
+    }
+  }
+}
+
 // A candidate alone at its node has the displacements of the node. Rollers are released before
 // normal coordinates are introduced, since the opposite place may be at a node with several contact
 // normals.
 void Condensation::number_candidates(SparseEnclosure& stiffness) {
+  if (!loads_.empty()) add_loads(stiffness);
   const auto corner = corners(structure_);
   const auto add_springs = [&](const auto& numbers) {
     for (const auto number : numbers) {
@@ -157,6 +199,7 @@ void Condensation::number_candidates(SparseEnclosure& stiffness) {
                         ? turned->second
                         : std::vector<std::size_t>(numbers.begin(), numbers.begin() + d));
   }
+  if (!load_numbers_.empty()) seen_.push_back(load_numbers_);
 }
 
 std::optional<std::string> Condensation::cut() {
@@ -352,10 +395,10 @@ EnclosedMatrix Condensation::turned() {
   const auto c = parts_.contact;
   std::vector<std::vector<mpz_class>> frames;  // of each candidate, by columns
   Dyadic error_square;
-  for (std::size_t i = 0; i < structure_.contact.size(); ++i) {
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
     auto& own = frames.emplace_back();
-    for (const auto& column :
-         corners_.contains(i) ? unit_frame(d) : frame(structure_.contact[i], d)) {
+    const bool turns = i < structure_.contact.size() && !corners_.contains(i);
+    for (const auto& column : turns ? frame(structure_.contact[i], d) : unit_frame(d)) {
       for (const auto& component : column) {
         own.push_back(component.lower().multiples(stiffness_grid));
         error_square =
@@ -402,13 +445,37 @@ EnclosedMatrix Condensation::turned() {
   return result;
 }
 
-std::variant<EnclosedMatrix, std::string> Condensation::result() {
+// The rows of the candidates, and the columns of the loads beside them.
+LoadedStiffness Condensation::separated(EnclosedMatrix whole) const {
+  LoadedStiffness result{std::move(whole), {}};
+  if (load_numbers_.empty()) return result;
+  auto& [matrix, radius] = result.stiffness;
+  const DyadicMatrix all = std::move(matrix);
+  const auto size = all.size - structure_.dimension;
+  matrix = {size, DyadicList(size * size)};
+  matrix.entries.exponent = all.entries.exponent;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j)
+      matrix.entries.mantissas[size * i + j] = all.entries.mantissas[all.size * i + j];
+  }
+  for (std::size_t load = 0; load < loads_.size(); ++load) {
+    auto& [forces, error] = result.loads.emplace_back();
+    forces = DyadicList(size);
+    forces.exponent = all.entries.exponent - load_scales_[load];
+    for (std::size_t i = 0; i < size; ++i)
+      forces.mantissas[i] = all.entries.mantissas[all.size * i + size + load];
+    error = radius.scaled(-load_scales_[load]);
+  }
+  return result;
+}
+
+std::variant<LoadedStiffness, std::string> Condensation::result() {
   if (auto why = cut()) return *why;
   if (auto why = factorise()) return *why;
   if (parts_.rest > 0 && !(least_ > sqrt_above(parts_.error_square))) return too_ill;
   follow();
   complement();
-  return turned();
+  return separated(turned());
 }
 
 }  // namespace
@@ -416,7 +483,16 @@ std::variant<EnclosedMatrix, std::string> Condensation::result() {
 std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
                                                               double springs,
                                                               const support::LongWork& work) {
-  return Condensation(structure, springs, work).result();
+  auto found = loaded_stiffness(structure, {}, springs, work);
+  if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
+  return std::move(std::get<LoadedStiffness>(found).stiffness);
+}
+
+std::variant<LoadedStiffness, std::string> loaded_stiffness(const Structure& structure,
+                                                            std::span<const ForceList> loads,
+                                                            double springs,
+                                                            const support::LongWork& work) {
+  return Condensation(structure, loads, springs, work).result();
 }
 
 }  // namespace kusabi::verify

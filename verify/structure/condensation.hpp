@@ -3,8 +3,10 @@
 // docs/theory/proofs.md derives it.
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "support/stop.hpp"
 #include "verify/arithmetic/exact.hpp"
@@ -22,5 +24,25 @@ namespace kusabi::verify {
 std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
                                                               double springs = 0,
                                                               const support::LongWork& work = {});
+
+/// Nodal forces that act together.
+using ForceList = std::vector<Force>;
+
+/// A load condensed to the displacements of the candidates: E'f with E = [I; -X], dm numbers.
+struct CondensedLoad {
+  DyadicList forces;
+  Dyadic error;  ///< bound of the Euclidean norm of their error
+};
+
+struct LoadedStiffness {
+  EnclosedMatrix stiffness;
+  std::vector<CondensedLoad> loads;  ///< as they were given
+};
+
+/// The same with loads. @param loads at most d
+std::variant<LoadedStiffness, std::string> loaded_stiffness(const Structure& structure,
+                                                            std::span<const ForceList> loads,
+                                                            double springs = 0,
+                                                            const support::LongWork& work = {});
 
 }  // namespace kusabi::verify

@@ -305,8 +305,19 @@ Directions directions_of(const ContactPoint& point, std::size_t d) {
   return result;
 }
 
+mpq_class times_power(mpq_class number, int exponent) {
+  auto* const own = number.get_mpq_t();
+  if (exponent >= 0) {
+    mpq_mul_2exp(own, own, static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(own, own, static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return number;
+}
+
 // Scales each column by a power of two such that its largest entry is about 1.
-void scale_columns(ContactMotions& motions) {
+std::vector<int> scale_columns(ContactMotions& motions) {
+  std::vector<int> shifts(motions.count, 0);
   for (std::size_t k = 0; k < motions.count; ++k) {
     double largest = 0;
     for (std::size_t row = 0; row < motions.rows.size(); ++row) {
@@ -314,16 +325,10 @@ void scale_columns(ContactMotions& motions) {
       largest = std::max(largest, size / motions.lengths[row].nearest());
     }
     if (!(largest > 0) || !std::isfinite(largest)) continue;
-    const int shift = -std::ilogb(largest);
-    for (auto& row : motions.rows) {
-      auto* const number = row[k].get_mpq_t();
-      if (shift >= 0) {
-        mpq_mul_2exp(number, number, static_cast<mp_bitcnt_t>(shift));
-      } else {
-        mpq_div_2exp(number, number, static_cast<mp_bitcnt_t>(-shift));
-      }
-    }
+    shifts[k] = -std::ilogb(largest);
+    for (auto& row : motions.rows) row[k] = times_power(row[k], shifts[k]);
   }
+  return shifts;
 }
 
 }  // namespace
@@ -388,6 +393,30 @@ NearList seen_of(const ContactMotions& motions, const Rationals& coefficients) {
   return on_a_grid(quotients, motions.spread);
 }
 
+namespace {
+
+// Modes that displace candidates, and the others; the scales of the former are those of
+// scale_columns().
+struct SplitModes {
+  std::vector<Rationals> seen;
+  std::vector<Rationals> unseen;
+};
+
+SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bodies,
+                       std::vector<Rationals>& seen_rows) {
+  for (const auto& point : structure.contact) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis)
+      seen_rows.push_back(bodies.at(point, axis));
+  }
+  // Their doubles are compared with the modes of a certificate, so modes of long levers must not be
+  // nearly equal.
+  Elimination visible(bodies.motions());
+  visible.demand_largest_first(seen_rows);
+  return {visible.taken(), visible.left()};
+}
+
+}  // namespace
+
 UnconstrainedModes unconstrained_modes(const Structure& structure) {
   const auto d = structure.dimension;
   UnconstrainedModes result;
@@ -405,15 +434,8 @@ UnconstrainedModes unconstrained_modes(const Structure& structure) {
   const UnconstrainedBodies bodies(structure);
   if (bodies.motions().empty()) return result;
   std::vector<Rationals> seen_rows;
-  for (const auto& point : structure.contact) {
-    for (std::size_t axis = 0; axis < d; ++axis) seen_rows.push_back(bodies.at(point, axis));
-  }
-  // Their doubles are compared with the modes of a certificate, so modes of long levers must not be
-  // nearly equal.
-  Elimination visible(bodies.motions());
-  visible.demand_largest_first(seen_rows);
-  result.unseen = bodies.holding(Elimination(visible.left()));
-  const auto columns = visible.taken();
+  const auto [columns, unseen] = split_modes(structure, bodies, seen_rows);
+  result.unseen = bodies.holding(Elimination(unseen));
   seen.count = columns.size();
   for (auto& row : seen.rows) row.resize(seen.count);
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
@@ -425,7 +447,30 @@ UnconstrainedModes unconstrained_modes(const Structure& structure) {
         seen.rows[d * i + k][column] = dot(frames[i].vectors[k], moves);
     }
   }
-  scale_columns(seen);
+  seen.shifts = scale_columns(seen);
+  return result;
+}
+
+std::vector<LoadWork> works_of(const Structure& structure, const ContactMotions& seen,
+                               const std::vector<std::vector<Force>>& loads) {
+  const UnconstrainedBodies bodies(structure);
+  std::vector<LoadWork> result(loads.size());
+  if (bodies.motions().empty()) return result;
+  std::vector<Rationals> seen_rows;
+  const auto modes = split_modes(structure, bodies, seen_rows);
+  for (std::size_t load = 0; load < loads.size(); ++load) {
+    Rationals moved(bodies.motions().front().size());  // sum of force times displacement
+    for (const auto& [node, components] : loads[load]) {
+      for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+        const auto row = bodies.at(node, axis);
+        for (std::size_t k = 0; k < row.size(); ++k)
+          if (sgn(row[k]) != 0) moved[k] += mpq_class(components[axis]) * row[k];
+      }
+    }
+    for (std::size_t k = 0; k < modes.seen.size(); ++k)
+      result[load].seen.push_back(times_power(dot(moved, modes.seen[k]), seen.shifts[k]));
+    for (const auto& mode : modes.unseen) result[load].unseen.push_back(dot(moved, mode));
+  }
   return result;
 }
 
@@ -441,16 +486,22 @@ ContactMotions recorded_motions(const std::vector<double>& values, std::size_t c
   return motions;
 }
 
-ContactMotions part_of(const ContactMotions& motions, const std::vector<std::size_t>& rows) {
-  ContactMotions part;
-  part.spread = motions.spread;
-  if (motions.count == 0) return part;
+std::vector<std::size_t> columns_of(const ContactMotions& motions,
+                                    const std::vector<std::size_t>& rows) {
   std::vector<std::size_t> columns;
   for (std::size_t k = 0; k < motions.count; ++k) {
     const bool moves = std::any_of(rows.begin(), rows.end(),
                                    [&](auto row) { return sgn(motions.rows[row][k]) != 0; });
     if (moves) columns.push_back(k);
   }
+  return columns;
+}
+
+ContactMotions part_of(const ContactMotions& motions, const std::vector<std::size_t>& rows) {
+  ContactMotions part;
+  part.spread = motions.spread;
+  if (motions.count == 0) return part;
+  const auto columns = columns_of(motions, rows);
   part.count = columns.size();
   for (const auto row : rows) {
     auto& own = part.rows.emplace_back();

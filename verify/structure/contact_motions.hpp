@@ -18,6 +18,7 @@ struct ContactMotions {
   std::vector<Rationals> rows;  ///< l_k times row k of G, exactly; dm rows of p numbers
   std::vector<Dyadic> lengths;  ///< l_k > 0, rounded; dm
   Dyadic spread;                ///< bound of the relative error of each l_k
+  std::vector<int> shifts{};    ///< p: column k was multiplied by 2^shifts[k]; of structures only
 
   /// G rounded to doubles, for approximate solutions: dm x p, by rows.
   [[nodiscard]] std::vector<double> nearest() const;
@@ -43,10 +44,24 @@ struct UnconstrainedModes {
   /// equilibrium cause no force in them.
   std::vector<GroundSpring> unseen;
 };
+
+/// Z'f of a load: its work on the modes of `seen`, and on those that displace no candidate.
+struct LoadWork {
+  Rationals seen;
+  Rationals unseen;
+};
+
+/// Exact work of loads on all modes. @param seen those of unconstrained_modes()
+std::vector<LoadWork> works_of(const Structure& structure, const ContactMotions& seen,
+                               const std::vector<std::vector<Force>>& loads);
 UnconstrainedModes unconstrained_modes(const Structure& structure);
 
 /// Rigid-body modes given by doubles, which are taken as exact. @param values dm x p, by rows
 ContactMotions recorded_motions(const std::vector<double>& values, std::size_t count);
+
+/// The modes that are not zero at some displacements.
+std::vector<std::size_t> columns_of(const ContactMotions& motions,
+                                    const std::vector<std::size_t>& rows);
 
 /// Restriction of the modes to some displacements: their rows, without columns that are zero there.
 ContactMotions part_of(const ContactMotions& motions, const std::vector<std::size_t>& rows);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "verify/structure/condensation.hpp"
+#include "verify/structure/assembly.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -39,8 +39,11 @@ double typical_stiffness(const Structure& structure) {
   return largest > 0 && std::isfinite(largest) ? std::exp2(std::round(std::log2(largest))) : 1;
 }
 
-std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
-                                                            const support::LongWork& work) {
+namespace {
+
+std::variant<LoadedEnclosure, std::string> enclosed(const Structure& structure,
+                                                    const std::vector<ForceList>& loads,
+                                                    const support::LongWork& work) {
   auto loose = unconstrained_modes(structure);
   const bool all_held = loose.seen.count == 0 && loose.unseen.empty();
   auto sprung = structure;
@@ -51,16 +54,38 @@ std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& str
       sprung.springs.push_back(spring);
     }
   }
-  auto found = condensed_stiffness(sprung, all_held ? 0 : stiffness, work);
+  auto found = loaded_stiffness(sprung, loads, all_held ? 0 : stiffness, work);
   if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
-  auto& enclosed = std::get<EnclosedMatrix>(found);
+  auto& [matrix, condensed] = std::get<LoadedStiffness>(found);
   if (!all_held) {
-    const auto size = enclosed.middle.size;
+    const auto size = matrix.middle.size;
     std::vector<double> springs(size * size, 0);
     for (std::size_t k = 0; k < size; ++k) springs[size * k + k] = -stiffness;
-    enclosed.middle.entries += DyadicList(springs);
+    matrix.middle.entries += DyadicList(springs);
   }
-  return EnclosedProblem{std::move(enclosed), std::move(loose.seen)};
+  LoadedEnclosure result{{std::move(matrix), std::move(loose.seen)}, {}};
+  if (loads.empty()) return result;
+  auto works = works_of(structure, result.problem.motions, loads);
+  const Freedom freedom(structure);
+  for (std::size_t load = 0; load < loads.size(); ++load) {
+    result.loads.push_back({std::move(condensed[load]), std::move(works[load]),
+                            touched(structure, freedom, loads[load])});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
+                                                            const support::LongWork& work) {
+  auto found = enclosed(structure, {}, work);
+  if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
+  return std::move(std::get<LoadedEnclosure>(found).problem);
+}
+
+std::variant<LoadedEnclosure, std::string> enclosed_loads(const Structure& structure,
+                                                          const support::LongWork& work) {
+  return enclosed(structure, {structure.dead, structure.reference}, work);
 }
 
 }  // namespace kusabi::verify

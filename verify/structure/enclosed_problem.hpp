@@ -6,6 +6,7 @@
 
 #include "support/stop.hpp"
 #include "verify/arithmetic/exact.hpp"
+#include "verify/structure/condensation.hpp"
 #include "verify/structure/contact_motions.hpp"
 #include "verify/structure/structure.hpp"
 
@@ -22,6 +23,24 @@ struct EnclosedProblem {
 /// no force acts.
 std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
                                                             const support::LongWork& work = {});
+
+/// A load: condensed, and its work on the rigid-body modes, exactly.
+struct EnclosedLoad {
+  CondensedLoad condensed;
+  LoadWork work;
+  /// By candidate: whether the load acts on the structure connected with it.
+  std::vector<bool> acts;
+};
+
+struct LoadedEnclosure {
+  EnclosedProblem problem;
+  std::vector<EnclosedLoad> loads;  ///< dead, reference
+};
+
+/// The same with the dead and the reference load of the structure. If a load does work on a mode
+/// that displaces no candidate, it is in no equilibrium, and its condensed forces mean nothing.
+std::variant<LoadedEnclosure, std::string> enclosed_loads(const Structure& structure,
+                                                          const support::LongWork& work = {});
 
 /// A power of two about as large as the stiffness of the stiffest bar or element.
 double typical_stiffness(const Structure& structure);

@@ -87,6 +87,7 @@ struct ContactPoint {
   /// weight times those of these nodes. Empty: a rigid obstacle.
   std::vector<Part> against{};
   std::string surface{};  ///< name of the opposite surface in the file, or empty
+  double clearance = 0;   ///< u_n + clearance >= 0 under load
 };
 
 /// A force on the nodes of a truss.

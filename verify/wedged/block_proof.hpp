@@ -18,6 +18,29 @@
 
 namespace kusabi::verify {
 
+/// A load on a block, condensed, and its work on the modes of the block.
+struct BlockLoad {
+  DyadicList forces;  ///< dm
+  Dyadic error;       ///< bound of the Euclidean norm of their error
+  Rationals work;     ///< p
+};
+
+/// A combination of the loads of a block: `dead` times the dead load and the clearances, plus
+/// `reference` times the reference load.
+struct LoadShare {
+  double dead = 0;
+  double reference = 0;
+
+  friend bool operator==(const LoadShare&, const LoadShare&) = default;
+};
+
+/// The sum of the normal reactions of the block is related to the dead load: sum r_n = total, or >=
+/// (<=) with a multiplier that is not negative (not positive).
+struct GripTerm {
+  double total = 0;
+  double multiplier = 0;
+};
+
 /// The problem of a block. Candidates are numbered within the block.
 struct ContactBlock {
   std::size_t dimension = 0;       ///< d
@@ -27,6 +50,8 @@ struct ContactBlock {
   ContactMotions motions{};        ///< p modes of unconstrained bodies; none: K is definite
   /// G of the certificate, dm x p, by rows; recorded coefficients refer to it.
   std::vector<double> recorded_motions{};
+  std::vector<BlockLoad> loads{};   ///< dead, reference; none: no states under load are proved
+  std::vector<double> clearance{};  ///< g, m, with the loads
 };
 
 /// A configuration *moves far* if its displacements exceed their part without rigid-body modes by
@@ -93,7 +118,47 @@ class BlockProof {
       const support::IndexSet& contact, const support::IndexSet& separated,
       std::span<const double> numbers) const;
 
+  /// Proves that there is no state below the node (U, R) under a combination of the loads of which
+  /// none has a negative amount and not all are zero, and no wedged configuration.
+  /// @param numbers those of judge_infeasible()
+  /// @param grip a restriction of the states; nothing: all states
+  /// @pre least_eigenvalue(), loads
+  [[nodiscard]] Judgement judge_unheld(const support::IndexSet& contact,
+                                       const support::IndexSet& separated,
+                                       std::span<const LoadShare> shares,
+                                       std::span<const double> numbers,
+                                       const std::optional<GripTerm>& grip = {}) const;
+
+  /// Bounds of the sum of the normal reactions of a state.
+  struct Grip {
+    mpq_class least, most;
+  };
+
+  /// Proves that the leaf (U, R) has a state under a load. @return the reason if not
+  /// @param numbers those of refusal_of_feasible(), with displacements that are zero along the
+  ///        normals of U
+  /// @param grip the bounds are set; null: none are requested
+  /// @pre least_eigenvalue(), loads
+  [[nodiscard]] std::optional<std::string> refusal_of_held_state(const support::IndexSet& contact,
+                                                                 const support::IndexSet& separated,
+                                                                 LoadShare share,
+                                                                 std::span<const double> numbers,
+                                                                 Grip* grip = nullptr) const;
+
+  /// True if the reactions of a set of candidates resist every rigid-body mode, so that a solid
+  /// wedged configuration with these in contact holds every load.
+  [[nodiscard]] bool resists_all_motions(const support::IndexSet& contact) const;
+
  private:
+  // A load in a proof, with the clearances.
+  struct ActingLoad {
+    DyadicList forces;
+    Dyadic error;
+    Dyadic dead;      // the share of the clearances
+    DyadicList gaps;  // g times that share, m
+  };
+  [[nodiscard]] ActingLoad acting(LoadShare share) const;
+
   // Grounding springs for the rigid-body modes, and the sliding modes: those that leave all normal
   // displacements of U zero up to nearly_sliding.
   struct Hold {
@@ -118,12 +183,22 @@ class BlockProof {
     Dyadic lift;               // norm of their normal displacements on U, as a matrix
     Dyadic correction;         // and of tangential reactions with unit work on each of them
     std::vector<double> mean;  // the recorded mean motion, in coefficients of the block's modes
+    DyadicList tangential{};   // r of the tangents of U
+    DyadicList forces{};       // of the load, with those that close the gaps of U; dm or none
+    Dyadic force_error{};      // bound of the norm of their error
+    DyadicList gaps{};         // u_n = -gap on U, m
+    Rationals work{};          // of the load on the modes
+    Grip* grip = nullptr;
   };
   [[nodiscard]] std::optional<std::string> read_leaf(std::span<const double> numbers,
                                                      Leaf& leaf) const;
   // Makes the tangential reactions of a leaf orthogonal to the sliding modes.
   [[nodiscard]] std::optional<std::string> balance_sliding(const std::vector<double>& room,
                                                            Leaf& leaf) const;
+  // Adds the load to the forces of a leaf, and the forces that would close the gaps of U.
+  void add_load(const ActingLoad& load, LoadShare share, Leaf& leaf) const;
+  [[nodiscard]] std::optional<std::string> refusal_of_leaf(Leaf leaf,
+                                                           std::span<const double> numbers) const;
   // Upper bound of the norm of normal displacements on a set.
   [[nodiscard]] Dyadic normal_size(const NearList& displacements,
                                    const support::IndexSet& contact) const;
@@ -152,7 +227,13 @@ class BlockProof {
     std::span<const double> mean;         // the mean motion of w, for unconstrained bodies
     std::span<const double> of_cuts;      // eta; empty: no cuts
     std::optional<Opposite> opposite;
+    std::vector<ActingLoad> loads{};
+    std::optional<GripTerm> grip{};
   };
+  // Upper bounds of the works of the loads: w'f + sum_k y_k g_k.
+  [[nodiscard]] std::vector<Dyadic> works_above(const Combination& combination, const DyadicList& w,
+                                                const Dyadic& w_error, const std::vector<Dyadic>& y,
+                                                const Dyadic& y_error) const;
   // Proves that no configuration satisfies the inequalities, with all proved bounds.
   [[nodiscard]] Judgement judge(const Combination& combination) const;
   [[nodiscard]] Judgement judge_with_bounds(Combination combination) const;
@@ -196,9 +277,11 @@ class BlockProof {
                                                        const std::vector<double>& mean,
                                                        const DyadicList& w, const DyadicList& nu,
                                                        const Dyadic& off) const;
-  [[nodiscard]] std::optional<std::string> check_margins(const support::IndexSet& separated,
+  // @param works upper bounds, by load
+  [[nodiscard]] std::optional<std::string> check_margins(const Combination& combination,
                                                          const DyadicList& w, const Dyadic& error,
-                                                         const Dyadic& epsilon) const;
+                                                         const Dyadic& epsilon,
+                                                         const std::vector<Dyadic>& works) const;
 
   // True if the reactions of all candidates displaced by a mode do negative work on it or on its
   // opposite, and at least one of them is in U.

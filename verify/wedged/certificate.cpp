@@ -30,6 +30,39 @@ void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
   }
 }
 
+// By candidate, the number of its block.
+std::vector<std::size_t> block_numbers(const Certificate& certificate) {
+  std::vector<std::size_t> numbers(certificate.candidates());
+  for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
+    for (const int candidate : certificate.blocks[b]) {
+      numbers[static_cast<std::size_t>(candidate)] = b;
+    }
+  }
+  return numbers;
+}
+
+void read_stiffness(Lines& lines, Certificate& certificate) {
+  lines.expect("stiffness");
+  const auto size = certificate.displacements();
+  const auto d = certificate.dimension;
+  const auto block = block_numbers(certificate);
+  certificate.stiffness.resize(size * size);
+  std::vector<double> row;
+  for (std::size_t i = 0; i < size; ++i) {
+    lines.next();
+    row.clear();
+    lines.numbers(i + 1, row, "entries of row " + std::to_string(i + 1) + " of the stiffness");
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (block[i / d] != block[j / d] && row[j] != 0) {
+        lines.refuse("0x0p+0 as entry " + std::to_string(j + 1) + ", which couples two blocks");
+      }
+      certificate.stiffness[size * i + j] = certificate.stiffness[size * j + i] = row[j];
+    }
+  }
+}
+
+}  // namespace
+
 void read_header(Lines& lines, Certificate& certificate) {
   const std::string dimension = "'dimension 2' or 'dimension 3'";
   lines.next();
@@ -82,37 +115,6 @@ void read_blocks(Lines& lines, Certificate& certificate) {
                  " are in none");
 }
 
-// By candidate, the number of its block.
-std::vector<std::size_t> block_numbers(const Certificate& certificate) {
-  std::vector<std::size_t> numbers(certificate.candidates());
-  for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
-    for (const int candidate : certificate.blocks[b]) {
-      numbers[static_cast<std::size_t>(candidate)] = b;
-    }
-  }
-  return numbers;
-}
-
-void read_stiffness(Lines& lines, Certificate& certificate) {
-  lines.expect("stiffness");
-  const auto size = certificate.displacements();
-  const auto d = certificate.dimension;
-  const auto block = block_numbers(certificate);
-  certificate.stiffness.resize(size * size);
-  std::vector<double> row;
-  for (std::size_t i = 0; i < size; ++i) {
-    lines.next();
-    row.clear();
-    lines.numbers(i + 1, row, "entries of row " + std::to_string(i + 1) + " of the stiffness");
-    for (std::size_t j = 0; j <= i; ++j) {
-      if (block[i / d] != block[j / d] && row[j] != 0) {
-        lines.refuse("0x0p+0 as entry " + std::to_string(j + 1) + ", which couples two blocks");
-      }
-      certificate.stiffness[size * i + j] = certificate.stiffness[size * j + i] = row[j];
-    }
-  }
-}
-
 void read_motions(Lines& lines, Certificate& certificate) {
   lines.next();
   const std::string motions =
@@ -140,8 +142,6 @@ void read_motions(Lines& lines, Certificate& certificate) {
     certificate.motion_values.insert(certificate.motion_values.end(), row.begin(), row.end());
   }
 }
-
-}  // namespace
 
 std::string Certificate::names_of(const support::IndexSet& set) const {
   std::string text = "{";

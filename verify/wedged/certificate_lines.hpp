@@ -29,6 +29,15 @@ std::string multipliers_of(std::size_t motions);
 /// Refuses the line if a multiplier of a cut is negative.
 void refuse_negative(const Lines& lines, std::span<const double> multipliers);
 
+/// Reads from the line 'dimension D' to the friction coefficients.
+void read_header(Lines& lines, Certificate& certificate);
+
+/// Reads from the line 'blocks N' to the last block.
+void read_blocks(Lines& lines, Certificate& certificate);
+
+/// Reads from the line 'motions P' to the last row of G.
+void read_motions(Lines& lines, Certificate& certificate);
+
 /// Reads from the line 'bounds N' to the last bound.
 void read_bounds(Lines& lines, Certificate& certificate);
 

@@ -207,4 +207,19 @@ std::variant<ConsistentStructure, std::string> consistency(const Certificate& ce
   return ConsistentStructure{std::move(enclosed), std::move(motions), std::get<double>(friction)};
 }
 
+std::variant<ConsistentLoads, std::string> consistency_under_load(const Certificate& header,
+                                                                  const Structure& structure) {
+  if (auto why = other_candidates(header, structure)) return *why;
+  auto friction = common_friction(header, structure);
+  if (auto* why = std::get_if<std::string>(&friction)) return *why;
+  if (auto why = other_blocks(header, structure)) return *why;
+  auto found = enclosed_loads(structure);
+  if (auto* why = std::get_if<std::string>(&found))
+    return "K of the structure was not enclosed: " + *why;
+  auto& enclosure = std::get<LoadedEnclosure>(found);
+  if (auto why = other_bodies(header, enclosure.problem.motions)) return *why;
+  if (auto why = other_motions(header, enclosure.problem.motions)) return *why;
+  return ConsistentLoads{std::move(enclosure), std::get<double>(friction)};
+}
+
 }  // namespace kusabi::verify

@@ -6,6 +6,7 @@
 
 #include "verify/arithmetic/exact.hpp"
 #include "verify/structure/contact_motions.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 #include "verify/structure/structure.hpp"
 #include "verify/wedged/certificate.hpp"
 
@@ -30,6 +31,16 @@ struct ConsistentStructure {
 /// @return otherwise a sentence with the first difference
 std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
                                                            const Structure& structure);
+
+struct ConsistentLoads {
+  LoadedEnclosure enclosure;
+  double friction = 0;  ///< as above
+};
+
+/// Computes K and the loads of the structure; compares all but K, which certificates of states
+/// under load do not have.
+std::variant<ConsistentLoads, std::string> consistency_under_load(const Certificate& header,
+                                                                  const Structure& structure);
 
 /// A name on one line, as in the file: control characters as \x0a.
 std::string on_one_line(const std::string& name);

@@ -72,6 +72,11 @@ class Cover {
 
 }  // namespace
 
+std::optional<std::string> flaw_of_cover(const Certificate& certificate, const IndexSet& block,
+                                         std::vector<const Record*> records) {
+  return Cover(certificate, block).flaw(records, {}, {});
+}
+
 std::optional<std::string> flaw_of_cover(const Certificate& certificate) {
   for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
     std::vector<const Record*> records;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "verify/wedged/certificate.hpp"
 
@@ -12,5 +13,10 @@ namespace kusabi::verify {
 /// @return the missing or repeated part; nothing if every sign pattern of every block is below
 ///         exactly one node
 std::optional<std::string> flaw_of_cover(const Certificate& certificate);
+
+/// The same for some nodes of a block.
+std::optional<std::string> flaw_of_cover(const Certificate& certificate,
+                                         const support::IndexSet& block,
+                                         std::vector<const Record*> records);
 
 }  // namespace kusabi::verify

@@ -87,6 +87,10 @@ Dyadic BlockProof::displacement_share(const Combination& combination, std::size_
 DyadicList BlockProof::reaction_shares(const Combination& combination) const {
   const auto d = block_.dimension;
   std::vector<Dyadic> shares(d * candidates());
+  if (combination.grip) {
+    for (std::size_t k = 0; k < candidates(); ++k)
+      shares[d * k] = Dyadic(combination.grip->multiplier);
+  }
   if (combination.of_cuts.empty()) return DyadicList(shares);
   const auto& opposite = combination.opposite;
   Dyadic everywhere;

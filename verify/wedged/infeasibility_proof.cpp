@@ -43,8 +43,8 @@ Judgement BlockProof::judge_infeasible(const IndexSet& contact, const IndexSet& 
 }
 
 Judgement BlockProof::judge(const Combination& combination) const {
-  if (combination.separated == IndexSet::below(static_cast<int>(candidates())))
-    return {};  // r = 0 is the only solution
+  const bool unloaded = combination.separated == IndexSet::below(static_cast<int>(candidates()));
+  if (unloaded && combination.loads.empty()) return {};  // r = 0 is the only solution
   return motions() == 0 ? Judgement{refusal_of_held(combination)} : judge_loose(combination);
 }
 
@@ -195,6 +195,10 @@ std::optional<std::string> BlockProof::check_loose(const Combination& combinatio
   const auto shift = seen_of(block_.motions, missing(mean, w, motions_of_block));
   auto moved = w;
   moved += shift.values;
+  std::vector<Dyadic> forces;
+  for (std::size_t k = 0; k < candidates(); ++k)
+    forces.push_back(y.near.values[block_.dimension * k]);
+  const auto works = works_above(combination, moved, shift.error, forces, y.near.error);
   moved += reaction_shares(combination);
   const Dyadic count(static_cast<double>(w.size()));
   Dyadic square_sum;
@@ -202,7 +206,7 @@ std::optional<std::string> BlockProof::check_loose(const Combination& combinatio
     square_sum = square_sum + square(nu[k] - y.near.values[k]);
   const auto epsilon =
       sqrt_above(square_sum) + count * y.near.error + off + Dyadic(farthest_motion) * y.carried;
-  return check_margins(combination.separated, moved, shift.error, epsilon);
+  return check_margins(combination, moved, shift.error, epsilon, works);
 }
 
 // sum_k w~_k'r_k >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk + nu_t'u_t.
@@ -210,16 +214,18 @@ std::optional<std::string> BlockProof::check_held(const Combination& combination
                                                   const DyadicList& w, const DyadicList& nu,
                                                   const Dyadic& off) const {
   Dyadic epsilon_squared;
+  std::vector<Dyadic> forces;
   for (std::size_t k = 0; k < candidates(); ++k) {
     epsilon_squared = epsilon_squared + tangential_square(nu, k);
-    const auto normal = nu[block_.dimension * k] + displacement_share(combination, k);
-    if (!holds(combination.contact, k) && normal.sign() < 0) {
-      epsilon_squared = epsilon_squared + square(normal);
-    }
+    auto normal = nu[block_.dimension * k] + displacement_share(combination, k);
+    const bool negative = !holds(combination.contact, k) && normal.sign() < 0;
+    if (negative) epsilon_squared = epsilon_squared + square(normal);
+    forces.push_back(negative ? Dyadic() : std::move(normal));
   }
+  const auto works = works_above(combination, w, {}, forces, {});
   auto lifted = w;
   lifted += reaction_shares(combination);
-  return check_margins(combination.separated, lifted, {}, sqrt_above(epsilon_squared) + off);
+  return check_margins(combination, lifted, {}, sqrt_above(epsilon_squared) + off, works);
 }
 
 Dyadic BlockProof::slip_above(const DyadicList& w, std::size_t candidate,
@@ -230,22 +236,32 @@ Dyadic BlockProof::slip_above(const DyadicList& w, std::size_t candidate,
   return sqrt_above(square(mu) * tangential_square(w, candidate)) + off;
 }
 
-// w'r >= -epsilon |u|, where each number of w has an error up to `error`.
-std::optional<std::string> BlockProof::check_margins(const IndexSet& separated, const DyadicList& w,
-                                                     const Dyadic& error,
-                                                     const Dyadic& epsilon) const {
+// w'r + sum_j L_j tau_j >= -epsilon |u|, where each number of w has an error up to `error`, and
+// |u| <= (|r| + sum_j |f_j| tau_j) / s.
+std::optional<std::string> BlockProof::check_margins(const Combination& combination,
+                                                     const DyadicList& w, const Dyadic& error,
+                                                     const Dyadic& epsilon,
+                                                     const std::vector<Dyadic>& works) const {
   const auto d = block_.dimension;
+  constexpr auto too_little =
+      "its multipliers exclude too little, or exceed the coefficients of u_n >= 0";
   std::optional<Dyadic> delta;
   for (std::size_t i = 0; i < candidates(); ++i) {
-    if (holds(separated, i)) continue;
+    if (holds(combination.separated, i)) continue;
     const auto margin = Dyadic{} - w[d * i] - slip_above(w, i, error);
     if (margin.sign() <= 0) {
       return "its multipliers do not rule out a reaction at " + block_.names[i];
     }
     if (!delta || margin < *delta) delta = margin;
   }
-  if (*delta * *least_ > epsilon * steepest_) return {};
-  return "its multipliers exclude too little, or exceed the coefficients of u_n >= 0";
+  if (delta && !(*delta * *least_ > epsilon * steepest_)) return too_little;
+  for (std::size_t j = 0; j < works.size(); ++j) {
+    if (works[j].sign() >= 0) return "its multipliers do not rule out the load";
+    const auto& load = combination.loads[j];
+    const auto size = norm_above(load.forces) + load.error;
+    if (!((Dyadic() - works[j]) * *least_ > epsilon * size)) return too_little;
+  }
+  return {};
 }
 
 }  // namespace kusabi::verify

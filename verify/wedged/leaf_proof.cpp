@@ -13,7 +13,12 @@ std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& conta
                                                            const IndexSet& /*separated*/,
                                                            std::span<const double> numbers) const {
   if (contact.empty()) return "no candidate is in contact";
-  Leaf leaf{contact, {}, {}, {}, {}, {}, {}, {}};
+  return refusal_of_leaf({contact, {}, {}, {}, {}, {}, {}, {}}, numbers);
+}
+
+std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
+                                                       std::span<const double> numbers) const {
+  const auto& contact = leaf.contact;
   const auto* stiffness = held_at_normals(contact);
   if (stiffness == nullptr) {
     auto [springs, sliding] = hold(contact);
@@ -50,8 +55,15 @@ std::optional<std::string> BlockProof::read_leaf(std::span<const double> numbers
   }
   leaf.right = DyadicList(right);
   if (motions() > 0) leaf.mean = own_coefficients(numbers.last(motions()));
-  if (leaf.sliding.empty()) return {};
-  return balance_sliding(room, leaf);
+  if (!leaf.sliding.empty()) {
+    if (auto why = balance_sliding(room, leaf)) return why;
+  }
+  leaf.tangential = leaf.right;
+  if (leaf.forces.size() > 0) {
+    leaf.right += leaf.forces;
+    leaf.right_error = leaf.right_error + leaf.force_error;
+  }
+  return {};
 }
 
 std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>& room,
@@ -71,6 +83,10 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     const auto normal = block_.dimension * static_cast<std::size_t>(i);
     if (unseen.demand(block_.motions.rows[normal])) return not_balanced;
   }
+  for (const auto& motion : unseen.left()) {  // no reaction of U does work on it
+    if (!leaf.work.empty() && sgn(dot(leaf.work, motion)) != 0)
+      return "its load does work on a motion that no contact resists";
+  }
   const auto& seen = unseen.taken();
   const auto motions = seen.size();
   std::vector<Rationals> rows;
@@ -80,8 +96,17 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     for (const auto& motion : seen) own.push_back(dot(block_.motions.rows[row], motion));
     forces.emplace_back(leaf.right[row].nearest() / block_.motions.lengths[row].nearest());
   }
-  const auto exact = balanced(rows, std::move(forces), room);
+  auto own_rows = rows;
+  auto own_room = room;
+  if (!leaf.work.empty()) {  // the load is one more force, which is not changed
+    auto& own = own_rows.emplace_back();
+    for (const auto& motion : seen) own.push_back(dot(leaf.work, motion));
+    forces.emplace_back(1);
+    own_room.push_back(0);
+  }
+  auto exact = balanced(own_rows, std::move(forces), own_room);
   if (!exact) return not_balanced;
+  exact->resize(size);
   auto near = times_lengths(block_.motions, *exact);
   leaf.right = std::move(near.values);
   leaf.right_error = near.error * entries;
@@ -137,12 +162,19 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
   }
   auto right_error = leaf.right_error;
   auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times the error of u
-  auto error = held.size() * rest + s * unknown;                 // s times the error of r_n
+  auto error = held.size() * rest + s * unknown;                 // s times the error of K u
+  auto reaction = r;                                             // K u minus the load
+  if (leaf.forces.size() > 0) {
+    auto forces = leaf.forces;
+    for (auto& mantissa : forces.mantissas) mantissa = -mantissa;
+    reaction += std::move(forces);
+    error = error + s * leaf.force_error;
+  }
   auto moved = u;
   Dyadic off;
   if (!leaf.sliding.empty()) {
     auto shift = seen_of(block_.motions, missing(leaf.mean, u, leaf.sliding));
-    const auto pressures = normal_size({r, quotient_above(error, s)}, leaf.contact);
+    const auto pressures = normal_size({reaction, quotient_above(error, s)}, leaf.contact);
     const auto lifted = error_of_lift(held, leaf, shift, pressures);
     if (!lifted) return "its sliding modes displace the contacts along their normals by too much";
     right_error = right_error + *lifted;
@@ -151,17 +183,26 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     off = s * shift.error;
     moved += std::move(shift.values);
   }
+  Dyadic sum;  // s times the sum of the normal reactions, and its error
+  Dyadic spread;
   for (std::size_t i = 0; i < candidates(); ++i) {
     const auto& name = block_.names[i];
     if (!holds(leaf.contact, i)) {
-      if (!(s * moved[d * i] > rest + off)) return name + " does not separate";
+      const auto gap = leaf.gaps.size() > 0 ? moved[d * i] + leaf.gaps[i] : moved[d * i];
+      if (!(s * gap > rest + off)) return name + " does not separate";
       continue;
     }
-    const auto pressure = s * r[d * i] - error;
+    sum = sum + s * reaction[d * i];
+    spread = spread + error;
+    const auto pressure = s * reaction[d * i] - error;
     if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
     if (friction_[i].sign() == 0) continue;  // r_t = 0 is required
-    const auto shear = s * (sqrt_above(tangential_square(leaf.right, i)) + right_error);
+    const auto shear = s * (sqrt_above(tangential_square(leaf.tangential, i)) + right_error);
     if (!(friction_[i] * pressure > shear)) return name + " slips, or is about to";
+  }
+  if (leaf.grip != nullptr) {
+    *leaf.grip = {(sum - spread).rational() / s.rational(),
+                  (sum + spread).rational() / s.rational()};
   }
   return {};
 }

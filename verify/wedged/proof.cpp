@@ -9,9 +9,6 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-namespace {
-
-// A set of candidates in the numbering of the block.
 IndexSet within(const IndexSet& block, const IndexSet& set) {
   IndexSet result;
   int number = 0;
@@ -22,8 +19,9 @@ IndexSet within(const IndexSet& block, const IndexSet& set) {
   return result;
 }
 
-ContactBlock part(const Certificate& certificate, const EnclosedMatrix& stiffness,
-                  const ContactMotions& motions, const IndexSet& block) {
+ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix& stiffness,
+                           const ContactMotions& motions, const IndexSet& block,
+                           const std::vector<EnclosedLoad>& loads) {
   const auto d = certificate.dimension;
   ContactBlock result;
   result.dimension = d;
@@ -50,10 +48,17 @@ ContactBlock part(const Certificate& certificate, const EnclosedMatrix& stiffnes
     for (const auto k : columns)
       result.recorded_motions.push_back(certificate.motion_values[certificate.motions * row + k]);
   }
+  for (const auto& [condensed, work, acts] : loads) {
+    auto& own = result.loads.emplace_back();
+    own.forces = DyadicList(rows.size());
+    own.forces.exponent = condensed.forces.exponent;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      own.forces.mantissas[k] = condensed.forces.mantissas[rows[k]];
+    own.error = condensed.error;
+    for (const auto k : columns_of(motions, rows)) own.work.push_back(work.seen[k]);
+  }
   return result;
 }
-
-}  // namespace
 
 EnclosedMatrix recorded_stiffness(const Certificate& certificate) {
   EnclosedMatrix recorded{{certificate.displacements(), DyadicList(certificate.stiffness)},
@@ -70,7 +75,7 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
              const ContactMotions& motions)
     : certificate_(certificate) {
   for (const auto& block : certificate.blocks) {
-    auto own_part = part(certificate, stiffness, motions, block);
+    auto own_part = contact_block(certificate, stiffness, motions, block);
     if (own_part.motions.count != certificate.motions_of(block).size()) {
       least_.reset();
       return;

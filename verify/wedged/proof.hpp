@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verify/arithmetic/exact.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 #include "verify/wedged/block_proof.hpp"
 #include "verify/wedged/certificate.hpp"
 
@@ -46,6 +47,15 @@ class Proof {
   std::vector<BlockProof> blocks_;
   std::optional<Dyadic> least_;
 };
+
+/// The problem of a block. @param loads of the structure, in their order; none: no states under
+/// load are proved
+ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix& stiffness,
+                           const ContactMotions& motions, const support::IndexSet& block,
+                           const std::vector<EnclosedLoad>& loads = {});
+
+/// A set of candidates in the numbering of a block.
+support::IndexSet within(const support::IndexSet& block, const support::IndexSet& set);
 
 /// K of the doubles of a certificate; with rigid-body modes, P'K P with the orthogonal projection P
 /// onto their complement.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <Eigen/SVD>
@@ -83,28 +84,15 @@ bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet
 
 HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low,
                               double high) {
-  HoldTree tree(block_, shares, mu, question_.precision);
-  engine::Options options;
-  options.goal = engine::Goal::first;
-  const auto outcome = analysis_.search(tree, options);
-  const auto found = engine::from_first_rank(analysis_.transport(), [&] {
-    HoldOutcome result;
-    result.status = outcome.status;
-    for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
-    if (!result.leaf.empty()) result.status = engine::Status::solved;
-    result.tally = outcome.tally();
-    std::ranges::sort(result.tally.limits, {}, [](const auto& each) {
-      return std::pair(each.pattern.contact, each.pattern.separated);
-    });
-    return result;
-  });
-  costs_.push_back({mu, low, high, outcome.opened(), found.tally.iterations});
+  HoldTree tree(block_, shares, mu, question_.precision, grip_);
+  auto found = first_leaf(analysis_, tree);
+  costs_.push_back({mu, low, high, found.opened, found.tally.iterations});
   return found;
 }
 
 HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
                        Standard standard) const {
-  HoldNodes nodes(block_, std::array{share}, mu, question_.precision);
+  HoldNodes nodes(block_, std::array{share}, mu, question_.precision, grip_);
   nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(pattern);
   if (standard == Standard::proved) return sign;
@@ -115,7 +103,7 @@ HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
 std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
                                           double factor, double mu) const {
   if (!pattern || !std::isfinite(factor)) return {};
-  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, question_.precision);
+  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, question_.precision, grip_);
   nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(*pattern);
   if (sign != HoldSign::feasible && sign != HoldSign::limit) return {};
@@ -128,6 +116,7 @@ std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pa
 
 // Ratio of both loads in terms of the displacements under them.
 double BlockHold::factor_scale() const {
+  if (grip_) return grip_->total / scale_of(block_, {0, 1});
   const double scale = scale_of(block_, {1, 0}) / scale_of(block_, {0, 1});
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
@@ -198,8 +187,11 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
 
 bool BlockHold::wedges(double mu) {
   const auto outcome = search({}, mu, 0, 0);
-  return !outcome.leaf.empty() &&
-         resists_all(block_.problem, outcome.leaf.front().pattern.contact, mu);
+  if (outcome.leaf.empty() ||
+      !resists_all(block_.problem, outcome.leaf.front().pattern.contact, mu))
+    return false;
+  wedged_ = outcome.leaf.front().pattern;
+  return true;
 }
 
 // Without a dead part, states can be multiplied: the factors are 0, and all of one sign or none.
@@ -207,8 +199,12 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   HeldFactors found;
   HeldInterval all{0, 0, 0, 0};
   for (const int direction : {-1, 1}) {
-    const auto outcome = search(std::array{LoadShare{0, static_cast<double>(direction)}}, mu,
-                                direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end);
+    const LoadShare share{0, static_cast<double>(direction)};
+    const auto outcome =
+        search(std::array{share}, mu, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end);
+    if (outcome.is_infeasible()) dead_ranges_.push_back({share});
+    for (const auto& leaf : outcome.leaf)
+      pieces_.push_back({leaf.pattern, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end, 0});
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
     const bool held = !outcome.leaf.empty() || at_limit;
@@ -227,7 +223,7 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
 
 // Adds the interval of a leaf, and removes it from the unknown ranges.
 void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
-                     HeldFactors& found, std::vector<Gap>& unknown, double mu) const {
+                     HeldFactors& found, std::vector<Gap>& unknown, double mu) {
   const auto shares = range_of(low, high);
   const double from = factor_in(leaf, shares);
   HeldInterval held{from, from, from, from};
@@ -253,6 +249,7 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   }
   unknown = std::move(left);
   found.intervals.push_back(held);
+  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, held.low, held.high, from});
 }
 
 void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
@@ -282,6 +279,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     }
     unknown.pop_back();
     gaps.push_back({low, high, outcome.is_infeasible()});
+    if (outcome.is_infeasible()) dead_ranges_.push_back(shares);
     if (outcome.tally.undecided != 0) found.open = true;
   }
 }
@@ -313,12 +311,12 @@ std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
 
 HeldFactors BlockHold::factors(double mu, bool with_dead) {
   HeldFactors found;
-  if (wedges(mu)) {
+  if (!grip_ && wedges(mu)) {
     found.any_by_wedging = true;
     found.intervals.push_back({-no_end, -no_end, no_end, no_end});
     return found;
   }
-  if (!with_dead) return homogeneous_factors(mu);
+  if (!with_dead && !grip_) return homogeneous_factors(mu);
   std::vector<Gap> gaps;
   explore(found, gaps, mu);
   found.intervals = joined(std::move(found.intervals));
@@ -345,14 +343,35 @@ HeldFactors BlockHold::dead_alone(double mu) {
   if (outcome.leaf.empty() && !at_limit) {
     found.proved = outcome.is_infeasible();
     found.open = outcome.tally.undecided != 0;
+    if (found.proved) dead_ranges_.push_back({LoadShare{1, 0}});
     return found;
   }
+  if (!at_limit) pieces_.push_back({outcome.leaf.front().pattern, 0, 0, 0});
   HeldInterval all{-no_end, -no_end, no_end, no_end};
   all.proved = !at_limit;
   all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
   all.state = state(all.pattern, 0, mu);
   found.intervals.push_back(all);
   return found;
+}
+
+void BlockHold::record(const support::IndexSet& candidates, std::uint32_t number, double mu,
+                       HoldRecord& record) const {
+  const RecordedBlock block{block_, candidates, number, mu, question_.precision};
+  const bool has_dead = grip_ || block_.has_dead_part();
+  if (wedged_) record_state(analysis_, block, *wedged_, {}, {}, record);
+  for (const auto& piece : pieces_) {
+    const auto add = [&](LoadShare share) {
+      record_state(analysis_, block, piece.pattern, share, grip_, record);
+    };
+    if (has_dead) {
+      for (const double factor : std::set{piece.low, piece.inside, piece.high})
+        if (std::isfinite(factor)) add({1, factor});
+    }
+    if (std::isinf(piece.low)) add({0, -1});
+    if (std::isinf(piece.high)) add({0, 1});
+  }
+  for (const auto& shares : dead_ranges_) record_tree(analysis_, block, shares, grip_, record);
 }
 
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if

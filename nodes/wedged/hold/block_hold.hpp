@@ -7,37 +7,19 @@
 #include <span>
 #include <vector>
 
-#include <boost/serialization/vector.hpp>
-
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
 
 namespace kusabi::wedged {
-
-/// The outcome of one tree, on all ranks.
-struct HoldOutcome {
-  engine::Status status = engine::Status::solved;
-  std::vector<LoadedLeaf> leaf{};  ///< at most one, with states that are proved
-  HoldTally tally{};
-
-  /// True if there is no state below the root, proved.
-  [[nodiscard]] bool is_infeasible() const {
-    return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
-           tally.undecided == 0 && tally.limits.empty();
-  }
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaf& tally;
-  }
-};
 
 class BlockHold {
  public:
   /// @pre arguments outlive this object
   BlockHold(engine::Analysis& analysis, const LoadedProblem& block, const HoldQuestion& question,
             std::vector<HoldCost>& costs)
-      : analysis_(analysis), block_(block), question_(question), costs_(costs) {}
+      : analysis_(analysis), block_(block), question_(question), costs_(costs) {
+    if (question.total) grip_ = GripRestriction{GripRestriction::Kind::equal, *question.total};
+  }
 
   /// Factors of the reference load that are held with the dead load; without a dead part, alone.
   /// @param with_dead true: a dead load or a clearance acts on the block
@@ -48,6 +30,10 @@ class BlockHold {
 
   /// Bracket for the dead load with its clearances.
   HoldingFriction friction();
+
+  /// Records the evidence of the last answer of factors() or dead_alone().
+  void record(const support::IndexSet& candidates, std::uint32_t number, double mu,
+              HoldRecord& record) const;
 
   /// The state of a pattern under the dead load and a factor of the reference load. Nothing if
   /// neither a state nor its relative interior is known.
@@ -65,6 +51,11 @@ class BlockHold {
     double low, high;
     bool proved;
   };
+  /// States of a pattern for a certificate, at both ends; `inside` is a finite factor with one.
+  struct Piece {
+    LoadedPattern pattern;
+    double low, high, inside;
+  };
 
   HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high);
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
@@ -79,7 +70,7 @@ class BlockHold {
   Ends bisect(Ends ends, double floor, const std::function<HoldSign(double)>& sign) const;
   void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
-            std::vector<Gap>& unknown, double mu) const;
+            std::vector<Gap>& unknown, double mu);
   void narrow(HoldingFriction& found);
   bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
@@ -88,6 +79,11 @@ class BlockHold {
   const LoadedProblem& block_;
   const HoldQuestion& question_;
   std::vector<HoldCost>& costs_;
+  std::optional<GripRestriction> grip_{};
+  // Evidence of the last answer.
+  std::vector<std::vector<LoadShare>> dead_ranges_;
+  std::vector<Piece> pieces_;
+  std::optional<LoadedPattern> wedged_;
 };
 
 }  // namespace kusabi::wedged

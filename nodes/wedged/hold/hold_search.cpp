@@ -3,7 +3,9 @@
 #include "nodes/wedged/hold/hold_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "nodes/wedged/hold/block_hold.hpp"
@@ -12,18 +14,8 @@
 namespace kusabi::wedged {
 namespace {
 
-/// True if a load acts on the block.
-bool acts(const LoadedProblem& block, Eigen::Index load) {
-  return !block.loads.motions.row(load).isZero(0) || !block.loads.displacements.col(load).isZero(0);
-}
-
 bool is_under_reference(const LoadedProblem& block) {
   return block.has_reference && acts(block, block.has_dead ? 1 : 0);
-}
-
-/// True if the dead load or a clearance acts on the block.
-bool is_under_dead(const LoadedProblem& block) {
-  return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
 }
 
 // Load factors held by both; brackets of ends are kept.
@@ -92,10 +84,38 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   return at;
 }
 
+// States whose normal reactions add up to a given sum, of the block on which the loads act.
+HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                       const HoldQuestion& question, HoldRecord* record) {
+  HeldFactors found;
+  const auto blocks = problems::blocks_of(loaded.problem);
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+    if (!is_under_reference(block) && !is_under_dead(block)) continue;
+    std::vector<HoldCost> costs;
+    BlockHold hold(analysis, block, question, costs);
+    found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
+    found.costs = std::move(costs);
+    for (auto& each : found.intervals) each.block = number;
+    if (record != nullptr && found.status == engine::Status::solved)
+      hold.record(blocks[number], number, mu, *record);
+  }
+  return found;
+}
+
 }  // namespace
 
+int loaded_blocks(const LoadedProblem& loaded) {
+  int count = 0;
+  for (const auto& candidates : problems::blocks_of(loaded.problem)) {
+    const LoadedProblem block = loaded_block(loaded, candidates);
+    if (is_under_reference(block) || is_under_dead(block)) ++count;
+  }
+  return count;
+}
+
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                         const HoldQuestion& question) {
+                         const HoldQuestion& question, HoldRecord* record) {
   HeldFactors found;
   found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (loaded.has_reference && unseen_work(loaded, {0, 1}) > negligible_work)
@@ -105,6 +125,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     found.not_in_equilibrium = true;
     return found;
   }
+  if (question.total) return with_total(analysis, loaded, mu, question, record);
   found.intervals.push_back({-no_end, -no_end, no_end, no_end});
   bool searched = false;
   bool wedged = true;
@@ -124,10 +145,44 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     found.open = found.open || own.open;
     found.intervals = common(found.intervals, own.intervals);
     if (found.status != engine::Status::solved) break;
+    if (record) hold.record(blocks[number], number, mu, *record);
   }
   found.any_by_wedging = searched && wedged;
   return found;
 }
+
+namespace {
+
+// Certificates of both bounds: a tree of the block that decides the lower one, and a state of each
+// block at the upper one.
+void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
+                     const HoldingFriction& found, std::uint32_t lower_block,
+                     std::span<const std::optional<LoadedPattern>> patterns,
+                     const HoldQuestion& question) {
+  constexpr LoadShare dead{1, 0};
+  const auto blocks = problems::blocks_of(loaded.problem);
+  if (found.lower_known) {
+    const auto record = question.recorder(HoldEnd::lower, found.lower);
+    if (!found.not_in_equilibrium) {
+      const LoadedProblem block = loaded_block(loaded, blocks[lower_block]);
+      record_tree(analysis,
+                  {block, blocks[lower_block], lower_block, found.lower, question.precision},
+                  std::array{dead}, {}, *record);
+    }
+    record->finish();
+  }
+  if (!found.upper) return;
+  const auto record = question.recorder(HoldEnd::upper, *found.upper);
+  for (std::uint32_t number = 0; number < patterns.size(); ++number) {
+    if (!patterns[number]) continue;
+    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+    record_state(analysis, {block, blocks[number], number, *found.upper, question.precision},
+                 *patterns[number], dead, {}, *record);
+  }
+  record->finish();
+}
+
+}  // namespace
 
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                                  const HoldQuestion& question) {
@@ -139,9 +194,12 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     found.not_in_equilibrium = true;
     found.upper.reset();
     found.lower_known = true;
+    if (question.recorder) record_friction(analysis, loaded, found, 0, {}, question);
     return found;
   }
   const auto blocks = problems::blocks_of(loaded.problem);
+  std::vector<std::optional<LoadedPattern>> patterns(blocks.size());
+  std::uint32_t lower_block = 0;
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     if (block.problem.modes.matrix.cols() == 0 || !is_under_dead(block)) continue;
@@ -155,7 +213,9 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
       found.lower = own.lower;
       found.lower_known = true;
       found.lower_proved = own.lower_proved;
+      lower_block = number;
     }
+    patterns[number] = own.pattern;
     found.upper_proved = found.upper_proved && own.upper_proved;
     const bool decides = !own.upper || (found.upper && *own.upper >= *found.upper);
     if (decides) {
@@ -167,6 +227,8 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     if (!found.upper) found.most = own.most;
     if (found.status != engine::Status::solved || !found.upper) break;
   }
+  if (question.recorder && found.status == engine::Status::solved)
+    record_friction(analysis, loaded, found, lower_block, patterns, question);
   return found;
 }
 

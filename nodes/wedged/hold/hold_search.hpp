@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/hold_record.hpp"
 #include "nodes/wedged/hold/hold_tree.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 
@@ -79,11 +80,17 @@ struct HoldQuestion {
   double most = 1000;   ///< upper limit of the search
   double width = 1e-9;  ///< of the brackets, relative
   Precision precision = Precision::escalating;
+  std::optional<double> total{};  ///< sum of the normal reactions of all states; of factors only
+  HoldRecorder recorder{};        ///< of certificates of a coefficient; empty: none
 };
 
+/// Number of decoupled subproblems on which a load or a clearance acts.
+int loaded_blocks(const LoadedProblem& loaded);
+
 /// Every rank makes the same call and gets the same result.
+/// @param record of the certificate, or null
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                         const HoldQuestion& question = {});
+                         const HoldQuestion& question = {}, HoldRecord* record = nullptr);
 
 /// Every rank makes the same call and gets the same result.
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,

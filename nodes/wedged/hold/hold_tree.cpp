@@ -15,16 +15,26 @@ namespace {
 /// As CriticalFriction::tolerances: t* near a limit is a small multiple of the distance from it.
 constexpr conic::Tolerances hold_tolerances{.sign = 1e-14, .value = 1e-15, .iterations = 100};
 
+conic::SideEquation equation_of(const std::optional<GripRestriction>& grip) {
+  if (!grip) return conic::SideEquation::none;
+  return grip->kind == GripRestriction::Kind::equal ? conic::SideEquation::exact
+                                                    : conic::SideEquation::with_slack;
+}
+
 }  // namespace
 
 HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
-                     Precision precision)
+                     Precision precision, const std::optional<GripRestriction>& grip)
     : all_(problems::all_candidates(loaded.problem)),
+      shares_(shares.begin(), shares.end()),
+      loads_(shares.size() + (grip && grip->kind != GripRestriction::Kind::equal ? 1 : 0)),
       loaded_(&loaded),
-      problem_(with_loads(loaded, shares)),
+      problem_(grip ? with_grip(loaded, shares, *grip) : with_loads(loaded, shares)),
       rule_(loaded.problem, friction_with_loads(loaded.problem, mu, 0), Branching::relative),
-      solver_(problem_, friction_with_loads(loaded.problem, mu, shares.size()), hold_tolerances,
-              precision, static_cast<int>(shares.size())) {
+      solver_(problem_, friction_with_loads(loaded.problem, mu, loads_), hold_tolerances, precision,
+              static_cast<int>(loads_), equation_of(grip)),
+      mean_motion_(loaded.problem),
+      grip_unit_(grip ? 1 / grip_scale(loaded, shares, *grip) : 1) {
   // If the file has a dead part, only combinations with it are states of the file.
   const bool dead = std::ranges::any_of(shares, [](const auto& share) { return share.dead != 0; });
   for (const LoadShare& share : shares) {
@@ -35,7 +45,7 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
 }
 
 void HoldNodes::set_friction(double mu) {
-  solver_.set_friction(friction_with_loads(loaded_->problem, mu, scales_.size()));
+  solver_.set_friction(friction_with_loads(loaded_->problem, mu, loads_));
 }
 
 HoldSign HoldNodes::sign(const LoadedPattern& node) {
@@ -44,6 +54,7 @@ HoldSign HoldNodes::sign(const LoadedPattern& node) {
   if (scales_.empty() && node.separated == all_) return HoldSign::infeasible;
   const auto answer = solver_.solve(node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
+  multipliers_ = solver_.multipliers();
   if (answer.sign == conic::Sign::infeasible) return HoldSign::infeasible;
   if (answer.sign == conic::Sign::feasible) return leaf ? HoldSign::feasible : HoldSign::open;
   return conic::is_resolved_tie(answer, hold_tolerances) ? tie(node, answer.upper) : HoldSign::open;
@@ -61,6 +72,36 @@ HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
   if (leaf && !loaded.includes(node.contact)) return HoldSign::face;
   if (!loaded.includes(node.contact) || loaded.meets(inside->moved)) return HoldSign::open;
   return HoldSign::limit;
+}
+
+std::vector<double> HoldNodes::infeasible_numbers() const {
+  const Eigen::Index m = all_.size();
+  const Eigen::Index modes = mean_motion_.count();
+  const Eigen::Index motions = problem_.modes.matrix.cols();
+  Eigen::VectorXd own(m + modes);
+  own.head(m) = multipliers_.head(m);
+  own.tail(modes) = multipliers_.tail(motions).head(modes);
+  auto numbers = mean_motion_.with_multipliers(own, solver_.unit());
+  if (motions > modes) numbers.push_back(grip_unit_ * solver_.unit() * multipliers_.tail(1)[0]);
+  return numbers;
+}
+
+std::vector<double> HoldNodes::state_numbers(const LoadedPattern& pattern) const {
+  const LoadedLeaf own = leaf(pattern);
+  const double amount = own.amounts.empty() ? 1 : own.amounts.front();
+  const double dead = shares_.empty() ? 0 : shares_.front().dead;
+  const Eigen::Index d = solver_.dimension();
+  std::vector<double> numbers;
+  for (const int i : pattern.contact) {
+    for (Eigen::Index axis = 1; axis < d; ++axis)
+      numbers.push_back(own.reaction[static_cast<std::size_t>(d * i + axis)] / amount);
+  }
+  Eigen::VectorXd u = solver_.displacement().head(d * all_.size()) * (solver_.unit() / amount);
+  for (int i = 0; i < all_.size(); ++i)
+    u[d * i] = pattern.contact.contains(i) ? 0 : u[d * i] - dead * loaded_->clearance[i];
+  const Eigen::VectorXd mean = mean_motion_.of(u);
+  numbers.insert(numbers.end(), mean.begin(), mean.end());
+  return numbers;
 }
 
 LoadedLeaf HoldNodes::leaf(const LoadedPattern& pattern) const {
@@ -86,6 +127,7 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
   switch (sign) {
     case HoldSign::infeasible:
       ++tally_.infeasible;
+      if (reporter_) reporter_(node, nodes_.infeasible_numbers());
       return;
     case HoldSign::feasible:
       out.solution(nodes_.leaf(node));

@@ -11,9 +11,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
@@ -23,6 +25,7 @@
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/tree/branching.hpp"
 #include "nodes/wedged/tree/contact_solver.hpp"
+#include "nodes/wedged/tree/mean_motion.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
 #include "support/index_set.hpp"
 
@@ -90,7 +93,8 @@ class HoldNodes {
  public:
   /// @param shares the loads that act, each with an amount of its own; none: wedging
   HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
-            Precision precision = Precision::escalating);
+            Precision precision = Precision::escalating,
+            const std::optional<GripRestriction>& grip = {});
 
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
   void set_friction(double mu);
@@ -105,6 +109,12 @@ class HoldNodes {
   int candidate(const support::IndexSet& free) { return rule_.candidate(free, solver_); }
   /// The state of the last node.
   [[nodiscard]] LoadedLeaf leaf(const LoadedPattern& pattern) const;
+  /// Evidence that the last node is infeasible: multipliers of the normal displacements, the mean
+  /// motion of w, and the multiplier of the sum of a restriction.
+  [[nodiscard]] std::vector<double> infeasible_numbers() const;
+  /// Evidence of the state of the last node, which is feasible: tangential reactions of U and the
+  /// mean motion of the displacements, u_n being zero on U, under the load once.
+  [[nodiscard]] std::vector<double> state_numbers(const LoadedPattern& pattern) const;
   [[nodiscard]] std::uint64_t iterations() const { return iterations_; }
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
@@ -113,11 +123,16 @@ class HoldNodes {
 
   support::IndexSet all_;
   std::vector<double> scales_;  // of the loads
-  support::IndexSet acting_;    // the loads of which one must act in a state, after the candidates
+  std::vector<LoadShare> shares_;
+  std::size_t loads_;         // with the difference of a restriction
+  support::IndexSet acting_;  // the loads of which one must act in a state, after the candidates
   LoadedProblem const* loaded_;
   problems::WedgedProblem problem_;
   BranchingRule rule_;
   ContactSolver solver_;
+  MeanMotion mean_motion_;
+  double grip_unit_ = 1;         // of the equation of a restriction
+  Eigen::VectorXd multipliers_;  // of the last node
   std::uint64_t iterations_ = 0, programs_ = 0;
 };
 
@@ -130,10 +145,15 @@ class HoldTree {
 
   /// @pre `loaded` outlives this object
   HoldTree(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
-           Precision precision = Precision::escalating)
-      : nodes_(loaded, shares, mu, precision) {
+           Precision precision = Precision::escalating,
+           const std::optional<GripRestriction>& grip = {})
+      : nodes_(loaded, shares, mu, precision, grip) {
     nodes_.end_when(pollable_.stop());
   }
+
+  /// Receives the evidence of each infeasible node.
+  using Reporter = std::function<void(const LoadedPattern&, std::span<const double>)>;
+  void report_to(Reporter reporter) { reporter_ = std::move(reporter); }
 
   [[nodiscard]] Node root() const { return {}; }
   void expand(Node&& node, engine::Expansion<HoldTree>& out);
@@ -147,6 +167,7 @@ class HoldTree {
   void open(const Node& node, engine::Expansion<HoldTree>& out);
 
   HoldNodes nodes_;
+  Reporter reporter_;
   Pollable pollable_;
   Tally tally_;
 };

@@ -68,6 +68,14 @@ double root_of(const LoadedProblem& loaded, LoadShare share) {
 
 }  // namespace
 
+bool acts(const LoadedProblem& block, Eigen::Index load) {
+  return !block.loads.motions.row(load).isZero(0) || !block.loads.displacements.col(load).isZero(0);
+}
+
+bool is_under_dead(const LoadedProblem& block) {
+  return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
+}
+
 LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
                              const support::LongWork& work) {
   LoadedProblem loaded;
@@ -176,6 +184,51 @@ problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const 
     result.modes.precise = std::move(motions);
   }
   result.blocks = {};
+  return result;
+}
+
+double grip_scale(const LoadedProblem& loaded, std::span<const LoadShare> shares,
+                  const GripRestriction& grip) {
+  double largest = 1;
+  for (const LoadShare& share : shares)
+    largest = std::max(largest, share.dead * grip.total / scale_of(loaded, share));
+  return largest;
+}
+
+problems::WedgedProblem with_grip(const LoadedProblem& loaded, std::span<const LoadShare> shares,
+                                  const GripRestriction& grip) {
+  auto result = with_loads(loaded, shares);
+  const Eigen::Index d = result.dimension;
+  const Eigen::Index own = d * loaded.clearance.size();
+  const bool slack = grip.kind != GripRestriction::Kind::equal;
+  const Eigen::Index all = result.compliance.matrix.rows() + (slack ? d : 0);
+  const Eigen::Index modes = result.modes.matrix.cols();
+  PreciseMatrix motions = PreciseMatrix::Zero(all, modes + 1);
+  if (modes > 0) motions.topLeftCorner(result.modes.precise.rows(), modes) = result.modes.precise;
+  const Precise scale(grip_scale(loaded, shares, grip));
+  for (Eigen::Index normal = 0; normal < own; normal += d)
+    motions(normal, modes) = Precise(1) / scale;
+  Eigen::Index row = own;
+  for (const LoadShare& share : shares) {
+    motions(row, modes) =
+        -Precise(share.dead) * Precise(grip.total) / Precise(scale_of(loaded, share)) / scale;
+    row += d;
+  }
+  if (slack) {
+    motions(row, modes) = Precise(grip.kind == GripRestriction::Kind::above ? -1 : 1);
+    PreciseMatrix compliance = PreciseMatrix::Zero(all, all);
+    compliance.topLeftCorner(row, row) = result.compliance.precise;
+    for (Eigen::Index axis = 0; axis < d; ++axis)
+      compliance(row + axis, row + axis) = Precise(mean_of(loaded.problem));
+    result.compliance.matrix = compliance.cast<double>();
+    result.compliance.precise = std::move(compliance);
+    result.contact_names.emplace_back("sum");
+    result.friction.push_back(0);
+  }
+  result.modes.matrix = motions.cast<double>();
+  result.modes.precise = std::move(motions);
+  result.modes.error += share_roundings * numbers::unit_roundoff<double>;
+  result.modes.precise_error += share_roundings * numbers::unit_roundoff<Precise>;
   return result;
 }
 

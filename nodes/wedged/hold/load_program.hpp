@@ -26,6 +26,13 @@ struct LoadShare {
   double reference = 0;
 };
 
+/// Restriction to states whose normal reactions add up to a given sum in units of the dead load.
+struct GripRestriction {
+  enum class Kind { above, below, equal };  ///< at least, at most, exactly
+  Kind kind = Kind::equal;
+  double total = 0;  ///< force
+};
+
 /// A wedged problem with its loads.
 struct LoadedProblem {
   problems::WedgedProblem problem;
@@ -47,6 +54,12 @@ LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
 /// The part of a decoupled block. @param candidates of the block
 LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates);
 
+/// True if a load acts on the block. @param load its number among those that are there
+bool acts(const LoadedProblem& block, Eigen::Index load);
+
+/// True if the dead load or a clearance acts on the block.
+bool is_under_dead(const LoadedProblem& block);
+
 /// Work of a load on the modes that displace no candidate, relative to its size: the largest
 /// magnitude. Above `negligible_work` the load is not in equilibrium with any reactions.
 double unseen_work(const LoadedProblem& loaded, LoadShare share);
@@ -59,6 +72,15 @@ inline constexpr double negligible_work = 1e-12;
 /// F_jj is an upper bound that makes the error bound of F valid for the load's column, and the load
 /// is scaled such that it equals the mean of F_nn.
 problems::WedgedProblem with_loads(const LoadedProblem& loaded, std::span<const LoadShare> shares);
+
+/// The same with one more equation, sum r_n = total times the amount of the dead shares, which is a
+/// last column of the modes; `above` and `below` have one more load, the difference. The equation
+/// is divided by `grip_scale`.
+problems::WedgedProblem with_grip(const LoadedProblem& loaded, std::span<const LoadShare> shares,
+                                  const GripRestriction& grip);
+
+double grip_scale(const LoadedProblem& loaded, std::span<const LoadShare> shares,
+                  const GripRestriction& grip);
 
 /// Factor by which `with_loads` divides the load.
 double scale_of(const LoadedProblem& loaded, LoadShare share);

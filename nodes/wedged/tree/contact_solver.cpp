@@ -20,15 +20,16 @@ constexpr double three_digits = 1e-3;
 constexpr double scaling_roundings = 1.01;
 
 /// G in 104 bits, combined as the solvers require.
-conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads) {
+conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem, int loads,
+                                          conic::SideEquation equation) {
   const bool precise = problem.modes.precise.size() != 0;
   const numbers::PreciseMatrix given =
       precise ? problem.modes.precise
               : numbers::PreciseMatrix(problem.modes.matrix.cast<numbers::Precise>());
   const double error = precise ? problem.modes.precise_error : problem.modes.error;
   if (problem.dimension == 2)
-    return conic::ordered_motions<2, numbers::Precise>(given, error, loads);
-  return conic::ordered_motions<3, numbers::Precise>(given, error, loads);
+    return conic::ordered_motions<2, numbers::Precise>(given, error, loads, equation);
+  return conic::ordered_motions<3, numbers::Precise>(given, error, loads, equation);
 }
 
 /// Owners of the cones, one for each candidate.
@@ -45,7 +46,7 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                              std::span<const double> friction, conic::Tolerances tolerances,
-                             Precision precision, int loads)
+                             Precision precision, int loads, conic::SideEquation equation)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
@@ -56,7 +57,7 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
       precise_compliance_(problem.compliance.precise),
       compliance_error_(problem.compliance.error),
       precise_error_(problem.compliance.precise_error),
-      motions_(combined(problem, loads)),
+      motions_(combined(problem, loads, equation)),
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance.matrix / unit_;
         const double error = problem.compliance.error + scaling_error<double>;

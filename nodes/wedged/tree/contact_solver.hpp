@@ -40,10 +40,11 @@ class ContactSolver {
   /// @param friction mu of each contact candidate, m numbers: 0 or 1e-6 to 1e6
   /// @param loads number of loads: the last candidates of the problem, with zero friction, which
   ///        have a reaction and no row (nodes/wedged/hold/load_program.hpp)
+  /// @param equation of the last column of the modes
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   ContactSolver(const problems::WedgedProblem& problem, std::span<const double> friction,
                 conic::Tolerances tolerances, Precision precision = Precision::escalating,
-                int loads = 0);
+                int loads = 0, conic::SideEquation equation = conic::SideEquation::none);
 
   /// Makes all solutions throw support::Stopped soon after the run is to stop.
   void end_when(const support::Stop& stop);

@@ -1,0 +1,208 @@
+// Both ends by the same search: a leaf is followed to its own end, and a tree beyond it is
+// infeasible or has another leaf.
+#include "nodes/wedged/hold/grip_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+constexpr int most_steps = 70;
+/// Relative distances beyond a leaf's own end at which the tree is searched if it is degenerate
+/// there.
+constexpr std::array<double, 4> steps_beyond{0, 1e-8, 1e-6, 1e-4};
+constexpr LoadShare dead_load{1, 0};
+
+/// Share of the sum of a state below which another sum is zero.
+constexpr double negligible_sum = 1e-12;
+
+using Kind = GripRestriction::Kind;
+
+class BlockGrip {
+ public:
+  BlockGrip(engine::Analysis& analysis, const LoadedProblem& block, double mu,
+            const HoldQuestion& question, std::vector<HoldCost>& costs)
+      : analysis_(analysis), block_(block), mu_(mu), question_(question), costs_(costs) {}
+
+  /// A state under the dead load, or proof that there is none.
+  HoldOutcome first() { return search(std::array{dead_load}, {}); }
+  /// Wedged configurations.
+  HoldOutcome wedged() { return search({}, {}); }
+
+  /// The end in one direction from a state.
+  GripEnd end(Kind kind, const LoadedLeaf& leaf);
+  [[nodiscard]] engine::Status status() const { return status_; }
+
+ private:
+  HoldOutcome search(std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip);
+  [[nodiscard]] bool reaches(const LoadedPattern& pattern, Kind kind, double total) const;
+  void follow(GripEnd& end, Kind kind) const;
+  [[nodiscard]] double sum_of(const LoadedLeaf& leaf) const;
+
+  engine::Analysis& analysis_;
+  const LoadedProblem& block_;
+  double mu_;
+  const HoldQuestion& question_;
+  std::vector<HoldCost>& costs_;
+  engine::Status status_ = engine::Status::solved;
+};
+
+HoldOutcome BlockGrip::search(std::span<const LoadShare> shares,
+                              const std::optional<GripRestriction>& grip) {
+  HoldTree tree(block_, shares, mu_, question_.precision, grip);
+  auto found = first_leaf(analysis_, tree);
+  costs_.push_back({mu_, 0, 0, found.opened, found.tally.iterations});
+  if (found.status != engine::Status::solved) status_ = found.status;
+  return found;
+}
+
+double BlockGrip::sum_of(const LoadedLeaf& leaf) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < leaf.reaction.size();
+       i += static_cast<std::size_t>(block_.problem.dimension))
+    sum += leaf.reaction[i];
+  return sum / leaf.amounts.front();
+}
+
+bool BlockGrip::reaches(const LoadedPattern& pattern, Kind kind, double total) const {
+  HoldNodes nodes(block_, std::array{dead_load}, mu_, question_.precision,
+                  GripRestriction{kind, total});
+  nodes.end_when(analysis_.budget().stop());
+  return nodes.sign(pattern) == HoldSign::feasible;
+}
+
+// Moves `held` to the end of its pattern, and `out` beside it.
+void BlockGrip::follow(GripEnd& end, Kind kind) const {
+  const bool up = kind == Kind::above;
+  double out = up ? 2 * end.held : 0;
+  if (up) {
+    for (int step = 0; step < most_steps && reaches(*end.pattern, kind, out); ++step) {
+      end.held = out;
+      out *= 2;
+    }
+  }
+  for (int step = 0; step < most_steps; ++step) {
+    if (std::abs(out - end.held) <= question_.width * std::max(out, end.held)) break;
+    const double middle = end.held + (out - end.held) / 2;
+    if (middle == end.held || middle == out) break;
+    (reaches(*end.pattern, kind, middle) ? end.held : out) = middle;
+  }
+  end.out = out;
+}
+
+GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
+  const double away = kind == Kind::above ? 1 : -1;
+  GripEnd end{.held = sum_of(leaf), .out = 0, .pattern = leaf.pattern};
+  const double begin = end.held;
+  for (int round = 0; round < most_steps; ++round) {
+    follow(end, kind);
+    if (kind == Kind::below && end.held <= negligible_sum * begin) {
+      end.out = 0;  // the sum is never negative
+      return end;
+    }
+    bool again = false;
+    for (const double step : steps_beyond) {
+      const double out = end.out * (1 + away * step);
+      const auto outcome = search(std::array{dead_load}, GripRestriction{kind, out});
+      if (status_ != engine::Status::solved) {
+        end.out_proved = false;
+        return end;
+      }
+      if (!outcome.leaf.empty()) {
+        end.held = out;
+        end.pattern = outcome.leaf.front().pattern;
+        again = true;
+        break;
+      }
+      end.out_proved = outcome.is_infeasible();
+      if (end.out_proved) {
+        end.out = out;
+        return end;
+      }
+    }
+    if (!again) return end;
+  }
+  end.out_proved = false;
+  return end;
+}
+
+void add(GripEnd& sum, const GripEnd& own) {
+  sum.held += own.held;
+  sum.out += own.out;
+  sum.held_proved = sum.held_proved && own.held_proved;
+  sum.out_proved = sum.out_proved && own.out_proved;
+  sum.known = sum.known && own.known;
+  sum.unbounded = sum.unbounded || own.unbounded;
+}
+
+// Certificate of a block: trees beyond its ends, and the states at them.
+void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const GripOfBlock& own,
+                 HoldRecord& record) {
+  for (const auto* end : {&own.least, &own.most}) {
+    const Kind kind = end == &own.least ? Kind::below : Kind::above;
+    if (end->pattern)
+      record_state(analysis, block, *end->pattern, dead_load, GripRestriction{kind, end->held},
+                   record);
+    if (end->unbounded || !end->out_proved || (kind == Kind::below && end->out <= 0)) continue;
+    record_tree(analysis, block, std::array{dead_load}, GripRestriction{kind, end->out}, record);
+  }
+}
+
+}  // namespace
+
+GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                     const HoldQuestion& question, HoldRecord* record) {
+  GripRange found;
+  if (unseen_work(loaded, {1, 0}) > negligible_work) {
+    found.held = false;
+    return found;
+  }
+  const auto blocks = problems::blocks_of(loaded.problem);
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+    BlockGrip grip(analysis, block, mu, question, found.costs);
+    GripOfBlock own{.block = number};
+    const auto wedged = grip.wedged();
+    own.most.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
+    own.most.held_proved = !own.most.unbounded || !wedged.leaf.empty();
+    own.most.out_proved = own.most.unbounded || wedged.is_infeasible();
+    if (is_under_dead(block)) {
+      const auto first = grip.first();
+      found.status = grip.status();
+      if (found.status != engine::Status::solved) break;
+      if (first.is_infeasible()) {
+        found.held = false;
+        break;
+      }
+      if (first.leaf.empty()) {  // degenerate states alone: no bound but zero
+        if (!own.most.unbounded)
+          own.most = {.held_proved = false, .out_proved = false, .known = false};
+        own.least.held_proved = false;
+        add(found.least, own.least);
+        add(found.most, own.most);
+        continue;
+      }
+      own.least = grip.end(Kind::below, first.leaf.front());
+      if (!own.most.unbounded) {
+        const bool known = own.most.out_proved;
+        own.most = grip.end(Kind::above, first.leaf.front());
+        own.most.out_proved = own.most.out_proved && known;
+      }
+    }
+    found.status = grip.status();
+    if (found.status != engine::Status::solved) break;
+    add(found.least, own.least);
+    add(found.most, own.most);
+    if (record != nullptr && is_under_dead(block))
+      record_grip(analysis, {block, blocks[number], number, mu, question.precision}, own, *record);
+    found.blocks.push_back(own);
+  }
+  return found;
+}
+
+}  // namespace kusabi::wedged

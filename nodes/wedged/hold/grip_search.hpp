@@ -1,0 +1,46 @@
+// Grip range: the least and the largest sum of the normal reactions over all states under the dead
+// load at one friction coefficient (docs/theory/loads.md, "Grip range"). It contains the sum of
+// every state that a history of loading leads to.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/hold_search.hpp"
+
+namespace kusabi::wedged {
+
+/// An end of the range. There is a state with `held`, and none with `out` or beyond.
+struct GripEnd {
+  double held = 0;
+  double out = 0;
+  bool held_proved = true;
+  bool out_proved = true;  ///< false: open, or computed
+  bool known = true;       ///< false: neither number is known, only that there may be states
+  bool unbounded = false;  ///< no end: a wedged configuration may be added in any multiple
+  std::optional<LoadedPattern> pattern{};  ///< of the block, at `held`
+};
+
+/// The range of one block.
+struct GripOfBlock {
+  std::uint32_t block = 0;
+  GripEnd least{}, most{};
+};
+
+/// The range of the sum over all candidates.
+struct GripRange {
+  engine::Status status = engine::Status::solved;
+  bool held = true;         ///< false: there is no state, or none was found
+  bool held_proved = true;  ///< of this answer
+  GripEnd least{}, most{};
+  std::vector<GripOfBlock> blocks{};  ///< those on which a load acts or that can be wedged
+  std::vector<HoldCost> costs{};
+};
+
+/// Every rank makes the same call and gets the same.
+GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                     const HoldQuestion& question = {}, HoldRecord* record = nullptr);
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,93 @@
+// Evidence of states under load for a certificate (docs/certificates.md): trees without states, and
+// states. The trees of an answer are searched once more for it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/hold_tree.hpp"
+#include "nodes/wedged/hold/load_program.hpp"
+
+namespace kusabi::wedged {
+
+/// The outcome of one tree, on all ranks.
+struct HoldOutcome {
+  engine::Status status = engine::Status::solved;
+  std::vector<LoadedLeaf> leaf{};  ///< at most one, with states that are proved
+  HoldTally tally{};
+  std::uint64_t opened = 0;
+
+  /// True if there is no state below the root, proved.
+  [[nodiscard]] bool is_infeasible() const {
+    return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
+           tally.undecided == 0 && tally.limits.empty();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& leaf& tally& opened;
+  }
+};
+
+/// Searches a tree until its first leaf; every rank gets the same.
+HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree);
+
+/// Kind of a certificate: of a bound of the holding friction coefficient, or of all load factors.
+enum class HoldEnd { lower, upper, factors };
+
+/// Receives the evidence of one certificate. Sets of candidates are those of the whole problem.
+class HoldRecord {
+ public:
+  HoldRecord() = default;
+  HoldRecord(const HoldRecord&) = delete;
+  HoldRecord& operator=(const HoldRecord&) = delete;
+  virtual ~HoldRecord() = default;
+
+  /// Begins a tree; on every rank. @param grip restriction of its states, if any
+  virtual void begin_tree(std::uint32_t block, std::span<const LoadShare> shares,
+                          const std::optional<GripRestriction>& grip) = 0;
+  /// A closed node of the tree, on the rank that closed it.
+  virtual void add(const LoadedPattern& node, std::span<const double> numbers) = 0;
+  /// Ends the tree. @param holds every node is closed with evidence; otherwise the tree is dropped
+  virtual void end_tree(bool holds) = 0;
+  /// A state under a load, or without one a wedged configuration that holds every load; on every
+  /// rank.
+  virtual void state(std::uint32_t block, const std::optional<LoadShare>& share,
+                     const LoadedPattern& pattern, std::span<const double> numbers) = 0;
+  /// The certificate is complete; on every rank.
+  virtual void finish() = 0;
+};
+
+/// Opens a certificate for a friction coefficient.
+using HoldRecorder = std::function<std::unique_ptr<HoldRecord>(HoldEnd end, double mu)>;
+
+/// A block whose evidence is recorded.
+struct RecordedBlock {
+  const LoadedProblem& problem;
+  support::IndexSet candidates;  ///< in the whole problem
+  std::uint32_t number = 0;
+  double mu = 0;
+  Precision precision = Precision::escalating;
+};
+
+/// Searches a tree and records it.
+void record_tree(engine::Analysis& analysis, const RecordedBlock& block,
+                 std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip,
+                 HoldRecord& record);
+
+/// Solves a leaf and records its state, if it has one. @param share nothing: a wedged configuration
+/// @param grip at least, at most or exactly this sum of the normal reactions; of a state that is
+/// the
+///        only one of its pattern, nearly
+void record_state(engine::Analysis& analysis, const RecordedBlock& block,
+                  const LoadedPattern& pattern, const std::optional<LoadShare>& share,
+                  const std::optional<GripRestriction>& grip, HoldRecord& record);
+
+}  // namespace kusabi::wedged

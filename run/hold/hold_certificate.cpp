@@ -1,0 +1,111 @@
+// The lines of a tree are kept until it is known to be infeasible.
+#include "run/hold/hold_certificate.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "run/evidence/certificate_file.hpp"
+#include "run/output/standard_output.hpp"
+#include "support/fingerprint.hpp"
+
+namespace kusabi::run {
+namespace {
+
+constexpr std::array grip_words{"above", "below"};
+
+std::string sets(const wedged::LoadedPattern& pattern) {
+  return support::hexadecimal(pattern.contact) + ' ' + support::hexadecimal(pattern.separated);
+}
+
+class HoldCertificate final : public wedged::HoldRecord {
+ public:
+  HoldCertificate(Session& session, const HoldCertificates& certificates, const std::string& name,
+                  const wedged::LoadedProblem& loaded, double mu, std::uint64_t fingerprint)
+      : session_(session),
+        certificates_(certificates),
+        name_(name),
+        loaded_(loaded),
+        friction_(wedged::friction_with_loads(loaded.problem, mu, 0)),
+        file_(session, name, certificates.input, fingerprint, false) {}
+
+  void begin_tree(std::uint32_t block, std::span<const wedged::LoadShare> shares,
+                  const std::optional<wedged::GripRestriction>& grip) override {
+    tree_ = fmt::format("tree {} {}", block + 1, shares.size());
+    for (const auto& share : shares) append_numbers(tree_, std::array{share.dead, share.reference});
+    if (grip && grip->kind != wedged::GripRestriction::Kind::equal) {
+      tree_ +=
+          fmt::format(" {} {:a}", grip_words.at(static_cast<std::size_t>(grip->kind)), grip->total);
+    }
+    nodes_.clear();
+  }
+
+  void add(const wedged::LoadedPattern& node, std::span<const double> numbers) override {
+    nodes_ += fmt::format("dead {} {}", trees_.size() + 1, sets(node));
+    append_numbers(nodes_, numbers);
+    nodes_ += '\n';
+  }
+
+  void end_tree(bool holds) override {
+    if (!holds) return;
+    trees_.push_back(tree_ + '\n');
+    file_.add(std::string_view(nodes_));
+  }
+
+  void state(std::uint32_t block, const std::optional<wedged::LoadShare>& share,
+             const wedged::LoadedPattern& pattern, std::span<const double> numbers) override {
+    if (!session_.speaks()) return;
+    auto line = fmt::format("{} {}", share ? "alive" : "wedged", block + 1);
+    if (share) append_numbers(line, std::array{share->dead, share->reference});
+    line += ' ' + sets(pattern);
+    append_numbers(line, numbers);
+    file_.add(std::string_view(line += '\n'));
+  }
+
+  void finish() override {
+    file_.close();
+    if (!session_.speaks()) return;
+    std::string text = "kusabi hold certificate 1\ncase";
+    if (!certificates_.load_case.empty()) text += ' ' + one_line(certificates_.load_case);
+    text += '\n' + candidate_lines(loaded_.problem, friction_) + motion_lines(loaded_.problem);
+    if (certificates_.total) text += fmt::format("total {:a}\n", *certificates_.total);
+    text += fmt::format("trees {}\n", trees_.size());
+    for (const auto& tree : trees_) text += tree;
+    file_.put_in_place(text + "nodes\n");
+    if (!certificates_.quiet) print_written({name_});
+  }
+
+ private:
+  Session& session_;
+  HoldCertificates certificates_;
+  std::string name_;
+  const wedged::LoadedProblem& loaded_;
+  std::vector<double> friction_;
+  CertificateFile file_;
+  std::vector<std::string> trees_;
+  std::string tree_, nodes_;  // of the tree that is being searched
+};
+
+}  // namespace
+
+wedged::HoldRecorder hold_recorder(Session& session, HoldCertificates certificates,
+                                   const wedged::LoadedProblem& loaded) {
+  if (certificates.name.empty()) return {};
+  return [&session, &loaded, certificates = std::move(certificates)](
+             wedged::HoldEnd end, double mu) -> std::unique_ptr<wedged::HoldRecord> {
+    support::Fingerprint fingerprint;
+    fingerprint.add(loaded.problem.provenance.fingerprint);
+    fingerprint.add(mu);
+    const char* const which = end == wedged::HoldEnd::lower   ? ".lower"
+                              : end == wedged::HoldEnd::upper ? ".upper"
+                                                              : "";
+    return std::make_unique<HoldCertificate>(session, certificates, certificates.name + which,
+                                             loaded, mu, fingerprint.value());
+  };
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,236 @@
+// Proofs of verify/wedged/hold_proof, shared among the ranks, and what follows from them.
+#include "run/verify/verify_hold.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engine/counts.hpp"
+#include "engine/index_range.hpp"
+#include "engine/search.hpp"
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/structure/model/load_cases.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
+#include "verify/wedged/consistency.hpp"
+#include "verify/wedged/hold_certificate.hpp"
+#include "verify/wedged/hold_proof.hpp"
+
+namespace kusabi::run {
+namespace {
+
+/// Problem type of engine::search: nodes, then states, in pieces of a few.
+class HoldVerification {
+ public:
+  using Node = engine::IndexRange;
+
+  /// A refused claim: a node, or with the number of nodes added a state.
+  struct Solution {
+    std::uint64_t claim = 0;
+    std::string reason;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& claim& reason;
+    }
+  };
+
+  struct Tally : engine::Counts<Tally> {
+    std::uint64_t proved = 0;
+    std::uint64_t but_for_far_motion = 0;
+
+    static constexpr auto fields() {
+      return std::tuple{field("proved", &Tally::proved),
+                        field("but for far motion", &Tally::but_for_far_motion)};
+    }
+  };
+
+  HoldVerification(const verify::HoldCertificate& certificate, const verify::HoldProof& proof)
+      : certificate_(certificate), proof_(proof) {}
+
+  Node root() const { return {0, certificate_.nodes.size() + certificate_.states.size()}; }
+
+  void expand(Node&& node, engine::Expansion<HoldVerification>& out) {
+    constexpr std::uint64_t few = 16;
+    if (node.size() > few) {
+      const auto [lower, upper] = node.halves();
+      out.branch(lower);
+      out.branch(upper);
+      return;
+    }
+    const auto nodes = certificate_.nodes.size();
+    for (auto number = node.first; number < node.last; ++number) {
+      auto judgement =
+          number < nodes
+              ? proof_.judgement(certificate_.nodes[number])
+              : verify::Judgement{.refusal = proof_.refusal(certificate_.states[number - nodes])};
+      if (judgement.refusal) {
+        out.solution({number, std::move(*judgement.refusal)});
+      } else {
+        ++tally_.proved;
+        if (judgement.but_for_far_motion) ++tally_.but_for_far_motion;
+      }
+      out.poll();
+    }
+  }
+
+  Tally tally() const { return tally_; }
+
+ private:
+  const verify::HoldCertificate& certificate_;
+  const verify::HoldProof& proof_;
+  Tally tally_;
+};
+
+verify::HoldCertificate hold_certificate_in(const std::string& text, const std::string& file) {
+  try {
+    return verify::read_hold_certificate(text, file);
+  } catch (const verify::CertificateError& error) {
+    throw WrongInput(error.what());
+  }
+}
+
+// The structure with the loads of the certificate's case.
+problems::Structure in_case_of(const problems::Structure& structure, const std::string& load_case,
+                               const VerifyOptions& options) {
+  const auto cases = problems::load_cases(structure);
+  if (load_case.empty() && cases.empty()) return structure;
+  for (const auto& each : cases)
+    if (verify::on_one_line(each) == load_case) return problems::in_load_case(structure, each);
+  throw WrongInput(fmt::format("{}: has no load case '{}', as {} says", options.problem, load_case,
+                               options.certificate));
+}
+
+VerifyFindings refusal_of_whole(const VerifyOptions& options, const std::string& why) {
+  return {.check = {.refusals = 1},
+          .refusals = fmt::format("{}: refused: {}\n", options.certificate, why)};
+}
+
+std::string refusal_line(const VerifyOptions& options, const verify::HoldCertificate& certificate,
+                         const HoldVerification::Solution& refusal) {
+  const auto nodes = certificate.nodes.size();
+  const auto& header = certificate.header;
+  const auto line = [&](std::size_t number, const char* kind, const auto& of) {
+    return fmt::format("{}:{}: refused: {} contact {} separated {}: {}\n", options.certificate,
+                       number, kind, header.names_of(of.contact), header.names_of(of.separated),
+                       refusal.reason);
+  };
+  if (refusal.claim < nodes) {
+    const auto& record = certificate.nodes[refusal.claim].record;
+    return line(record.line, "dead", record);
+  }
+  const auto& state = certificate.states[refusal.claim - nodes];
+  return line(state.line, state.share ? "alive" : "wedged", state);
+}
+
+std::vector<CertificateCheck::Range> ranges_of(const std::vector<verify::FactorRange>& ranges) {
+  std::vector<CertificateCheck::Range> result;
+  for (const auto& [low, high] : ranges) result.push_back({low, high});
+  return result;
+}
+
+// @param blocks of the structure; a sum is stated if there is one
+CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction, bool reference,
+                               std::size_t blocks) {
+  CertificateCheck::Held held{.friction = friction,
+                              .of_reference = reference,
+                              .total = claims.total,
+                              .held = ranges_of(claims.held),
+                              .none = ranges_of(claims.none)};
+  if (blocks == 1 && claims.grips.size() == 1)
+    held.grip = {claims.grips.front().below, claims.grips.front().above};
+  return held;
+}
+
+}  // namespace
+
+VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
+                           const std::optional<problems::CheckedStructure>& structure,
+                           const std::string& text) {
+  if (!structure) {
+    throw WrongInput(fmt::format(
+        "{}: a certificate of loads is proved for a problem file; expected --problem FILE",
+        options.certificate));
+  }
+  const auto certificate = hold_certificate_in(text, options.certificate);
+  const auto loaded = in_case_of(*structure, certificate.load_case, options);
+  const auto verified = evidence::verified_structure(loaded);
+  auto found = verify::consistency_under_load(certificate.header, verified);
+  if (const auto* why = std::get_if<std::string>(&found))
+    return refusal_of_whole(options, fmt::format("{}: {}", options.problem, *why));
+  const auto& [enclosure, friction] = std::get<verify::ConsistentLoads>(found);
+  std::vector<double> clearances;
+  for (const auto& point : verified.contact) clearances.push_back(point.clearance);
+  const verify::HoldProof proof(certificate, enclosure, clearances);
+  if (!proof.least_eigenvalue())
+    return refusal_of_whole(options,
+                            "K was not proved to be positive definite except for "
+                            "rigid-body modes of unconstrained bodies");
+
+  HoldVerification verification(certificate, proof);
+  const auto outcome = engine::search(verification, run.session().transport(), engine::Options{});
+  if (outcome.status != engine::Status::solved) return {.status = outcome.status};
+  VerifyFindings findings;
+  if (!run.session().speaks()) {  // refusals are on rank 0
+    findings.check.refusals = outcome.solutions.size();
+    return findings;
+  }
+  std::vector<bool> trees(certificate.trees.size(), true);
+  std::vector<bool> states(certificate.states.size(), true);
+  const auto nodes = certificate.nodes.size();
+  for (const auto& each : outcome.solutions) {
+    findings.refusals += refusal_line(options, certificate, each.solution);
+    const auto claim = each.solution.claim;
+    if (claim < nodes)
+      trees[certificate.nodes[claim].tree] = false;
+    else
+      states[claim - nodes] = false;
+  }
+  findings.check.refusals = outcome.solutions.size();
+  for (std::size_t t = 0; t < trees.size(); ++t) {
+    const auto flaw = proof.flaw(t);
+    if (!flaw) continue;
+    trees[t] = false;
+    ++findings.check.refusals;
+    findings.refusals += fmt::format("{}:{}: refused: tree: {}\n", options.certificate,
+                                     certificate.trees[t].line, *flaw);
+  }
+  const auto tally = outcome.tally();
+  const bool reference =
+      std::ranges::any_of(enclosure.loads[1].acts, [](bool acts) { return acts; });
+  auto held =
+      held_of(proof.claims(trees, states), friction, reference, certificate.header.blocks.size());
+  held.but_far_motions = tally.but_for_far_motion > 0;
+  held.far_motion = verify::farthest_motion;
+  findings.check.claim = std::move(held);
+  auto& summary = findings.summary;
+  fmt::format_to(
+      std::back_inserter(summary),
+      "contact candidates: {}\nproblem: {}, from {}, fingerprint {}\n"
+      "friction coefficient: {}{}\n"
+      "K and the loads were recomputed from the structure with errors up to {:.1e}\n",
+      fmt::join(certificate.header.names, " "), (*structure)->name, options.problem,
+      hexadecimal(problems::wedged_fingerprint(*structure)), friction,
+      std::ranges::all_of((*structure)->contact, [](const auto& c) { return c.friction == 1; })
+          ? ""
+          : " times that of each candidate",
+      enclosure.problem.stiffness.radius.nearest());
+  fmt::format_to(std::back_inserter(summary), "nodes without a state: {} of {}{}\nstates: {}\n",
+                 nodes, counted(trees.size(), "tree"),
+                 tally.but_for_far_motion == 0
+                     ? ""
+                     : fmt::format(", {} of them except for displacements over {:.2g} times the "
+                                   "strains",
+                                   tally.but_for_far_motion, verify::farthest_motion),
+                 certificate.states.size());
+  return findings;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,180 @@
+"""`kusabi hold --certificate`, `--grip` and `--total`: closed forms, proofs, and forgeries that are refused or prove
+nothing wrong.
+
+    python3 hold_certificate_test.py KUSABI SOURCES
+"""
+import hashlib
+import math
+import pathlib
+import random
+import re
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import EXAMPLES, KusabiCase, main  # noqa: E402: beside the folder of this file
+
+LADDER = EXAMPLES / "ladder.toml"
+PEG = EXAMPLES / "peg-under-load.toml"
+SLOPE = 4 / 3
+#: Factors of the reference load at friction coefficient 0.4, by statics.
+LEAST = -0.625
+MIDDLE = (0.16 + 0.4 * SLOPE) / 1.16
+MOST = (MIDDLE - 0.5) / (0.8 - MIDDLE)
+
+
+def sealed(body):
+    return f"{body}digest {hashlib.sha1(body.encode()).hexdigest()}\n"
+
+
+def ranges(text):
+    """[(low, high)] of a part of the sentence of `verify`."""
+    if text is None:
+        return []
+    if "all factors" in text:
+        return [(-math.inf, math.inf)]
+    found = []
+    for part in text.split(", "):
+        numbers = [float(x) for x in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", part)]
+        if part.startswith("up to"):
+            found.append((-math.inf, numbers[0]))
+        elif part.endswith("on"):
+            found.append((numbers[0], math.inf))
+        else:
+            found.append((numbers[0], numbers[-1]))
+    return found
+
+
+class HoldCertificate(KusabiCase):
+    def written(self, file, *words):
+        run = self.kusabi("hold", file, *words, "--certificate", self.folder / "cert", "--output", self.result)
+        self.assertIn(run.returncode, (0, 3), run.stderr)
+        return (self.folder / "cert").read_text() if "--mu" in words else None
+
+    def verified(self, name, file):
+        run = self.kusabi("verify", name, "--problem", file)
+        return run, " ".join(run.stdout.split())
+
+    def proved(self, name, file):
+        run, said = self.verified(name, file)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertNotIn("refused", run.stdout + run.stderr)
+        held = re.search(r"it can hold these factors of the reference load: (.*?)(?:;|$)", said)
+        none = re.search(r"it cannot hold: (.*?)(?:;|$)", said)
+        return ranges(held and held[1]), ranges(none and none[1]), said
+
+    def test_bounds_of_a_coefficient(self):
+        self.written(LADDER)
+        for end, what in (("lower", "it cannot hold the dead load"), ("upper", "it can hold the dead load")):
+            said = self.proved(self.folder / f"cert.{end}", LADDER)[2]
+            self.assertIn(what, said)
+            mu = float(re.search(r"PROVED: at friction coefficient ([0-9.]+)", said)[1])
+            self.assertAlmostEqual(mu, 1 / 3, delta=1e-8)
+            self.assertEqual(mu < 1 / 3, end == "lower")
+
+    def test_factors_and_their_complement(self):
+        self.written(LADDER, "--mu", "0.4")
+        held, none, _ = self.proved(self.folder / "cert", LADDER)
+        ((low, high),) = held
+        self.assertTrue(LEAST <= low <= LEAST + 1e-8 and MOST - 1e-8 <= high <= MOST)
+        (below, above) = none
+        self.assertEqual((below[0], above[1]), (-math.inf, math.inf))
+        self.assertTrue(LEAST - 1e-8 <= below[1] <= LEAST and MOST <= above[0] <= MOST + 1e-8)
+
+    def test_two_intervals_without_end(self):
+        self.written(PEG, "--mu", "0.5")
+        held, none, _ = self.proved(self.folder / "cert", PEG)
+        self.assertEqual((held[0][0], held[1][1]), (-math.inf, math.inf))
+        self.assertTrue(held[0][1] <= -1.5 and held[1][0] >= 1.5)
+        self.assertTrue(-1.5 <= none[0][0] <= -1.5 + 1e-7 and 1.5 - 1e-7 <= none[-1][1] <= 1.5)
+        self.written(PEG, "--mu", "0.76")
+        self.assertEqual(self.proved(self.folder / "cert", PEG)[0], [(-math.inf, math.inf)])
+
+    def test_another_structure_is_refused(self):
+        self.written(LADDER, "--mu", "0.4")
+        text = LADDER.read_text()
+        for old, new in (("force = [0, -1]", "force = [0.5, -1]"), ("normal = [-1, 0]", "normal = [-1, 0.2]"),
+                         ("[[contact]]", "[[contact]]\nfriction_factor = 0.5")):
+            self.assertIn(old, text)
+            other = self.folder / "other.toml"
+            other.write_text(text.replace(old, new, 1))
+            run, said = self.verified(self.folder / "cert", other)
+            self.assertEqual(run.returncode, 1, f"{new}: {said}")
+        self.assertIn("expected --problem FILE", self.refused("verify", self.folder / "cert"))
+
+    def test_forgeries(self):
+        text = self.written(LADDER, "--mu", "0.4")
+        body = text[:text.rindex("digest ")]
+        forged = self.folder / "forged"
+        for pattern, change in (
+                (r"(tree 1 2 (?:\S+ \S+ )*?0x1p\+0 )(\S+)", lambda m: m[1] + "0x0p+0"),  # a larger range
+                (r"(?m)^(alive 1 0x1p\+0 )(-?)\S+", lambda m: f"{m[1]}{m[2]}0x1p+1"),  # a factor that is not held
+                (r"(?m)^dead .*\n", lambda m: ""),  # a missing node
+                (r"(?m)^(dead \d+ )0 0", lambda m: f"{m[1]}1 0")):  # half of the patterns
+            other = re.sub(pattern, change, body, count=1)
+            self.assertNotEqual(other, body, pattern)
+            other = re.sub(r"(?m)^end \d+$", lambda m: f"end {len(re.findall('(?m)^(dead|alive|wedged) ', other))}", other)
+            forged.write_text(sealed(other))
+            run, said = self.verified(forged, LADDER)
+            self.assertEqual(run.returncode, 1, f"{pattern}: {said}")
+        generator = random.Random(1)
+        begin = body.index("trees ")
+        outcomes = {}
+        for _ in range(60):
+            place = generator.randrange(begin, len(body))
+            other = body[:place] + generator.choice("0123456789abcdef-+xp ") + body[place + 1:]
+            forged.write_text(sealed(other))
+            run, said = self.verified(forged, LADDER)
+            outcomes[run.returncode] = outcomes.get(run.returncode, 0) + 1
+            if run.returncode != 0:
+                continue
+            held, none, _ = self.proved(forged, LADDER)
+            for low, high in held:
+                self.assertTrue(LEAST - 1e-12 <= low and high <= MOST + 1e-12, said)
+            for low, high in none:
+                self.assertTrue(high <= LEAST + 1e-12 or low >= MOST - 1e-12, said)
+        self.assertGreater(outcomes.get(1, 0) + outcomes.get(2, 0), 10, outcomes)
+
+    def test_sum_of_normal_reactions_of_a_ladder(self):
+        # Statics with the reaction T of the wall along it: N_floor = 1 - T, N_wall = (1/2 - T) / SLOPE. T is at most
+        # mu N_wall, and N_wall is at most mu N_floor.
+        mu = 0.4
+        highest = mu * 0.5 / (SLOPE + mu)
+        lowest = (0.5 - SLOPE * mu) / (1 - SLOPE * mu)
+        least, most = (1 - t + (0.5 - t) / SLOPE for t in (highest, lowest))
+        result = self.solve("hold", "ladder.toml", "--mu", mu, "--grip", "--certificate", self.folder / "cert")
+        grip = result["result"]["grip"]
+        for end, wanted in ((grip["least"], least), (grip["most"], most)):
+            self.assertAlmostEqual(end["held"], wanted, delta=1e-8)
+            self.assertLessEqual(min(end["held"], end["out"]), wanted + 1e-12)
+            self.assertGreaterEqual(max(end["held"], end["out"]), wanted - 1e-12)
+            self.assertTrue(end["held_proved"] and end["out_proved"])
+        said = self.proved(self.folder / "cert", LADDER)[2]
+        below, above = map(float, re.search(r"add up to ([0-9.]+) or more and ([0-9.]+) or less", said).groups())
+        self.assertTrue(least - 1e-8 <= below <= least + 1e-12 and most - 1e-12 <= above <= most + 1e-8)
+
+    def test_no_largest_sum_where_it_can_be_wedged(self):
+        result = self.solve("hold", "ladder.toml", "--mu", 1.4, "--grip")
+        self.assertIsNone(result["result"]["grip"]["most"])
+        self.assertIn("no upper bound", " ".join(result["verdict"]["details"]))
+
+    def test_a_groove_holds_what_its_total_allows(self):
+        # At a sum of 1 a load along its axis between -(mu cos + sin) and mu cos - sin: theory/loads.md.
+        angle, mu = math.radians(15), 0.4
+        text = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
+        place = self.folder / "groove.toml"
+        place.write_text(text + '\n[[loads]]\nkind = "reference"\nnodes = ["block.0,1", "block.1,1"]\nforce = [0, 0.5]\n')
+        result = self.solve("hold", place, "--mu", mu, "--total", 1, "--certificate", self.folder / "cert")
+        (held,) = result["result"]["intervals"]
+        self.assertAlmostEqual(held["low"], -(mu * math.cos(angle) + math.sin(angle)), delta=1e-8)
+        self.assertAlmostEqual(held["high"], mu * math.cos(angle) - math.sin(angle), delta=1e-8)
+        proved, none, said = self.proved(self.folder / "cert", place)
+        self.assertEqual((len(proved), len(none)), (1, 2))
+        self.assertIn("normal reactions that add up to 1", said)
+
+    def test_totals_and_grips_are_not_combined(self):
+        self.assertIn("expected one of them", self.refused("hold", LADDER, "--mu", 0.4, "--total", 1, "--grip"))
+        self.assertIn("--mu", self.refused("hold", LADDER, "--grip"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,295 @@
+// Claims of each block, and their consequences for the whole structure.
+#include "verify/wedged/hold_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "verify/wedged/cover.hpp"
+#include "verify/wedged/proof.hpp"
+
+namespace kusabi::verify {
+
+using support::IndexSet;
+
+namespace {
+
+constexpr double no_end = std::numeric_limits<double>::infinity();
+
+// Doubles outside and inside of a rational number.
+double not_above(const mpq_class& number) {
+  double near = number.get_d();
+  while (mpq_class(near) > number) near = std::nextafter(near, -no_end);
+  return near;
+}
+
+double not_below(const mpq_class& number) {
+  return -not_above(mpq_class(-number));
+}
+
+}  // namespace
+
+HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& enclosure,
+                     const std::vector<double>& clearances)
+    : certificate_(certificate) {
+  const auto& header = certificate.header;
+  const auto& [problem, loads] = enclosure;
+  for (const auto& load : loads) unseen_.push_back(load.work.unseen);
+  for (const auto& block : header.blocks) {
+    auto own = contact_block(header, problem.stiffness, problem.motions, block, loads);
+    Part part{.loose = own.motions.count > 0};
+    for (const int i : block) {
+      const auto candidate = static_cast<std::size_t>(i);
+      own.clearance.push_back(clearances[candidate]);
+      part.dead = part.dead || clearances[candidate] != 0 || loads[0].acts[candidate];
+      part.reference = part.reference || loads[1].acts[candidate];
+    }
+    if (own.motions.count != header.motions_of(block).size()) {
+      least_.reset();
+      return;
+    }
+    parts_.push_back(part);
+    blocks_.emplace_back(std::move(own));
+    const auto& least = blocks_.back().least_eigenvalue();
+    if (!least) {
+      least_.reset();
+      return;
+    }
+    if (!least_ || *least < *least_) least_ = least;
+  }
+  if (!certificate.total) return;
+  for (auto& part : parts_) {  // the dead share has the total, also without a load
+    const bool loaded = part.dead || part.reference;
+    part = {.loose = loaded, .dead = loaded, .reference = part.reference};
+  }
+  const auto loaded = std::ranges::count_if(parts_, [](const auto& part) { return part.dead; });
+  if (loaded != 1) least_.reset();
+}
+
+Judgement HoldProof::judgement(const HoldNode& node) const {
+  const auto& tree = certificate_.trees[node.tree];
+  const auto& block = certificate_.header.blocks[tree.block];
+  std::span<const double> numbers = node.record.numbers;
+  std::optional<GripTerm> grip;
+  if (tree.grip) {
+    const double multiplier = numbers.back();
+    numbers = numbers.first(numbers.size() - 1);
+    if ((tree.grip->kind == GripBound::Kind::above && multiplier < 0) ||
+        (tree.grip->kind == GripBound::Kind::below && multiplier > 0))
+      return {.refusal = "the multiplier of the sum has the wrong sign"};
+    grip = GripTerm{tree.grip->total, multiplier};
+  }
+  return blocks_[tree.block].judge_unheld(within(block, node.record.contact),
+                                          within(block, node.record.separated), tree.shares,
+                                          numbers, grip);
+}
+
+std::optional<std::string> HoldProof::refusal_of_unseen(LoadShare share) const {
+  for (std::size_t mode = 0; mode < unseen_[0].size(); ++mode) {
+    const mpq_class work =
+        mpq_class(share.dead) * unseen_[0][mode] + mpq_class(share.reference) * unseen_[1][mode];
+    if (sgn(work) != 0) return "its load does work on a motion that displaces no candidate";
+  }
+  return {};
+}
+
+std::optional<std::string> HoldProof::refusal(const HoldState& state) const {
+  const auto& block = certificate_.header.blocks[state.block];
+  const auto contact = within(block, state.contact);
+  const auto separated = within(block, state.separated);
+  const auto& proof = blocks_[state.block];
+  if (!state.share) {
+    if (certificate_.total) return "a wedged configuration has no total";
+    if (!proof.resists_all_motions(contact))
+      return "its contacts do not resist every rigid-body mode";
+    return proof.refusal_of_feasible(contact, separated, state.numbers);
+  }
+  if (auto why = refusal_of_unseen(*state.share)) return why;
+  if (!certificate_.total)
+    return proof.refusal_of_held_state(contact, separated, *state.share, state.numbers);
+  BlockProof::Grip grip;
+  if (auto why =
+          proof.refusal_of_held_state(contact, separated, *state.share, state.numbers, &grip))
+    return why;
+  const mpq_class total(*certificate_.total);
+  const mpq_class off = total * mpq_class(total_tolerance);
+  if (grip.least < total - off || grip.most > total + off)
+    return "its normal reactions do not add up to the total";
+  return {};
+}
+
+std::optional<std::string> HoldProof::flaw(std::size_t tree) const {
+  std::vector<const Record*> records;
+  for (const auto& node : certificate_.nodes) {
+    if (node.tree == tree) records.push_back(&node.record);
+  }
+  return flaw_of_cover(certificate_.header,
+                       certificate_.header.blocks[certificate_.trees[tree].block], records);
+}
+
+// The load factors whose loads are in the cone of the shares.
+std::optional<FactorRange> HoldProof::excluded(const HoldTree& tree) const {
+  const auto& part = parts_[tree.block];
+  if (tree.grip && tree.grip->kind != GripBound::Kind::equal) return {};
+  FactorRange range{no_end, -no_end};
+  bool upward = false;
+  bool downward = false;
+  for (const auto& [dead, reference] : tree.shares) {
+    if (dead == 0) {
+      upward = upward || reference > 0;
+      downward = downward || reference < 0;
+      continue;
+    }
+    range.low = std::min(range.low, reference);
+    range.high = std::max(range.high, reference);
+  }
+  if (!part.dead) {  // the factor is a multiple: all of one sign, or none
+    const double least = std::nextafter(0.0, no_end);
+    if (upward != downward && !(range.low <= range.high))
+      return upward ? FactorRange{least, no_end} : FactorRange{-no_end, -least};
+    return {};
+  }
+  if (!(range.low <= range.high)) return {};
+  if (!part.reference) return FactorRange{};
+  if (downward) range.low = -no_end;
+  if (upward) range.high = no_end;
+  return range;
+}
+
+std::vector<FactorRange> HoldProof::held_by(std::size_t block,
+                                            const std::vector<bool>& states) const {
+  const auto& part = parts_[block];
+  std::map<std::pair<IndexSet, IndexSet>, FactorRange> points;  // by pattern
+  std::map<std::pair<IndexSet, IndexSet>, std::pair<bool, bool>> directions;
+  std::vector<FactorRange> all;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto& state = certificate_.states[k];
+    if (state.block != block || !states[k]) continue;
+    if (!state.share) return {FactorRange{}};
+    const std::pair pattern(state.contact, state.separated);
+    const auto& [dead, reference] = *state.share;
+    if (dead == 0) {
+      auto& [up, down] = directions[pattern];
+      up = up || reference > 0;
+      down = down || reference < 0;
+      continue;
+    }
+    if (!part.reference) return {FactorRange{}};
+    auto [place, is_new] = points.emplace(pattern, FactorRange{reference, reference});
+    place->second.low = std::min(place->second.low, reference);
+    place->second.high = std::max(place->second.high, reference);
+  }
+  if (!part.dead) all.push_back({0, 0});
+  for (const auto& [pattern, range] : points) all.push_back(range);
+  for (const auto& [pattern, way] : directions) {
+    const auto point = points.find(pattern);
+    if (part.dead && point == points.end()) continue;
+    all.push_back(part.dead ? point->second : FactorRange{0, 0});
+    if (way.first) all.back().high = no_end;
+    if (way.second) all.back().low = -no_end;
+  }
+  return joined(std::move(all));
+}
+
+// The dead load and every multiple of the reference load do work on a motion that displaces no
+// candidate, by more than the rounding of directions.
+bool HoldProof::out_of_equilibrium() const {
+  constexpr double rounded = 0x1p-30;
+  double size = 0;
+  for (const auto& mode : unseen_[0]) size = std::max(size, std::abs(mode.get_d()));
+  if (size == 0) return false;
+  for (std::size_t mode = 0; mode < unseen_[0].size(); ++mode) {
+    if (sgn(unseen_[1][mode]) == 0 && std::abs(unseen_[0][mode].get_d()) > rounded * size)
+      return true;
+  }
+  return false;
+}
+
+GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
+                             const std::vector<bool>& states) const {
+  GripRange range{.block = block};
+  constexpr LoadShare dead{1, 0};
+  for (std::size_t t = 0; t < trees.size(); ++t) {
+    const auto& tree = certificate_.trees[t];
+    if (!trees[t] || tree.block != block || !tree.grip || tree.shares != std::vector{dead})
+      continue;
+    const double total = tree.grip->total;
+    if (tree.grip->kind == GripBound::Kind::above)
+      range.above = std::min(range.above.value_or(no_end), total);
+    if (tree.grip->kind == GripBound::Kind::below)
+      range.below = std::max(range.below.value_or(0), total);
+  }
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto& state = certificate_.states[k];
+    if (!states[k] || state.block != block || state.share != dead) continue;
+    const auto& own = certificate_.header.blocks[block];
+    BlockProof::Grip grip;
+    if (blocks_[block].refusal_of_held_state(
+            within(own, state.contact), within(own, state.separated), dead, state.numbers, &grip))
+      continue;
+    if (!range.states) range.states = FactorRange{no_end, -no_end};
+    range.states->low = std::min(range.states->low, not_below(grip.most));
+    range.states->high = std::max(range.states->high, not_above(grip.least));
+  }
+  return range;
+}
+
+HoldClaims HoldProof::claims(const std::vector<bool>& trees,
+                             const std::vector<bool>& states) const {
+  HoldClaims claims;
+  claims.total = certificate_.total;
+  claims.held = {FactorRange{}};
+  if (out_of_equilibrium()) {
+    claims.held.clear();
+    claims.none = {FactorRange{}};
+    return claims;
+  }
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    const auto& part = parts_[block];
+    if (part.loose && (part.dead || part.reference))
+      claims.held = common(claims.held, held_by(block, states));
+    auto grip = grip_of(block, trees, states);
+    const bool asked = std::ranges::any_of(certificate_.trees, [&](const auto& tree) {
+      return tree.block == block && tree.grip && tree.grip->kind != GripBound::Kind::equal;
+    });
+    if (asked) claims.grips.push_back(grip);
+  }
+  bool unseen = false;  // the reference load is in equilibrium at one factor at most
+  for (const auto& work : unseen_[1]) unseen = unseen || sgn(work) != 0;
+  for (const auto& work : unseen_[0]) unseen = unseen || sgn(work) != 0;
+  if (unseen) claims.held.clear();
+  for (std::size_t t = 0; t < trees.size(); ++t) {
+    const auto range = trees[t] ? excluded(certificate_.trees[t]) : std::nullopt;
+    if (range) claims.none.push_back(*range);
+  }
+  claims.none = joined(std::move(claims.none));
+  return claims;
+}
+
+std::vector<FactorRange> common(const std::vector<FactorRange>& one,
+                                const std::vector<FactorRange>& other) {
+  std::vector<FactorRange> result;
+  for (const auto& a : one) {
+    for (const auto& b : other) {
+      const FactorRange both{std::max(a.low, b.low), std::min(a.high, b.high)};
+      if (both.low <= both.high) result.push_back(both);
+    }
+  }
+  return joined(std::move(result));
+}
+
+std::vector<FactorRange> joined(std::vector<FactorRange> ranges) {
+  std::ranges::sort(ranges, {}, &FactorRange::low);
+  std::vector<FactorRange> result;
+  for (const auto& each : ranges) {
+    if (result.empty() || each.low > result.back().high) {
+      result.push_back(each);
+    } else {
+      result.back().high = std::max(result.back().high, each.high);
+    }
+  }
+  return result;
+}
+
+}  // namespace kusabi::verify
