@@ -66,7 +66,7 @@ Pace Rank::step() {
 
 double Rank::quiet_until() const {
   const bool may_speak_any_time = options_.goal != Goal::all || phase_ != Phase::searching ||
-                                  options_.limits.nodes != Limits{}.nodes;
+                                  options_.limits.nodes != Limits{}.nodes || lifelines_.wanted();
   if (may_speak_any_time) return now_;
   return joined_ ? infinity : last_reduction_ + options_.reduction_interval;
 }
