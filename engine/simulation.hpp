@@ -158,6 +158,8 @@ class Simulation {
     last_ = std::max(last_, rank.clock);
     rank.looks_from = rank.clock + busy;
     rank.clock = rank.looks_from + rank.pace.wait;
+    // Looks that would find nothing are left out.
+    if (looks(rank)) rank.clock = std::max(rank.clock, rank.worker->quiet_until());
   }
 
   double work(const Rank& rank, std::uint64_t opened) const {
@@ -165,12 +167,13 @@ class Simulation {
     return node_ * static_cast<double>(opened);
   }
 
-  // Time until which the rank neither runs out of nodes nor sends a message.
+  // Time until which the rank neither runs out of nodes nor requests any nor sends a message.
   double undisturbed_until(const Rank& rank) const {
     double node = node_;
     if constexpr (Timed<P>) node = rank.problem->least_seconds();
     const double open = static_cast<double>(rank.worker->open());
-    const double before_last_step = std::max(0.0, open - options_.nodes_per_step);
+    const double before_last_step =
+        std::max(0.0, open - options_.nodes_per_step - rank.worker->requests_at());
     const double busy = rank.clock + before_last_step * node;
     return std::max(rank.clock, std::min(busy, rank.worker->quiet_until()));
   }
