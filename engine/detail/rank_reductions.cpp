@@ -1,6 +1,7 @@
 // Global decisions from reductions: limits, checkpoints and termination.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -164,7 +165,9 @@ void Rank::expect_checkpoint_options() const {
         "Options::checkpoint.problem");
   }
   // Rank 0 checks before any rank writes.
-  if (!file.empty() && transport_.rank() == 0) expect_no_other(file, resume_from);
+  if (file.empty() || transport_.rank() != 0) return;
+  expect_folder(file);
+  expect_no_other(file, resume_from);
 }
 
 Manifest Rank::manifest(const Reduction& wave) const {
@@ -211,7 +214,8 @@ void Rank::finish_checkpoint(const Reduction& wave) {
 }
 
 void Rank::warn(const std::string& line) const {
-  if (options_.warn) options_.warn(line);
+  if (options_.warn) return options_.warn(line);
+  std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 int Rank::resume() {
