@@ -319,6 +319,13 @@ void expect_same_search(const std::string& manifest_file, const Manifest& found,
   expect("solutions of type", found.solution, own.solution, type_name);
 }
 
+void expect_folder(const std::string& file) {
+  const auto folder = folder_of(file);
+  if (fs::is_directory(folder)) return;
+  fail(file, "cannot be written: there is no folder " + folder.string() +
+                 "; expected an existing one in Options::checkpoint.file");
+}
+
 void expect_no_other(const std::string& file, const std::string& resume_from) {
   if (resume_from == file || resume_from == previous(file) || !checkpoint_exists(file)) return;
   fail(file,

@@ -48,6 +48,10 @@ struct Manifest {
 void expect_same_search(const std::string& manifest_file, const Manifest& found,
                         const Manifest& own);
 
+/// Prevents a search from finding out at its first checkpoint that it cannot write any.
+/// @throws CheckpointError unless the folder of `file` exists
+void expect_folder(const std::string& file);
+
 /// Prevents a new search from overwriting a checkpoint from which it does not resume.
 /// @param file manifest to be written @param resume_from manifest to resume from, or empty
 /// @throws CheckpointError if `file` is another checkpoint, valid or not

@@ -112,7 +112,8 @@ struct Options {
   /// Called on every rank before each reduction; a request on one rank applies to all.
   std::function<Interrupt()> interrupt;
 
-  /// Called on rank 0 with a line about a fault that does not end the search.
+  /// Called with a line about a fault that does not end the search; without it, the line goes to
+  /// standard error.
   std::function<void(const std::string&)> warn;
 };
 

@@ -24,8 +24,10 @@ enum Wish : std::uint64_t {
 struct Reduction {
   std::uint64_t ranks = 0;  ///< number of merged ranks
   std::uint64_t idle = 0;   ///< ranks that open no nodes: they have none, or they pause
-  /// messages sent that may activate their receiver (transfers, incumbents)
-  std::uint64_t sent = 0;
+  std::uint64_t quiet = 0;  ///< ranks that neither open nodes nor request any (termination.hpp)
+  /// ranks that received a counted message sent after its sender had joined this wave
+  std::uint64_t crossed = 0;
+  std::uint64_t sent = 0;         ///< counted messages sent: transfers, incumbents
   std::uint64_t received = 0;     ///< such messages received
   std::uint64_t opened = 0;       ///< nodes opened
   std::uint64_t open = 0;         ///< open nodes
@@ -41,6 +43,8 @@ struct Reduction {
   void merge(const Reduction& other) {
     ranks += other.ranks;
     idle += other.idle;
+    quiet += other.quiet;
+    crossed += other.crossed;
     sent += other.sent;
     received += other.received;
     opened += other.opened;

@@ -51,7 +51,11 @@ OutcomeOf<P> search(P& problem, Transport& transport, const Options& options = {
       for (;;) {
         const Pace pace = worker.step();
         if (pace.state == Pace::State::done) return std::move(worker).outcome();
-        if (pace.sleeps()) std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
+        if (pace.sleeps()) {
+          std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
+        } else if (pace.state == Pace::State::waiting) {
+          std::this_thread::yield();
+        }
       }
     } catch (const std::exception& error) {
       transport.abandon(error.what());

@@ -73,8 +73,8 @@ class LocalSearch {
   // ---- the report to rank 0
   /// Sends the report in pieces of at most `limit` bytes (unless a single solution is larger).
   virtual void report(std::size_t limit, const std::function<void(Bytes)>& send) = 0;
-  /// Receives a piece. @return true if it was the last of that rank
-  virtual bool receive_report(int from, const Bytes& piece) = 0;
+  /// Receives a piece.
+  virtual void receive_report(int from, const Bytes& piece) = 0;
 };
 
 }  // namespace kusabi::engine

@@ -1,17 +1,28 @@
-// Main loop of a rank: stepping, pausing, closing and reporting.
+// Main loop of a rank: stepping, pace, and the reports at the end.
 #include "engine/detail/rank.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace kusabi::engine {
+namespace {
+
+// A rank with more open nodes than this requests none: it may well find further ones among them.
+constexpr unsigned most_left = 8;
+
+}  // namespace
 
 Rank::Rank(LocalSearch& local, Transport& transport, const Options& options)
     : local_(local),
       transport_(transport),
       options_(options),
       stride_(std::max(1U, options.nodes_per_step)),
+      share_waited_(transport.crowded() ? 1.0 : 0.01),
       lifelines_(transport.rank(), transport.size()),
+      reports_(transport.rank(), transport.size(), options.message_bytes,
+               [this](int parent, Bytes message) {
+                 transport_.send(parent, MessageTag::report, std::move(message));
+               }),
       started_(transport.now()),
       now_(started_),
       step_started_(started_),
@@ -19,13 +30,17 @@ Rank::Rank(LocalSearch& local, Transport& transport, const Options& options)
       last_checkpoint_(started_),
       idle_since_(started_),
       quiet_since_(started_) {
+  transport.begin_search();
   expect_checkpoint_options();
   if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
+  int with_nodes = 1;  // ranks from 0 on
   if (!options.checkpoint.resume_from.empty()) {
-    resume();
+    with_nodes = resume();
   } else if (transport.rank() == 0) {
     local_.plant();
   }
+  lifelines_.register_idle(with_nodes, transport.rank(), transport.size());
+  if (victims_ && transport.rank() >= with_nodes) victims_->give_up();
   if (keeps_checkpoints()) epoch_ = std::max(epoch_, newest_epoch(options.checkpoint.file));
   if (options.trace_events > 0) begin_trace();
 }
@@ -34,23 +49,21 @@ Pace Rank::step() {
   now_ = transport_.now();
   const double last_step = std::exchange(step_started_, now_);
   if (std::exchange(worked_, false)) take_stock(now_ - last_step);
-  serve();
+  // Nodes may come from ranks that have begun already; the trace has not.
+  if (phase_ != Phase::gathering) serve();
   switch (phase_) {
     case Phase::gathering:
       gather();
       break;
     case Phase::searching:
-      if (idle()) ask();
+      if (idle() || soon_idle()) ask();
       [[fallthrough]];
     case Phase::pausing:
     case Phase::writing:
       attend_reduction();
       break;
-    case Phase::closing:
-      close();
-      break;
     case Phase::reporting:
-      if (reports_in_ == transport_.size() - 1) enter(Phase::done);
+      if (reports_.complete()) enter(Phase::done);
       break;
     case Phase::done:
       break;
@@ -65,10 +78,26 @@ Pace Rank::step() {
 }
 
 double Rank::quiet_until() const {
-  const bool may_speak_any_time = options_.goal != Goal::all || phase_ != Phase::searching ||
-                                  options_.limits.nodes != Limits{}.nodes;
-  if (may_speak_any_time) return now_;
-  return joined_ ? infinity : last_reduction_ + options_.reduction_interval;
+  const double due = joined_ ? infinity : last_reduction_ + options_.reduction_interval;
+  if (worked_) {
+    const bool may_speak_any_time = options_.goal != Goal::all || phase_ != Phase::searching ||
+                                    options_.limits.nodes != Limits{}.nodes || lifelines_.wanted();
+    return may_speak_any_time ? now_ : due;
+  }
+  const double asleep = quiet_since_ + Pace::worth_a_sleep / share_waited_;
+  if (phase_ == Phase::gathering || phase_ == Phase::reporting) return asleep;
+  const bool asks = phase_ == Phase::searching && !asking() && !dormant();
+  return std::min({asleep, due, asks ? victims_->next_request() : infinity});
+}
+
+unsigned Rank::requests_at() const {
+  return victims_ && !asking() && !victims_->tried_ahead() ? most_left : 0;
+}
+
+bool Rank::soon_idle() const {
+  const auto left = local_.open();
+  if (left > requests_at() || at_node_limit()) return false;
+  return left <= 2 || static_cast<double>(left - 1) * node_seconds_ < answer_seconds_;
 }
 
 Rank::Ending Rank::ending() {
@@ -86,6 +115,14 @@ Rank::Ending Rank::ending() {
   return ending;
 }
 
+bool Rank::dormant() const {
+  return !victims_ || (victims_->in_vain() && lifelines_.all_aware());
+}
+
+bool Rank::quiet() const {
+  return resting() && !asking() && (phase_ != Phase::searching || dormant());
+}
+
 bool Rank::resting() const {
   const bool pausing = phase_ == Phase::pausing || phase_ == Phase::writing;
   return idle() || (pausing && !local_.expanding());
@@ -98,6 +135,9 @@ void Rank::enter(Phase phase) {
 
 void Rank::take_stock(double elapsed) {
   adapt_stride(elapsed);
+  const auto opened = local_.statistics().opened;
+  const auto since = opened - std::exchange(opened_before_, opened);
+  if (since > 0) take_mean(node_seconds_, elapsed / static_cast<double>(since));
   if (local_.just_improved()) broadcast_incumbent(nobody);
   if (!local_.has_nodes()) idle_since_ = quiet_since_ = now_;
   record_activity();
@@ -121,44 +161,35 @@ bool Rank::poll() {
   return status_ != Status::solved;
 }
 
-void Rank::start_closing() {
+void Rank::finish() {
+  auto& statistics = local_.statistics();
   if (idle()) {
-    local_.statistics().tail_seconds = now_ - idle_since_;
-    local_.statistics().idle_seconds += now_ - idle_since_;
+    statistics.tail_seconds = now_ - idle_since_;
+    statistics.idle_seconds += now_ - idle_since_;
   }
-  enter(Phase::closing);
-}
-
-void Rank::close() {
-  if (!joined_ && asked_ == nobody) {
-    joined_ = true;
-    transport_.join_reduction({.ranks = 1});
-  }
-  if (!joined_ || !transport_.reduction()) return;
-  local_.statistics().seconds = now_ - started_;
+  statistics.seconds = now_ - started_;
+  enter(Phase::reporting);
   if (trace_) trace_->end(transport_.now());
-  if (transport_.rank() == 0) return enter(Phase::reporting);
-  send_report();
-  // Rank 0 may start the next search as soon as it has all reports; its messages must not be
-  // received by this search.
-  enter(Phase::done);
+  if (transport_.rank() != 0) send_report();
+  reports_.finish_own();
+  // Rank 0 may start the next search as soon as it has all reports.
+  if (reports_.complete()) enter(Phase::done);
 }
 
 void Rank::send_report() {
   if (trace_) {
     for (auto& piece : trace_->take().pieces(options_.message_bytes / sizeof(TraceEvent) + 1)) {
-      transport_.send(0, MessageTag::report, pack(ReportPart{std::move(piece), {}}));
+      reports_.put({transport_.rank(), std::move(piece), {}});
     }
   }
   local_.report(options_.message_bytes, [this](Bytes body) {
-    transport_.send(0, MessageTag::report, pack(ReportPart{{}, std::move(body)}));
+    reports_.put({transport_.rank(), {}, std::move(body)});
   });
 }
 
-void Rank::receive_report(const Message& message) {
-  const auto part = unpack<ReportPart>(message.body);
-  if (!part.trace.events.empty()) receive_trace(message.from, part.trace);
-  if (!part.body.empty() && local_.receive_report(message.from, part.body)) ++reports_in_;
+void Rank::receive_report(ReportPart&& part) {
+  if (!part.trace.events.empty()) receive_trace(part.rank, part.trace);
+  if (!part.body.empty()) local_.receive_report(part.rank, part.body);
 }
 
 Pace Rank::pace() const {
@@ -168,7 +199,8 @@ Pace Rank::pace() const {
   constexpr double longest = 1e-3;
   // The short wait is active, so that the clocks are compared precisely.
   if (phase_ == Phase::gathering) return {Pace::State::waiting, shortest};
-  return {Pace::State::waiting, std::clamp(now_ - quiet_since_, shortest, longest)};
+  const double wait = share_waited_ * (now_ - quiet_since_);
+  return {Pace::State::waiting, std::clamp(wait, shortest, longest)};
 }
 
 void Rank::begin_trace() {

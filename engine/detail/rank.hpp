@@ -6,24 +6,23 @@
 //                    │          checkpoint           │                             │ stop
 //                    │ tree done     is due)         │ stop                        │
 //                    ▼                               ▼                             ▼
-//                 closing ◄────────────────────────────────────────────────────────┘
-//                    │ no request unanswered
+//                reporting ◄───────────────────────────────────────────────────────┘
+//                    │ all below have reported
 //                    ▼
-//                reporting ──► done
+//                  done
 //
 // `step` does a bounded amount of work and returns; it never waits. The driver (engine/search.hpp
 // over a real transport, engine/simulation.hpp in virtual time) calls it until it returns done.
 //
-// All ranks are peers. A rank without an open node requests work from one other rank at a time;
-// that rank gives every other node from the shallowest on, or refuses. Global decisions use
-// reductions, whose results all ranks see in the same order; all ranks therefore change state at
-// the same wave. In `pausing` no rank opens, requests or gives nodes; when two waves are quiet
-// (engine/detail/termination.hpp) every open node is on exactly one rank, and a checkpoint stores
-// that state.
+// All ranks are peers. A rank that has no open node, or soon none, requests work from one other
+// rank at a time; that rank gives every other node from the shallowest on, or refuses. Global
+// decisions use reductions, whose results all ranks see in the same order; all ranks therefore
+// change state at the same wave. In `pausing` no rank opens, requests or gives nodes; when all are
+// quiet (engine/detail/termination.hpp) every open node is on exactly one rank, and a checkpoint
+// stores that state.
 //
-// Requests are answered in all states, also in `closing`. A rank leaves only after a last
-// reduction, which every rank joins when its own last request has been answered. No message is
-// therefore left behind.
+// A quiet wave also shows that no message is in flight and none follows. A rank leaves when it
+// knows of it and has passed on the reports of the ranks below it (engine/detail/report_relay.hpp).
 #pragma once
 
 #include <cstdint>
@@ -35,6 +34,8 @@
 #include "engine/checkpoint.hpp"
 #include "engine/detail/lifelines.hpp"
 #include "engine/detail/local_search.hpp"
+#include "engine/detail/report_relay.hpp"
+#include "engine/detail/stamp.hpp"
 #include "engine/detail/termination.hpp"
 #include "engine/detail/victims.hpp"
 #include "engine/options.hpp"
@@ -75,9 +76,13 @@ class Rank {
   /// Answers messages; called by a long expansion. @return true if the search ends early
   bool poll();
 
-  /// Lower bound of the time at which this rank next sends a message or joins a reduction, as long
-  /// as it has open nodes and receives nothing.
+  /// Lower bound of the time at which this rank next sends a message, joins a reduction or falls
+  /// asleep, as long as it receives nothing and, if it is busy, more nodes than `requests_at()` are
+  /// open.
   [[nodiscard]] double quiet_until() const;
+
+  /// Number of open nodes above which this rank requests none.
+  [[nodiscard]] unsigned requests_at() const;
 
   /// The part of an Outcome that does not depend on the problem's type.
   struct Ending {
@@ -91,26 +96,31 @@ class Rank {
   Ending ending();
 
  private:
-  enum class Phase { gathering, searching, pausing, writing, closing, reporting, done };
+  enum class Phase { gathering, searching, pausing, writing, reporting, done };
 
-  // A piece of the report to rank 0: of the trace, or of the local search.
-  struct ReportPart {
-    RankTrace trace;
-    Bytes body;
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& trace& body;
-    }
-  };
   [[nodiscard]] bool busy() const { return local_.expanding() || local_.has_nodes(); }
   [[nodiscard]] bool idle() const { return !busy(); }
   // True if this rank opens no node until a transfer arrives or all ranks resume. (A reduction may
   // start the pause while a long expansion polls; that expansion is completed first.)
   [[nodiscard]] bool resting() const;
+
+  // True if a request of this rank, to a victim or a lifeline, has not been answered.
+  [[nodiscard]] bool asking() const { return asked_ != nobody || lifelines_.asking(); }
+
+  // True if this rank requests nothing until nodes arrive: it is registered with all lifelines.
+  [[nodiscard]] bool dormant() const;
+
+  // True if this rank sends no message by itself (engine/detail/termination.hpp).
+  [[nodiscard]] bool quiet() const;
   void enter(Phase phase);
 
   // ---- opening nodes ----------------------------------------------------------------------------
+
+  // Moves a running mean towards a value.
+  static void take_mean(double& mean, double value) {
+    constexpr double weight = 0.125;
+    mean = mean == 0 ? value : mean + weight * (value - mean);
+  }
 
   // Updates statistics and stride after a step that opened nodes for `elapsed` seconds.
   void take_stock(double elapsed);
@@ -122,26 +132,35 @@ class Rank {
 
   // ---- messages ---------------------------------------------------------------------------------
 
+  // Handles a bounded number of messages, so that a rank that many ask opens nodes in between.
   void serve();
+  void handle(Message&& message);
   void send(int to, MessageTag tag, Bytes body);
+  void send_counted(int to, MessageTag tag, Bytes body);
+  void count_received(Message& message);
   [[nodiscard]] bool can_give() const;
 
   // @return true if nodes were given
   bool answer(int thief);
   void give(int thief, MessageTag tag);
 
-  // Requests work from random ranks; after some refusals registers with one lifeline after another,
-  // and continues with occasional requests.
+  // Requests work from random ranks; after some refusals an idle rank registers with its lifelines,
+  // and is dormant when all know of it.
   void ask();
-  void receive_transfer(const Message& message);
+  void plead();
+  void receive_transfer(Message&& message);
   void receive_refusal(int victim);
-  void take_nodes(const Message& message);
+  void receive_answer();
+  void take_nodes(Message&& message);
+
+  // True if the open nodes are likely to be done before an answer could arrive.
+  [[nodiscard]] bool soon_idle() const;
 
   // Broadcasts the incumbent along the relay tree: sends it to all neighbours except `source`.
   void broadcast_incumbent(int source);
 
   // ---- reductions
-  // ----------------------------------------------------------------------------------
+  // --------------------------------------------------------------------------------
 
   void attend_reduction();
   void join();
@@ -174,16 +193,14 @@ class Rank {
   // Evaluates the wave after the parts were written: the checkpoint is valid if no rank failed.
   void finish_checkpoint(const Reduction& wave);
   void warn(const std::string& line) const;
-  void resume();
+  // @return number of ranks that begin with nodes
+  int resume();
 
   // ---- the end ----------------------------------------------------------------------------------
 
-  void start_closing();
-
-  // Completes the last reduction, which is joined when this rank has no unanswered request.
-  void close();
+  void finish();
   void send_report();
-  void receive_report(const Message& message);
+  void receive_report(ReportPart&& part);
 
   // ---- the trace --------------------------------------------------------------------------------
 
@@ -197,8 +214,9 @@ class Rank {
 
   // ---- pace -------------------------------------------------------------------------------------
 
-  // Wait before the next poll: equal to the time since the last event, at most a millisecond. An
-  // answer is thus received at once, and a rank that waits for long leaves the core to others.
+  // Wait before the next poll: a hundredth of the time since the last event, or all of it if ranks
+  // share cores; at most a millisecond. An answer is thus received at once, and a rank that waits
+  // for long leaves the core to others.
   [[nodiscard]] Pace pace() const;
 
   static constexpr int nobody = -1;
@@ -208,18 +226,23 @@ class Rank {
   const Options& options_;
 
   unsigned stride_;
-  bool worked_ = false;  // the last step opened nodes; its duration adapts the stride
+  bool worked_ = false;              // the last step opened nodes; its duration adapts the stride
+  std::uint64_t opened_before_ = 0;  // nodes, by the step before
+  double node_seconds_ = 0;          // of one node, a running mean
+  double answer_seconds_ = 10e-6;    // from a request to its answer, a running mean
+  const double share_waited_;        // of the time since the last event, before the next poll
 
   std::optional<Victims> victims_;
   Lifelines lifelines_;
   int asked_ = nobody;
-  bool pleaded_ = false;        // the outstanding request is a plea
-  std::uint64_t sent_ = 0;      // transfers and incumbents sent
-  std::uint64_t received_ = 0;  // transfers and incumbents received
+  double asked_at_ = 0;
+  std::uint64_t sent_ = 0;  // transfers and incumbents
+  std::uint64_t received_ = 0;
+  Stamp waves_joined_ = 0;
+  bool crossed_ = false;  // received a counted message sent after a wave that is not joined yet
 
   Phase phase_ = Phase::searching;
   Status status_ = Status::solved;  // unless solved: reason of the stop
-  Termination termination_;
   bool joined_ = false;
   Reduction last_wave_;
 
@@ -233,7 +256,7 @@ class Rank {
   std::optional<TraceRecorder> trace_;
   std::vector<RankTrace> traces_;  // of all ranks, on rank 0
 
-  int reports_in_ = 0;  // of the other ranks, on rank 0
+  ReportRelay reports_;
 
   double started_;
   double now_;

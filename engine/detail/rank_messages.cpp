@@ -1,4 +1,6 @@
 // Messages of the protocol: requests, transfers, refusals, lifelines and incumbents.
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "engine/detail/contract.hpp"
@@ -8,40 +10,59 @@
 namespace kusabi::engine {
 
 void Rank::serve() {
-  while (auto message = transport_.receive()) {
+  constexpr int batch = 16;
+  for (int handled = 0; handled < batch; ++handled) {
+    auto message = transport_.receive();
+    if (!message) break;
     quiet_since_ = now_;
-    switch (message->tag) {
-      case MessageTag::request:
-        answer(message->from);
-        break;
-      case MessageTag::plea:
-        if (!answer(message->from)) lifelines_.remember(message->from);
-        break;
-      case MessageTag::transfer:
-        receive_transfer(*message);
-        break;
-      case MessageTag::refusal:
-        receive_refusal(message->from);
-        break;
-      case MessageTag::lifeline_transfer:
-        lifelines_.served_by(message->from);
-        take_nodes(*message);
-        break;
-      case MessageTag::news:
-        ++received_;
-        if (local_.learn(unpack<Incumbent>(message->body))) broadcast_incumbent(message->from);
-        break;
-      case MessageTag::report:
-        receive_report(*message);
-        break;
-    }
+    handle(*std::move(message));
   }
-  if (lifelines_.wanted() && can_give()) give(lifelines_.take(), MessageTag::lifeline_transfer);
+  for (int given = 0; given < batch && lifelines_.wanted() && can_give(); ++given) {
+    give(lifelines_.take(), MessageTag::lifeline_transfer);
+  }
+}
+
+void Rank::handle(Message&& message) {
+  switch (message.tag) {
+    case MessageTag::request:
+      answer(message.from);
+      break;
+    case MessageTag::plea:
+      if (!answer(message.from)) lifelines_.remember(message.from);
+      break;
+    case MessageTag::transfer:
+      receive_transfer(std::move(message));
+      break;
+    case MessageTag::refusal:
+      receive_refusal(message.from);
+      break;
+    case MessageTag::lifeline_transfer:
+      lifelines_.served_by(message.from);
+      take_nodes(std::move(message));
+      break;
+    case MessageTag::news:
+      count_received(message);
+      if (local_.learn(unpack<Incumbent>(message.body))) broadcast_incumbent(message.from);
+      break;
+    case MessageTag::report:
+      reports_.relay(message.body, [this](ReportPart&& part) { receive_report(std::move(part)); });
+      break;
+  }
 }
 
 void Rank::send(int to, MessageTag tag, Bytes body) {
   ++local_.statistics().messages_sent;
   transport_.send(to, tag, std::move(body));
+}
+
+void Rank::send_counted(int to, MessageTag tag, Bytes body) {
+  ++sent_;
+  send(to, tag, stamped(std::move(body), waves_joined_));
+}
+
+void Rank::count_received(Message& message) {
+  ++received_;
+  if (take_stamp(message.body) > waves_joined_) crossed_ = true;
 }
 
 bool Rank::can_give() const {
@@ -59,43 +80,61 @@ void Rank::give(int thief, MessageTag tag) {
   auto& statistics = local_.statistics();
   ++statistics.transfers_sent;
   statistics.nodes_given += nodes;
-  ++sent_;
   record(tag == MessageTag::transfer ? TraceEvent::Kind::transfer_sent
                                      : TraceEvent::Kind::lifeline_transfer_sent,
          thief, nodes);
-  send(thief, tag, std::move(body));
+  send_counted(thief, tag, std::move(body));
 }
 
 void Rank::ask() {
-  if (!victims_ || asked_ != nobody) return;
-  const auto lifeline = victims_->in_vain() ? lifelines_.next() : std::nullopt;
-  if (!lifeline && !victims_->due(now_)) return;
-  pleaded_ = lifeline.has_value();
-  asked_ = lifeline ? *lifeline : victims_->choose();
+  if (!victims_ || asking()) return;
+  if (busy() && victims_->tried_ahead()) return;
+  if (victims_->in_vain()) return plead();
+  if (!victims_->due(now_)) return;
+  asked_ = victims_->choose();
+  asked_at_ = now_;
   ++local_.statistics().requests;
   record(TraceEvent::Kind::request_sent, asked_);
-  send(asked_, pleaded_ ? MessageTag::plea : MessageTag::request, {});
+  send(asked_, MessageTag::request, {});
 }
 
-void Rank::receive_transfer(const Message& message) {
-  ensure(message.from == asked_, "a transfer comes from the rank that was asked");
-  asked_ = nobody;
-  take_nodes(message);
-}
-
-void Rank::receive_refusal(int victim) {
-  ensure(victim == asked_, "a refusal comes from the rank that was asked");
-  asked_ = nobody;
-  record(TraceEvent::Kind::refusal_arrived, victim);
-  if (pleaded_) {
-    lifelines_.left_name_with(victim);
-  } else {
-    victims_->refused(victim, now_);
+// Asks a few lifelines at first, in case they have nodes, and then twice as many each time.
+void Rank::plead() {
+  constexpr std::size_t fewest = 4;
+  for (auto count = std::max(fewest, lifelines_.aware()); count > 0; --count) {
+    const auto lifeline = lifelines_.ask_next();
+    if (!lifeline) return;
+    ++local_.statistics().requests;
+    record(TraceEvent::Kind::request_sent, *lifeline);
+    send(*lifeline, MessageTag::plea, {});
   }
 }
 
-void Rank::take_nodes(const Message& message) {
-  ++received_;
+void Rank::receive_transfer(Message&& message) {
+  if (lifelines_.asking(message.from)) {
+    lifelines_.given_by(message.from);
+  } else {
+    ensure(message.from == asked_, "a transfer comes from the rank that was asked");
+    receive_answer();
+  }
+  take_nodes(std::move(message));
+}
+
+void Rank::receive_refusal(int victim) {
+  record(TraceEvent::Kind::refusal_arrived, victim);
+  if (lifelines_.asking(victim)) return lifelines_.refused_by(victim);
+  ensure(victim == asked_, "a refusal comes from the rank that was asked");
+  victims_->refused(victim, now_);
+  receive_answer();
+}
+
+void Rank::receive_answer() {
+  asked_ = nobody;
+  take_mean(answer_seconds_, now_ - asked_at_);
+}
+
+void Rank::take_nodes(Message&& message) {
+  count_received(message);
   victims_->gave(message.from);
   auto& statistics = local_.statistics();
   if (idle()) {
@@ -122,8 +161,7 @@ void Rank::broadcast_incumbent(int source) {
   const auto body = pack(local_.incumbent());
   for (const int neighbour : relay_neighbours(transport_.rank(), transport_.size())) {
     if (neighbour == source) continue;
-    ++sent_;
-    send(neighbour, MessageTag::news, body);
+    send_counted(neighbour, MessageTag::news, body);
   }
 }
 

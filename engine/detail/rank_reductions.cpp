@@ -1,6 +1,7 @@
 // Global decisions from reductions: limits, checkpoints and termination.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,12 +20,12 @@ void Rank::attend_reduction() {
     last_wave_ = *wave;
     record(TraceEvent::Kind::reduction_arrived, nobody, wave->idle);
     act_on(*wave);
-    if (phase_ == Phase::closing) return;
+    if (phase_ == Phase::reporting || phase_ == Phase::done) return;
   }
-  // A resting rank joins at once: the wave is then complete as soon as the last busy rank joins.
+  // A quiet rank joins at once: the wave is then complete as soon as the last other one joins.
   const bool due = now_ - last_reduction_ >= options_.reduction_interval || at_node_limit() ||
                    is_worth_keeping(local_.incumbent().objective);
-  if (resting() || due) join();
+  if (quiet() || due) join();
 }
 
 bool Rank::at_node_limit() const {
@@ -33,9 +34,12 @@ bool Rank::at_node_limit() const {
 
 void Rank::join() {
   joined_ = true;
+  ++waves_joined_;
   const auto& statistics = local_.statistics();
   Reduction own{.ranks = 1,
                 .idle = resting() ? 1U : 0U,
+                .quiet = quiet() ? 1U : 0U,
+                .crossed = std::exchange(crossed_, false) ? 1U : 0U,
                 .sent = sent_,
                 .received = received_,
                 .opened = statistics.opened,
@@ -70,19 +74,19 @@ void Rank::act_on(const Reduction& wave) {
   note_stop(wave);
   switch (phase_) {
     case Phase::searching:
-      if (termination_.observe(wave)) {
-        start_closing();
+      if (all_quiet(wave)) {
+        status_ = Status::solved;
+        finish();
       } else if (status_ != Status::solved || checkpoint_due(wave)) {
         enter(Phase::pausing);
-        termination_ = {};
       }
       break;
     case Phase::pausing:
-      if (termination_.observe(wave)) act_at_rest(wave);
+      if (all_quiet(wave)) act_at_rest(wave);
       break;
     case Phase::writing:
       finish_checkpoint(wave);
-      status_ == Status::solved ? go_on() : start_closing();
+      status_ == Status::solved ? go_on() : finish();
       break;
     default:
       break;
@@ -125,20 +129,19 @@ bool Rank::gap_closed(const Reduction& wave) const {
 void Rank::act_at_rest(const Reduction& wave) {
   if (wave.open == 0) {  // the tree was completed meanwhile
     status_ = Status::solved;
-    start_closing();
+    finish();
   } else if (status_ == Status::gap_limit && !gap_closed(wave)) {
     status_ = Status::solved;  // an earlier wave missed a node in flight
     go_on();
   } else if (keeps_checkpoints()) {
     write_checkpoint(wave);
   } else {
-    status_ == Status::solved ? go_on() : start_closing();
+    status_ == Status::solved ? go_on() : finish();
   }
 }
 
 void Rank::go_on() {
   enter(Phase::searching);
-  termination_ = {};
 }
 
 void Rank::show(const Reduction& wave) const {
@@ -162,7 +165,9 @@ void Rank::expect_checkpoint_options() const {
         "Options::checkpoint.problem");
   }
   // Rank 0 checks before any rank writes.
-  if (!file.empty() && transport_.rank() == 0) expect_no_other(file, resume_from);
+  if (file.empty() || transport_.rank() != 0) return;
+  expect_folder(file);
+  expect_no_other(file, resume_from);
 }
 
 Manifest Rank::manifest(const Reduction& wave) const {
@@ -209,10 +214,11 @@ void Rank::finish_checkpoint(const Reduction& wave) {
 }
 
 void Rank::warn(const std::string& line) const {
-  if (options_.warn) options_.warn(line);
+  if (options_.warn) return options_.warn(line);
+  std::fprintf(stderr, "%s\n", line.c_str());
 }
 
-void Rank::resume() {
+int Rank::resume() {
   const auto& file = options_.checkpoint.resume_from;
   const auto found = read_manifest(file);
   expect_same_search(file, found, manifest({}));
@@ -222,6 +228,7 @@ void Rank::resume() {
   for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
     local_.restore(read_part(file, found, part));
   }
+  return std::min(found.ranks, transport_.size());
 }
 
 }  // namespace kusabi::engine

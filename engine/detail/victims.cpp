@@ -9,10 +9,9 @@
 namespace kusabi::engine {
 namespace {
 
-// The first pause is about one round trip over shared memory. The last one is not noticeable to a
-// user and long compared with the cost of an answer. (A rank that waits so long is registered with
-// its lifelines, which bring work sooner.)
-constexpr double shortest_pause = 10e-6;
+// After three refusals a rank registers with its lifelines and pauses for them; so the first pauses
+// are short compared with a round trip, and the last one is never reached.
+constexpr double shortest_pause = 1e-6;
 constexpr double longest_pause = 10e-3;
 
 }  // namespace
@@ -21,6 +20,7 @@ Victims::Victims(int self, int ranks, std::uint64_t seed)
     : self_(self),
       ranks_(ranks),
       random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
+      patience_(ranks <= few_ranks ? 0 : longest_patience),
       pause_(shortest_pause) {
   ensure(ranks >= 2, "a rank chooses a victim only among several ranks");
 }

@@ -20,20 +20,28 @@ class Victims {
   [[nodiscard]] double next_request() const { return next_request_; }
 
   /// True after several successive refusals.
-  [[nodiscard]] bool in_vain() const { return refusals_ >= patience; }
+  [[nodiscard]] bool in_vain() const { return refusals_ >= patience_; }
+  /// As after such refusals: for ranks that begin without nodes.
+  void give_up() { refusals_ = patience_; }
+
+  /// True if a rank that still has nodes has asked often enough ahead of time.
+  [[nodiscard]] bool tried_ahead() const { return refusals_ >= tries_ahead; }
 
   void gave(int victim);
   void refused(int victim, double now);
 
  private:
   // While most ranks have work, the first request succeeds; three successive refusals indicate that
-  // few have.
-  static constexpr unsigned patience = 3;
+  // few have. Of few ranks the lifelines are as many as the others, and are asked at once.
+  static constexpr unsigned longest_patience = 3;
+  static constexpr int few_ranks = 8;
+  static constexpr unsigned tries_ahead = 2;
 
   int self_;
   int ranks_;
   std::uint64_t random_;
   int favourite_ = -1;
+  unsigned patience_;
   double pause_;
   double next_request_ = 0;
   unsigned refusals_ = 0;  // since the last transfer

@@ -98,15 +98,14 @@ class LocalExplorer final : public LocalSearch {
     part.earlier = earlier_;
     send(pack(part));
   }
-  bool receive_report(int from, const Bytes& piece) override {
+  void receive_report(int from, const Bytes& piece) override {
     auto part = unpack<ReportPart>(piece);
     std::move(part.found.begin(), part.found.end(), std::back_inserter(explorer_.found()));
-    if (!part.last) return false;
+    if (!part.last) return;
     std::move(part.earlier.begin(), part.earlier.end(), std::back_inserter(earlier_));
     const auto place = static_cast<std::size_t>(from);
     if (reports_.size() <= place) reports_.resize(place + 1);
     reports_[place] = std::move(part.rank);
-    return true;
   }
 
   /// Moves solutions, in depth-first order, and reports into the outcome.
@@ -184,6 +183,7 @@ class Worker {
   [[nodiscard]] std::uint64_t open() const { return local_.open(); }
 
   [[nodiscard]] double quiet_until() const { return rank_.quiet_until(); }
+  [[nodiscard]] unsigned requests_at() const { return rank_.requests_at(); }
 
   /// @pre the last step returned done
   Outcome<P> outcome() && {

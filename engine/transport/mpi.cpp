@@ -8,6 +8,8 @@
 #include <span>
 #include <stdexcept>
 
+#include <unistd.h>
+
 #include "engine/detail/contract.hpp"
 #include "engine/transport/reason.hpp"
 
@@ -19,6 +21,16 @@ void merge_reductions(void* from, void* into, int* count, MPI_Datatype* /*type*/
   const std::span sources(static_cast<const Reduction*>(from), static_cast<std::size_t>(*count));
   const std::span targets(static_cast<Reduction*>(into), static_cast<std::size_t>(*count));
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i].merge(sources[i]);
+}
+
+// Ranks on this machine and its cores, not those to which the launcher bound this rank.
+bool more_ranks_than_cores(MPI_Comm communicator) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  int ranks = 1;
+  MPI_Comm_size(machine, &ranks);
+  MPI_Comm_free(&machine);
+  return ranks > sysconf(_SC_NPROCESSORS_ONLN);
 }
 
 int message_length(const Bytes& body) {
@@ -44,11 +56,11 @@ bool MpiEnvironment::launched() {
 }
 
 MpiTransport::MpiTransport(MPI_Comm communicator) {
-  // Two communicators: MPI would permit one, but separate ones keep the matching of messages short.
-  MPI_Comm_dup(communicator, &messages_);
+  for (auto& messages : messages_) MPI_Comm_dup(communicator, &messages);
   MPI_Comm_dup(communicator, &reductions_);
-  MPI_Comm_rank(messages_, &rank_);
-  MPI_Comm_size(messages_, &size_);
+  MPI_Comm_rank(reductions_, &rank_);
+  MPI_Comm_size(reductions_, &size_);
+  crowded_ = more_ranks_than_cores(reductions_);
   MPI_Type_contiguous(static_cast<int>(sizeof(Reduction)), MPI_BYTE, &reduction_type_);
   MPI_Type_commit(&reduction_type_);
   MPI_Op_create(&merge_reductions, 1, &merge_);
@@ -60,14 +72,14 @@ MpiTransport::~MpiTransport() {
   MPI_Op_free(&merge_);
   MPI_Type_free(&reduction_type_);
   MPI_Comm_free(&reductions_);
-  MPI_Comm_free(&messages_);
+  for (auto& messages : messages_) MPI_Comm_free(&messages);
 }
 
 void MpiTransport::send(int to, MessageTag tag, Bytes body) {
   ensure(to != rank_, "no rank sends to itself");
   auto& sent = outgoing_.emplace_back(Outgoing{std::move(body), MPI_REQUEST_NULL});
   MPI_Isend(sent.body.data(), message_length(sent.body), MPI_BYTE, to, static_cast<int>(tag),
-            messages_, &sent.request);
+            messages_[search_], &sent.request);
 }
 
 std::optional<Message> MpiTransport::receive() {
@@ -75,7 +87,7 @@ std::optional<Message> MpiTransport::receive() {
   int arrived = 0;
   MPI_Message handle = MPI_MESSAGE_NULL;
   MPI_Status status;
-  MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, messages_, &arrived, &handle, &status);
+  MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, messages_[search_], &arrived, &handle, &status);
   if (arrived == 0) return std::nullopt;
   int length = 0;
   MPI_Get_count(&status, MPI_BYTE, &length);
@@ -112,19 +124,19 @@ void MpiTransport::abandon(const std::string& reason) {
   std::fflush(stdout);
   std::fprintf(stderr, "rank %d of %d: %s\n", rank_, size_, reason_of(reason).c_str());
   std::fflush(stderr);
-  MPI_Abort(messages_, EXIT_FAILURE);
+  MPI_Abort(reductions_, EXIT_FAILURE);
   std::abort();  // MPI_Abort does not return, but is not declared so
 }
 
 void MpiTransport::broadcast(Bytes& bytes) {
   auto length = static_cast<unsigned long long>(bytes.size());
-  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, messages_);
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, reductions_);
   bytes.resize(length);
   // MPI counts in int; a broadcast may be longer.
   constexpr std::size_t most = std::size_t{1} << 30U;
   for (std::size_t from = 0; from < bytes.size(); from += most) {
     MPI_Bcast(bytes.data() + from, static_cast<int>(std::min(most, bytes.size() - from)), MPI_BYTE,
-              0, messages_);
+              0, reductions_);
   }
 }
 

@@ -1,7 +1,9 @@
 // MpiTransport: transport between the ranks of an MPI job.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <list>
 
 #include <mpi.h>
@@ -41,6 +43,8 @@ class MpiTransport final : public Transport {
     return std::chrono::duration<double>(since_boot).count();
   }
 
+  void begin_search() override { search_ = 1 - search_; }
+  [[nodiscard]] bool crowded() const override { return crowded_; }
   void send(int to, MessageTag tag, Bytes body) override;
   std::optional<Message> receive() override;
   void join_reduction(const Reduction& own) override;
@@ -60,7 +64,11 @@ class MpiTransport final : public Transport {
 
   void release_sent();
 
-  MPI_Comm messages_ = MPI_COMM_NULL;
+  // Of searches with odd and even numbers. Ranks are at most one search apart, since none ends
+  // before all have begun it.
+  std::array<MPI_Comm, 2> messages_{MPI_COMM_NULL, MPI_COMM_NULL};
+  std::size_t search_ = 0;
+  bool crowded_ = false;
   MPI_Comm reductions_ = MPI_COMM_NULL;
   MPI_Datatype reduction_type_ = MPI_DATATYPE_NULL;
   MPI_Op merge_ = MPI_OP_NULL;

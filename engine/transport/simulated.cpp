@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "engine/detail/contract.hpp"
+#include "engine/path.hpp"
 
 namespace kusabi::engine {
 
@@ -32,9 +34,16 @@ class SimulatedTransport final : public Transport {
   int rank_;
 };
 
+SimulatedNetwork::Random::result_type SimulatedNetwork::Random::operator()() {
+  state_ = branch_hash(state_, 0);
+  return state_;
+}
+
 SimulatedNetwork::SimulatedNetwork(int ranks, std::uint64_t seed, const Weather& weather)
-    : weather_(weather), random_(seed), ranks_(static_cast<std::size_t>(ranks)) {
+    : weather_(weather), reductions_(ranks) {
+  ranks_.reserve(static_cast<std::size_t>(ranks));
   for (int rank = 0; rank < ranks; ++rank) {
+    ranks_.emplace_back(branch_hash(seed, static_cast<std::uint32_t>(rank)));
     transports_.push_back(std::make_unique<SimulatedTransport>(*this, rank));
   }
 }
@@ -47,72 +56,81 @@ Transport& SimulatedNetwork::transport(int rank) {
 
 // Every step takes some time, or an idle rank would stop the clock.
 double SimulatedNetwork::step_duration(int rank, double work) {
-  const auto handled = std::exchange(ranks_[static_cast<std::size_t>(rank)].handled, 0U);
-  double duration = least_step + work + weather_.handling * handled;
+  auto& mine = mailbox(rank);
+  double duration = least_step + work + weather_.handling * std::exchange(mine.handled, 0U);
   if (weather_.stall_probability > 0 &&
-      std::bernoulli_distribution(weather_.stall_probability)(random_)) {
+      std::bernoulli_distribution(weather_.stall_probability)(mine.random)) {
     duration += weather_.stall;
   }
   return duration;
 }
 
 // Log-normal distribution: one message in a thousand takes twenty times the mean.
-double SimulatedNetwork::delay() {
-  return weather_.latency * std::lognormal_distribution<double>(-0.5, 1.0)(random_);
+double SimulatedNetwork::delay(int from) {
+  auto& random = mailbox(from).random;
+  return weather_.latency * std::lognormal_distribution<double>(-0.5, 1.0)(random);
 }
 
 void SimulatedNetwork::send(int from, int to, MessageTag tag, Bytes body) {
   ensure(from != to, "no rank sends to itself");
   largest_message_ = std::max(largest_message_, body.size());
-  auto& mailbox = ranks_[static_cast<std::size_t>(to)];
-  double arrival = now_ + delay() + static_cast<double>(body.size()) / weather_.bandwidth;
-  auto& channel = mailbox.last_arrival[{from, tag}];
+  auto& target = mailbox(to);
+  double arrival = now_ + delay(from) + static_cast<double>(body.size()) / weather_.bandwidth;
+  auto& channel = target.last_arrival[{from, tag}];
   arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
   channel = arrival;
-  mailbox.deliveries.push_back({arrival, {from, tag, std::move(body)}});
+  target.deliveries.push_back({arrival, {from, tag, std::move(body)}});
+  std::push_heap(target.deliveries.begin(), target.deliveries.end());
   notices_.push_back({arrival, to});
-  ++ranks_[static_cast<std::size_t>(from)].handled;
+  ++mailbox(from).handled;
 }
 
 std::optional<Message> SimulatedNetwork::receive(int rank) {
-  auto& mine = ranks_[static_cast<std::size_t>(rank)];
-  auto& deliveries = mine.deliveries;
-  const auto first = std::min_element(deliveries.begin(), deliveries.end(),
-                                      [](auto& a, auto& b) { return a.arrival < b.arrival; });
-  if (first == deliveries.end() || first->arrival > now_) return std::nullopt;
-  auto message = std::move(first->message);
-  if (first != deliveries.end() - 1) *first = std::move(deliveries.back());
-  deliveries.pop_back();
+  advance_reduction(rank);
+  auto& mine = mailbox(rank);
+  if (mine.deliveries.empty() || mine.deliveries.front().arrival > now_) return std::nullopt;
+  std::pop_heap(mine.deliveries.begin(), mine.deliveries.end());
+  auto delivery = std::move(mine.deliveries.back());
+  mine.deliveries.pop_back();
+  const auto channel = mine.last_arrival.find({delivery.message.from, delivery.message.tag});
+  if (channel->second == delivery.arrival) mine.last_arrival.erase(channel);
   ++mine.handled;
-  return message;
+  return std::move(delivery.message);
 }
 
 void SimulatedNetwork::join_reduction(int rank, const Reduction& own) {
-  auto& mine = ranks_[static_cast<std::size_t>(rank)];
-  ensure(!mine.joined, "a rank joins a reduction only after it has fetched the one before");
-  mine.joined = true;
-  mine.wave_done = -1;
-  wave_.merge(own);
-  if (wave_.ranks < ranks_.size()) return;
-  const double rounds = 1 + std::log2(static_cast<double>(ranks_.size()));
-  for (std::size_t each = 0; each < ranks_.size(); ++each) {
-    ranks_[each].wave_result = wave_;
-    ranks_[each].wave_done = now_ + rounds * delay();
-    notices_.push_back({ranks_[each].wave_done, static_cast<int>(each)});
-  }
-  wave_ = Reduction{};
+  reductions_.join(rank, own);
+  advance_reduction(rank);
 }
 
 std::optional<Reduction> SimulatedNetwork::reduction(int rank) {
-  auto& mine = ranks_[static_cast<std::size_t>(rank)];
-  if (!mine.joined || mine.wave_done < 0 || mine.wave_done > now_) return std::nullopt;
-  mine.joined = false;
-  return mine.wave_result;
+  advance_reduction(rank);
+  return reductions_.take(rank);
+}
+
+void SimulatedNetwork::advance_reduction(int rank) {
+  if (!reductions_.joined(rank)) return;
+  const auto received = reductions_.advance(rank, now_, [&](int to) {
+    const double arrival = now_ + delay(rank);
+    notices_.push_back({arrival, to});
+    ++mailbox(rank).handled;
+    return arrival;
+  });
+  mailbox(rank).handled += received;
+}
+
+bool SimulatedNetwork::has_arrived(int rank, double time) const {
+  const auto& mine = ranks_[static_cast<std::size_t>(rank)];
+  if (!mine.deliveries.empty() && mine.deliveries.front().arrival <= time) return true;
+  return reductions_.has_arrived(rank, time);
 }
 
 std::size_t SimulatedNetwork::in_flight() const {
   std::size_t count = 0;
-  for (const auto& mailbox : ranks_) count += mailbox.deliveries.size() + (mailbox.joined ? 1 : 0);
+  for (int rank = 0; rank < size(); ++rank) {
+    count += ranks_[static_cast<std::size_t>(rank)].deliveries.size();
+    count += reductions_.joined(rank) ? 1 : 0;
+  }
   return count;
 }
 

@@ -9,13 +9,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
-#include <random>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "engine/transport/recursive_doubling.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {
@@ -62,6 +62,9 @@ class SimulatedNetwork {
   /// Notices since the last call.
   std::vector<Notice> take_notices() { return std::exchange(notices_, {}); }
 
+  /// True if a rank that looks at this time finds a message, or a reduction advances.
+  [[nodiscard]] bool has_arrived(int rank, double time) const;
+
   /// Messages not received plus reductions joined and not fetched; 0 after a correct search.
   [[nodiscard]] std::size_t in_flight() const;
 
@@ -71,32 +74,53 @@ class SimulatedNetwork {
  private:
   friend class SimulatedTransport;
 
+  // Random numbers of one rank. Each rank has its own, so that they do not depend on the order in
+  // which ranks are simulated.
+  class Random {
+   public:
+    using result_type = std::uint64_t;
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    static constexpr result_type min() { return 0; }
+    static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
+    result_type operator()();
+
+   private:
+    std::uint64_t state_;
+  };
+
   struct Delivery {
     double arrival;
     Message message;
+
+    friend bool operator<(const Delivery& one, const Delivery& other) {
+      return one.arrival > other.arrival;  // the greatest is first in a heap
+    }
   };
   struct Mailbox {
-    std::vector<Delivery> deliveries;                           // unordered
-    std::map<std::pair<int, MessageTag>, double> last_arrival;  // keeps each channel in order
-    Reduction wave_result;
-    double wave_done = -1;  // virtual time; -1: not complete yet
-    bool joined = false;
+    explicit Mailbox(std::uint64_t seed) : random(seed) {}
+
+    std::vector<Delivery> deliveries;  // a heap, earliest first
+    // of the channels with a message in `deliveries`; keeps each channel in order
+    std::map<std::pair<int, MessageTag>, double> last_arrival;
     unsigned handled = 0;  // messages since the last step_duration
+    Random random;
   };
 
   void send(int from, int to, MessageTag tag, Bytes body);
   std::optional<Message> receive(int rank);
   void join_reduction(int rank, const Reduction& own);
   std::optional<Reduction> reduction(int rank);
-  double delay();
+  // Any look at the messages advances the reduction, too.
+  void advance_reduction(int rank);
+  double delay(int from);
+  [[nodiscard]] Mailbox& mailbox(int rank) { return ranks_[static_cast<std::size_t>(rank)]; }
 
   Weather weather_;
-  std::mt19937_64 random_;
   double now_ = 0;
   std::vector<Mailbox> ranks_;
   std::vector<std::unique_ptr<SimulatedTransport>> transports_;
   std::vector<Notice> notices_;
-  Reduction wave_;
+  RecursiveDoubling reductions_;
   std::size_t largest_message_ = 0;
 };
 

@@ -47,6 +47,13 @@ class Transport {
   /// Seconds since some moment; monotonic.
   [[nodiscard]] virtual double now() const = 0;
 
+  /// Begins a search. Messages of ranks that have begun it already are received from now on, and
+  /// not sooner.
+  virtual void begin_search() {}
+
+  /// True if more ranks run on this machine than it has cores: a rank that waits should sleep.
+  [[nodiscard]] virtual bool crowded() const { return false; }
+
   /// @pre to != rank()
   virtual void send(int to, MessageTag tag, Bytes body) = 0;
 

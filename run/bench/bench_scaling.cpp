@@ -23,7 +23,8 @@ struct Sums {
   double ramp_up = 0;
   double between = 0;
   double tail = 0;
-  double end = 0;  // termination is known to the last rank
+  double last_node = 0;  // time at which the last node is done
+  double end = 0;        // termination is known to the last rank
 };
 
 Sums sums(const engine::Outcome<benchmark::SizedTree>& outcome) {
@@ -34,6 +35,7 @@ Sums sums(const engine::Outcome<benchmark::SizedTree>& outcome) {
     sums.ramp_up += rank.ramp_up_seconds;
     sums.tail += rank.tail_seconds;
     sums.between += rank.idle_seconds - rank.ramp_up_seconds - rank.tail_seconds;
+    sums.last_node = std::max(sums.last_node, rank.seconds - rank.tail_seconds);
     sums.end = std::max(sums.end, rank.seconds);
   }
   return sums;
@@ -57,8 +59,9 @@ void print_row(const BenchScalingOptions& options, int ranks) {
   const auto percent = [&](double seconds) { return 100 * seconds / available; };
   const double idle = sum.ramp_up + sum.between + sum.tail;
   fmt::print(
-      "{:>6} {:>10.3f} {:>12.4f} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.2f} {:>9.1f} {:>9.1f} {:>9.2f}\n",
-      ranks, work / available, sum.end, percent(sum.ramp_up), percent(sum.between),
+      "{:>6} {:>10.3f} {:>12.6f} {:>12.6f} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.2f} {:>9.1f} {:>9.1f} "
+      "{:>10.3f}\n",
+      ranks, work / available, sum.end, sum.last_node, percent(sum.ramp_up), percent(sum.between),
       percent(sum.tail), percent(available - work - idle),
       static_cast<double>(sum.transfers) / ranks,
       static_cast<double>(sum.requests - sum.transfers) / ranks, 1e3 * (run.seconds - sum.end));
@@ -75,11 +78,13 @@ int bench_scaling(Session& session, const BenchScalingOptions& options) {
   }
   fmt::print(
       "A tree of {} nodes of {} us; latency {} us, {} us at either end; {} GB/s.\n"
-      "Lost time in % of all ranks' time; transfers and refusals per rank.\n\n"
-      "{:>6} {:>10} {:>12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n",
+      "Lost time in % of all ranks' time; transfers and refusals per rank; the reports follow the "
+      "end.\n\n"
+      "{:>6} {:>10} {:>12} {:>12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10}\n",
       options.nodes, options.node_microseconds, options.latency_microseconds,
       options.handling_microseconds, options.gigabytes_a_second, "ranks", "efficiency", "seconds",
-      "ramp-up", "between", "tail", "messages", "transfers", "refusals", "gather ms");
+      "last node s", "ramp-up", "between", "tail", "messages", "transfers", "refusals",
+      "reports ms");
   for (int ranks = options.least_ranks; ranks <= options.most_ranks; ranks *= 4) {
     print_row(options, ranks);
   }

@@ -57,7 +57,10 @@ Draw draw(std::uint64_t seed) {
   if (below(2) == 0) draw.options.heap_nodes = 1 + below(30);
   draw.options.nodes_per_step = below(4) == 0 ? 16 : 1;
   draw.options.message_bytes = below(4) == 0 ? 1 : std::size_t{64} * 1024;
-  draw.options.reduction_interval = below(2) == 0 ? 0.05 : 1e-4;
+  constexpr std::array intervals{0.05, 0.05, 1e-4, 1e-5};
+  draw.options.reduction_interval = intervals[below(intervals.size())];
+  if (below(8) == 0) draw.options.limits.nodes = 1 + below(300);
+  if (below(8) == 0) draw.options.trace_events = 1 + below(20);
   return draw;
 }
 
@@ -71,6 +74,10 @@ std::string fault(std::uint64_t seed) {
   const auto many = engine::simulate(tree, ranks, seed, weather, options, most_steps);
   if (many.left_behind != 0) return fmt::format("{} messages not received", many.left_behind);
   const auto& outcome = many.outcome;
+  if (outcome.status == engine::Status::node_limit) {
+    const bool right = outcome.opened() >= options.limits.nodes && outcome.open > 0;
+    return right ? "" : "ended before the limit";
+  }
   if (outcome.status != engine::Status::solved || outcome.open != 0) return "ended early";
   if (options.goal == Goal::all && outcome.opened() != alone.opened()) {
     return fmt::format("opened {} nodes, expected {}", outcome.opened(), alone.opened());

@@ -227,6 +227,27 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
   expect_a_good_one();
 }
 
+TEST_F(CheckpointFaults, AFolderThatIsMissingAtTheStartIsAnError) {
+  auto choice = options();
+  choice.checkpoint.file = (folder_ / "nowhere" / "search").string();
+  try {
+    simulate(tree(), 3, 1, {}, choice);
+    FAIL() << "searched";
+  } catch (const CheckpointError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("there is no folder"));
+    EXPECT_THAT(error.what(), HasSubstr("nowhere"));
+  }
+}
+
+TEST_F(CheckpointFaults, AWarningThatNobodyReceivesGoesToStandardError) {
+  fs::create_directories(file_ + ".tmp/in the way");
+  auto choice = options();
+  choice.warn = nullptr;
+  testing::internal::CaptureStderr();
+  simulate(tree(), 3, 1, {}, choice);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(file_));
+}
+
 TEST_F(CheckpointFaults, AFolderThatGoesAndComesBackIsAWarning) {
   leave_two();
   const auto before = read_manifest(file_).epoch;

@@ -385,18 +385,5 @@ TEST_F(Checkpoint, TheEpochBeforeServesWhenTheNewestIsDamaged) {
   EXPECT_THAT(warning, HasSubstr("going on from"));
 }
 
-TEST_F(Checkpoint, AFolderThatIsGoneIsAWarningAndNotTheEnd) {
-  RandomTree tree(2, 16);
-  const auto whole = search(tree);
-  auto choice = options();
-  choice.checkpoint.interval = 1e-3;
-  choice.checkpoint.file = (folder_ / "nowhere" / "search").string();
-  int warnings = 0;
-  choice.warn = [&](const std::string&) { ++warnings; };
-  const auto simulated = simulate(RandomTree(2, 16), 3, 1, {}, choice);
-  EXPECT_EQ(simulated.outcome.fingerprint(), whole.fingerprint());
-  EXPECT_GT(warnings, 0);
-}
-
 }  // namespace
 }  // namespace kusabi::engine

@@ -1,6 +1,7 @@
 // Lifeline tests: registration, and the order of service.
 #include "engine/detail/lifelines.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -17,10 +18,7 @@ TEST(Lifelines, ReachEveryRankInFewHops) {
       const auto before = reached;
       for (const int rank : before) {
         Lifelines lifelines(rank, ranks);
-        while (const auto next = lifelines.next()) {
-          reached.insert(*next);
-          lifelines.left_name_with(*next);
-        }
+        while (const auto next = lifelines.ask_next()) reached.insert(*next);
       }
     }
   }
@@ -29,20 +27,55 @@ TEST(Lifelines, ReachEveryRankInFewHops) {
 TEST(Lifelines, AreNeverTheRankItself) {
   for (int ranks = 1; ranks <= 64; ++ranks) {
     Lifelines lifelines(ranks / 2, ranks);
-    while (const auto next = lifelines.next()) {
-      EXPECT_NE(*next, ranks / 2) << ranks << " ranks";
-      lifelines.left_name_with(*next);
-    }
+    while (const auto next = lifelines.ask_next()) EXPECT_NE(*next, ranks / 2) << ranks;
   }
 }
 
-TEST(Lifelines, ANameIsLeftOnceUntilItWasServed) {
+TEST(Lifelines, AreAskedOnceUntilTheyHaveServed) {
   Lifelines lifelines(0, 3);
-  lifelines.left_name_with(1);
-  lifelines.left_name_with(2);
-  EXPECT_EQ(lifelines.next(), std::nullopt);
+  EXPECT_FALSE(lifelines.all_aware());
+  EXPECT_EQ(lifelines.ask_next(), 1);
+  EXPECT_EQ(lifelines.ask_next(), 2);
+  EXPECT_EQ(lifelines.ask_next(), std::nullopt);
+  EXPECT_TRUE(lifelines.asking(1));
+  lifelines.refused_by(1);
+  lifelines.refused_by(2);
+  EXPECT_FALSE(lifelines.asking());
+  EXPECT_TRUE(lifelines.all_aware());
   lifelines.served_by(2);
-  EXPECT_EQ(lifelines.next(), 2);
+  EXPECT_FALSE(lifelines.all_aware());
+  EXPECT_EQ(lifelines.ask_next(), 2);
+  lifelines.given_by(2);
+  EXPECT_EQ(lifelines.ask_next(), 2);
+}
+
+TEST(Lifelines, NodesThatOvertakeARefusalEndTheRegistration) {
+  Lifelines lifelines(0, 2);
+  EXPECT_EQ(lifelines.ask_next(), 1);
+  lifelines.served_by(1);
+  EXPECT_TRUE(lifelines.asking(1));
+  lifelines.refused_by(1);
+  EXPECT_FALSE(lifelines.all_aware());
+  EXPECT_EQ(lifelines.ask_next(), 1);
+}
+
+// Both sides of each registration at the start must agree: a rank that no lifeline knows starves.
+TEST(Lifelines, KnowTheRanksThatBeginWithoutNodes) {
+  for (int ranks = 1; ranks <= 33; ++ranks) {
+    for (int first = 1; first <= std::min(ranks, 4); ++first) {
+      std::multiset<int> registered;
+      std::size_t expected = 0;
+      for (int rank = 0; rank < ranks; ++rank) {
+        Lifelines lifelines(rank, ranks);
+        lifelines.register_idle(first, rank, ranks);
+        EXPECT_EQ(lifelines.all_aware(), rank >= first || ranks == 1);
+        if (rank >= first) expected += lifelines.aware();
+        while (lifelines.wanted()) registered.insert(lifelines.take());
+      }
+      EXPECT_EQ(registered.size(), expected);
+      EXPECT_EQ(registered.count(0), 0U);
+    }
+  }
 }
 
 TEST(Lifelines, WhoWaitedLongestIsServedFirst) {

@@ -115,6 +115,41 @@ TEST(Simulation, AFailingSeedReplays) {
   }
 }
 
+// A message that arrives inside a node is looked at when the node is done, in both. A wave that is
+// complete as soon as a rank joins is looked at next, in both.
+TEST(Simulation, LazySteppingGivesTheTimesOfEachStep) {
+  const std::vector<Weather> weathers{
+      {},
+      {.node = 10e-6, .handling = 0.5e-6},
+      {.latency = 100e-6},
+      {.latency = 5e-6, .node = 3e-6, .stall = 1e-3, .stall_probability = 0.01},
+      {.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1},
+  };
+  const std::vector<Goal> goals{Goal::all, Goal::all, Goal::first};
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Options options;
+    options.goal = goals[seed % goals.size()];
+    options.reduction_interval = seed % 2 == 0 ? 1e-4 : 0.05;
+    options.nodes_per_step = seed % 7 == 0 ? 16 : 1;
+    const auto run = [&](Stepping stepping) {
+      return simulate(RandomTree(seed, 12), 2 + static_cast<int>(seed % 29), seed,
+                      weathers[seed % weathers.size()], options, 100'000'000, stepping);
+    };
+    const auto lazy = run(Stepping::lazy);
+    const auto each = run(Stepping::each_step);
+    EXPECT_EQ(lazy.seconds, each.seconds);
+    for (std::size_t rank = 0; rank < lazy.outcome.ranks.size(); ++rank) {
+      const auto& one = lazy.outcome.ranks[rank].statistics;
+      const auto& other = each.outcome.ranks[rank].statistics;
+      EXPECT_EQ(one.seconds, other.seconds) << "rank " << rank;
+      EXPECT_EQ(one.idle_seconds, other.idle_seconds) << "rank " << rank;
+      EXPECT_EQ(one.opened, other.opened) << "rank " << rank;
+      EXPECT_EQ(one.messages_sent, other.messages_sent) << "rank " << rank;
+    }
+  }
+}
+
 // Virtual time does not depend on a clock, so shares and speed-up can be asserted.
 TEST(Simulation, TwoRanksShareTheWorkAndHalveTheTime) {
   RandomTree tree(1, 24);

@@ -110,7 +110,7 @@ TEST(Trace, ShowsAStopForACheckpointThatCannotBeWritten) {
   Options options;
   options.trace_events = 1000;
   options.limits.nodes = 100;
-  options.checkpoint.file = "/nowhere/at/all";
+  options.checkpoint.file = "/proc/no-files-here";
   options.checkpoint.problem = 1;
   const auto run = simulate(RandomTree(11, 12), 3, 1, {}, options);
   for (const auto& trace : run.outcome.traces) {

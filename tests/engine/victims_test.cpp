@@ -50,7 +50,9 @@ TEST(Victims, RefusalsSpaceTheRequestsOutAndATransferEndsThat) {
   }
   victims.gave(1);
   EXPECT_TRUE(victims.due(0));
+  EXPECT_FALSE(victims.tried_ahead());
   for (int refusal = 0; refusal < 100; ++refusal) victims.refused(1, 0);
+  EXPECT_TRUE(victims.tried_ahead());
   EXPECT_LE(victims.next_request(), 10e-3);  // a bounded pause: work is found soon after it appears
 }
 
