@@ -37,24 +37,24 @@ std::vector<LossStatement> losses_in(const std::string& text, const std::string&
 }
 
 // The structure in the load case of the statement; nothing: there is no such case.
-std::optional<problems::Structure> in_case_of(const LossStatement& statement,
-                                              const problems::Structure& structure) {
+std::optional<problems::CheckedStructure> in_case_of(const LossStatement& statement,
+                                                     const problems::CheckedStructure& structure) {
   const auto names = problems::load_cases(structure);
   if (names.empty() && statement.load_case.empty()) return structure;
   for (const auto& name : names) {
     if (verify::in_one_line(name) == statement.load_case)
-      return problems::in_load_case(structure, name);
+      return problems::in_chosen_case(structure, name);
   }
   return {};
 }
 
 std::vector<std::string> names_of(const LossStatement& statement,
-                                  const std::optional<problems::Structure>& structure) {
+                                  const std::optional<problems::CheckedStructure>& structure) {
   std::vector<std::string> names;
   for (const auto member : statement.lost) {
     const auto& bar = statement.truss.bars[member];
     const auto name = [&](std::size_t node) {
-      return structure ? structure->node_names[node] : statement.truss.names[node];
+      return structure ? (*structure)->node_names[node] : statement.truss.names[node];
     };
     names.push_back(name(bar.first) + '-' + name(bar.second));
   }
@@ -79,7 +79,7 @@ std::vector<std::string> check_states(CommandRun& run, const verify::LossClaim& 
 }  // namespace
 
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
-                           const std::optional<problems::Structure>& structure,
+                           const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text) {
   const auto statements = losses_in(text, options.certificate);
   VerifyFindings findings;
@@ -134,7 +134,7 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
     fmt::format_to(std::back_inserter(summary),
                    "problem: {}, from {}\ncoordinates, yield forces and loads are those of the "
                    "truss\n",
-                   structure->name, options.problem);
+                   (*structure)->name, options.problem);
   } else {
     summary +=
         "the truss is that of the certificate; --problem FILE proves the result for a problem "

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "problems/structure/model/structure.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
 #include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
 
@@ -14,7 +14,7 @@ namespace kusabi::run {
 /// @throws WrongInput for a wrong certificate, on every rank; support::InputError if limit analysis
 ///         does not apply to the structure
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
-                           const std::optional<problems::Structure>& structure,
+                           const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text);
 
 }  // namespace kusabi::run

@@ -207,7 +207,8 @@ TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
     if (!problem_of(truss)) continue;
-    const auto [answer, statements, loss] = findings(truss, {.alpha = alpha, .split_from = 1});
+    const auto [answer, statements, residual, loss] =
+        findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_TRUE(answer.whole());
     if (!answer.worst) continue;
     const auto least = PlainTruss(truss).least_of_all_corners(alpha);
@@ -228,7 +229,8 @@ TEST(Splitting, LeavesTrueGapsToTheTree) {
   for (const std::uint32_t seed : {1807U, 2041U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
-    const auto [answer, statements, loss] = findings(truss, {.alpha = alpha, .split_from = 1});
+    const auto [answer, statements, residual, loss] =
+        findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_GT(answer.worst->nodes, 1U);
     EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
                 test::near);
