@@ -127,7 +127,7 @@ std::string headline_of(const LoadInterval& found, engine::Status ended) {
   const auto text = factors_headline(found);
   if (!found.uncertain || ended != engine::Status::solved) return text;
   const auto known = passed(found);
-  if (!known) return text;
+  if (!known || found.carried_at_none || empty(found)) return text;
   return text + (*known ? " Passed: 0 to 1 is within them."
                         : " Not passed: some factor from 0 to 1 is not carried.");
 }

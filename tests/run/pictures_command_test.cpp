@@ -33,18 +33,20 @@ TEST_F(Pictures, AreAFileForEachAnswerAndTheirList) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("wrote " + in_folder("seen") + "/rays.pvd"));
   const auto names = drawn();
-  ASSERT_GE(names.size(), 2U);
-  EXPECT_EQ(names.back(), "rays.pvd");
+  ASSERT_GE(names.size(), 3U);
+  // Answers, their list, and a script for ParaView.
+  EXPECT_EQ(names.back(), "rays.py");
+  EXPECT_EQ(names[names.size() - 2], "rays.pvd");
   const auto list = content(in_folder("seen/rays.pvd"));
-  for (std::size_t i = 0; i + 1 < names.size(); ++i) EXPECT_THAT(list, HasSubstr(names[i]));
+  for (std::size_t i = 0; i + 2 < names.size(); ++i) EXPECT_THAT(list, HasSubstr(names[i]));
 }
 
 TEST_F(Pictures, OfACollapseAreTwo) {
   const auto call = "limit " + example("gust.toml") + " --vtu " + argument("seen");
   EXPECT_EQ(called(call).exit_code, 0);
-  EXPECT_THAT(drawn(), ElementsAre("limit.pvd", "nominal.vtu"));
+  EXPECT_THAT(drawn(), ElementsAre("limit.pvd", "limit.py", "nominal.vtu"));
   EXPECT_EQ(called(call + " --alpha 0.5").exit_code, 0);
-  EXPECT_THAT(drawn(), ElementsAre("limit.pvd", "nominal.vtu", "worst-case.vtu"));
+  EXPECT_THAT(drawn(), ElementsAre("limit.pvd", "limit.py", "nominal.vtu", "worst-case.vtu"));
 }
 
 TEST_F(Pictures, AreTheSameOnTwoRanks) {

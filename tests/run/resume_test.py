@@ -122,7 +122,7 @@ def add_kills():
             self.check(name)
 
         def on_two(self, name=name):
-            self.check(name, ranks=2, kills=4 if THOROUGH else 2)
+            self.check(name, ranks=2, kills=4 if THOROUGH else 3)
         word = name.replace(" ", "_").replace("-", "_")
         setattr(Killed, f"test_{word}", alone)
         if name in ON_TWO_RANKS:

@@ -62,7 +62,8 @@ PROGRAMS = (("assignment.mps", ()), ("knapsack.lp", ("--cuts", "disjunctive")), 
 # Optional keys by docs/result-files.md: empty parts, and parts not requested.
 OPTIONAL = {
     "structure": {"inclined_supports", "springs", "ties", "elements", "outlines", "axial_stiffnesses", "fixed", "against",
-                  "dead_loads"},
+                  "dead_loads", "materials"},
+    "materials": {"thickness", "plane"},
     "fixed": {"x", "y", "z"},
     "problem": {"rigid_motions"},
     "contact": {"t2"},
