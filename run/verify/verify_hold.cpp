@@ -132,6 +132,7 @@ std::string refusal_line(const VerifyOptions& options, const verify::HoldCertifi
 
 std::vector<CertificateCheck::Range> ranges_of(const std::vector<verify::FactorRange>& ranges) {
   std::vector<CertificateCheck::Range> result;
+  result.reserve(ranges.size());
   for (const auto& [low, high] : ranges) result.push_back({low, high});
   return result;
 }

@@ -204,6 +204,7 @@ std::vector<bool> touched(const Structure& structure, const Freedom& freedom,
     }
   }
   std::vector<bool> result;
+  result.reserve(own.size());
   for (const auto number : own) result.push_back(loaded.contains(sets.of(number)));
   return result;
 }
