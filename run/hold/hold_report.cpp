@@ -91,7 +91,8 @@ ordered_json grip_json(const wedged::GripRange& found) {
             {"held_proved", own.held_proved},
             {"out_proved", own.out_proved}};
   };
-  return {{"held", true}, {"least", end(found.least)}, {"most", end(found.most)}};
+  const ordered_json held = found.held_proved ? ordered_json(true) : ordered_json(nullptr);
+  return {{"held", held}, {"least", end(found.least)}, {"most", end(found.most)}};
 }
 
 std::string grip_table(const wedged::GripRange& found) {

@@ -137,26 +137,30 @@ std::string grip_sentence(const HoldingGrip& grip) {
         "reactions.",
         unless_proved(grip.held_standing));
   }
+  const std::string doubt =
+      grip.held_standing == Standing::proved
+          ? ""
+          : "It is not decided whether there is a state under the dead load alone. ";
   const auto& least = grip.least.lower;
   const auto& most = grip.most.upper;
   const auto lower = fmt::format("{}{}", rounded_down(least ? least->value : 0),
                                  least ? unless_proved(least->standing) : "");
   if (grip.unbounded) {
     return fmt::format(
-        "In every state under the dead load alone the normal reactions add up to {} or more; there "
-        "is no upper bound, since it can be wedged with a residual stress of any size{}.",
-        lower, unless_proved(grip.unbounded_standing));
+        "{}In every state under the dead load alone the normal reactions add up to {} or more; "
+        "there is no upper bound, since it can be wedged with a residual stress of any size{}.",
+        doubt, lower, unless_proved(grip.unbounded_standing));
   }
   if (!most) {
     return fmt::format(
-        "In every state under the dead load alone the normal reactions add up to {} "
+        "{}In every state under the dead load alone the normal reactions add up to {} "
         "or more; an upper bound is not known.",
-        lower);
+        doubt, lower);
   }
   return fmt::format(
-      "In every state under the dead load alone the normal reactions add up to between {} and "
+      "{}In every state under the dead load alone the normal reactions add up to between {} and "
       "{}{}.",
-      lower, rounded_up(most->value), unless_proved(most->standing));
+      doubt, lower, rounded_up(most->value), unless_proved(most->standing));
 }
 
 namespace {

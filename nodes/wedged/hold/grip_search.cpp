@@ -179,7 +179,8 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
         found.held = false;
         break;
       }
-      if (first.leaf.empty()) {  // degenerate states alone: no bound but zero
+      if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
+        found.held_proved = false;
         if (!own.most.unbounded)
           own.most = {.held_proved = false, .out_proved = false, .known = false};
         own.least.held_proved = false;

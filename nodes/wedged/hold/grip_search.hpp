@@ -32,8 +32,8 @@ struct GripOfBlock {
 /// The range of the sum over all candidates.
 struct GripRange {
   engine::Status status = engine::Status::solved;
-  bool held = true;         ///< false: there is no state, or none was found
-  bool held_proved = true;  ///< of this answer
+  bool held = true;         ///< false: there is no state
+  bool held_proved = true;  ///< false: it is not decided whether there is a state
   GripEnd least{}, most{};
   std::vector<GripOfBlock> blocks{};  ///< those on which a load acts or that can be wedged
   std::vector<HoldCost> costs{};
