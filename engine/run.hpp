@@ -20,6 +20,7 @@
 
 #include "engine/detail/program.hpp"
 #include "engine/search.hpp"
+#include "engine/together.hpp"
 
 namespace kusabi::engine {
 
@@ -36,7 +37,8 @@ concept Fingerprinted = requires(const P& problem) {
 /// to the program (`own_words`), which constructs the problem from them, equally on all ranks.
 /// @param report called with the outcome on rank 0, also if the search has stopped early
 /// @param options of the program itself; those of the command line take precedence
-/// @return the exit code of the program: 0 the whole tree is searched, 1 an error, 2 a wrong
+/// @return the exit code of the program: 0 the whole tree is searched, or the gap
+///     reached, 1 an error, 2 a wrong
 ///     option, 3 stopped early
 template <class P, class Report>
 int run(int argc, char** argv, P& problem, Report report, const Options& options = {}) {
@@ -47,7 +49,11 @@ int run(int argc, char** argv, P& problem, Report report, const Options& options
     if constexpr (Fingerprinted<P>) instance = problem.fingerprint();
     program.prepare(typeid(P).name(), instance);
     const auto outcome = search(problem, program.transport(), program.options());
-    if (program.is_first()) report(outcome);
+    // An error of the report ends all ranks.
+    from_first_rank(program.transport(), [&] {
+      report(outcome);
+      return true;
+    });
     return program.finish({outcome.status, outcome.opened(), outcome.open, outcome.saved});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());

@@ -50,7 +50,8 @@ class Program {
   /// Finds the state of --resume, and catches signals from here on.
   /// @param type name of the problem type
   /// @param instance number of the instance, 0 if the words of the command line determine it
-  /// @throws CheckpointError on every rank if the state is damaged or of another problem
+  /// @throws CheckpointError if the state is damaged or of another problem; over MPI one line is
+  ///   printed and all ranks end
   void prepare(const std::string& type, std::uint64_t instance);
 
   [[nodiscard]] Transport& transport() { return *transport_; }

@@ -51,6 +51,7 @@ class Limit final : public Subcommand {
  private:
   void take_cases(const problems::CheckedStructure& whole);
   void settle_half_widths();
+  [[nodiscard]] const char* option_of_worst_case() const;
   void refuse_with_losses() const;
   void refuse_without_worst_case() const;
   [[nodiscard]] const char* why_no_certificate() const;
@@ -119,24 +120,24 @@ void Limit::check() const {
   }
 }
 
-// Options on a worst case without losses.
-void Limit::refuse_with_losses() const {
+// An option on a worst case without losses, if one is given.
+const char* Limit::option_of_worst_case() const {
   const auto& question = options_.question;
-  const char* option = nullptr;
-  if (question.method != limit::LimitMethod::static_cuts) option = "--cuts";
-  if (question.samples > 0) option = "--samples";
-  if (question.curve) option = "--curve";
+  if (question.curve) return "--curve";
+  if (question.samples > 0) return "--samples";
+  if (question.method != limit::LimitMethod::static_cuts) return "--cuts";
+  return nullptr;
+}
+
+void Limit::refuse_with_losses() const {
+  const char* const option = option_of_worst_case();
   if (option == nullptr) return;
   throw WrongInput(fmt::format("{}: not available with --lose; expected one of them", option));
 }
 
 // Options that require a worst case.
 void Limit::refuse_without_worst_case() const {
-  const auto& question = options_.question;
-  const char* option = nullptr;
-  if (question.method != limit::LimitMethod::static_cuts) option = "--cuts";
-  if (question.samples > 0) option = "--samples";
-  if (question.curve) option = "--curve";
+  const char* const option = option_of_worst_case();
   if (option == nullptr) return;
   throw WrongInput(
       fmt::format("{}: requires half-widths of the uncertain loads; expected --alpha, or alpha in "
