@@ -1,7 +1,7 @@
 # Joined (unity) builds. Included headers and their template instantiations take most of the compile
 # time of a source; the sources of a group share them. With the option off each source is compiled
 # alone: a build after a change is faster, and missing includes are errors.
-option(KUSABI_JOINED "Compile related sources together: quicker from nothing, slower after a change" OFF)
+option(KUSABI_JOINED "Compile related sources together: a full build is faster, a build after a change slower" OFF)
 
 # kusabi_join(TARGET PATTERN...): sources that match the first pattern form the first group, those
 # of the others that match the second pattern form the second, and so on; sources that match no

@@ -1,7 +1,7 @@
 # Debian packages, made by run/package (cpack -G DEB): kusabi (command, manual pages, completion),
 # libkusabi-dev (libraries, headers) and kusabi-doc (pages, examples).
 set(KUSABI_MAINTAINER "Kusabi's maintainers <maintainers@kusabi.invalid>" CACHE STRING
-  "Who is named in Debian packages as their maintainer")
+  "Maintainer of the Debian packages")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kusabi)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -27,13 +27,13 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "openmpi-bin")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "kusabi-doc, libkusabi-dev, python3, graphviz, paraview")
 set(CPACK_DEBIAN_COMMAND_DESCRIPTION
 "wedged configurations and worst-case limit loads
-Finds all ways in which a structure that is pressed against a rigid obstacle
-with Coulomb friction can stay stuck without any load, the smallest friction
-at which anything can wedge, and the worst-case limit load of a truss whose
-loads are known within bounds only: by a tree search that is shared among the
-ranks of an MPI job, each answer with its proof.
+Kusabi finds all wedged configurations of an elastic structure in contact with
+a rigid obstacle under Coulomb friction, the smallest friction coefficient at
+which one exists, and the worst-case limit load factor of a truss with
+uncertain loads. Each answer comes with a proof; the tree search runs in
+parallel under MPI.
 
-This package has the command, its manual pages, and completion for shells.")
+This package contains the command, its manual pages and shell completion.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkusabi-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -41,12 +41,11 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libopenmpi-dev, libboost-serialization-dev, libeigen3-dev, libfmt-dev, libglpk-dev, libgmp-dev, libmpfr-dev, libqd-dev, libtomlplusplus-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "kusabi-doc, cmake, pkgconf")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-"parallel tree search, and what it finds in mechanics (libraries)
-The libraries behind the command kusabi: a search engine on MPI for trees of
-one's own, and the questions about wedged configurations and worst-case limit
-loads, from C++20.
+"parallel tree search and its uses in mechanics (C++ libraries)
+Libraries of the command kusabi for C++20: a generic parallel tree search on
+MPI, and analyses of wedged configurations and worst-case limit loads.
 
-This package has static libraries, headers, a CMake package and files for
+This package contains static libraries, headers, a CMake package and files for
 pkg-config.")
 
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_NAME kusabi-doc)
@@ -54,6 +53,6 @@ set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOCUMENTS_DESCRIPTION
 "wedged configurations and worst-case limit loads (documentation)
-What the command kusabi and its libraries do, how surely, and how they are
-used, with problem files to try and programs to start from.")
+Manual of the command kusabi and its libraries: theory, verification, file
+formats, example problem files and example programs.")
 include(CPack)

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 namespace kusabi::engine {
 
@@ -13,15 +12,23 @@ struct IndexRange {
   std::uint64_t last = 0;
 
   [[nodiscard]] std::uint64_t size() const { return last - first; }
-  [[nodiscard]] std::pair<IndexRange, IndexRange> halves() const {
-    const auto middle = first + size() / 2;
-    return {{first, middle}, {middle, last}};
-  }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& first& last;
   }
 };
+
+/// Branches a range of more than `most` indices into its halves.
+/// @return whether it has branched; a range that has not is the caller's to work on
+/// @tparam Expansion that of a problem whose nodes are ranges
+template <class Expansion>
+bool branch_into_halves(const IndexRange& range, std::uint64_t most, Expansion& out) {
+  if (range.size() <= most) return false;
+  const auto middle = range.first + range.size() / 2;
+  out.branch(IndexRange{range.first, middle});
+  out.branch(IndexRange{middle, range.last});
+  return true;
+}
 
 }  // namespace kusabi::engine

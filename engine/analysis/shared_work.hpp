@@ -30,13 +30,7 @@ class SharedWork {
   Node root() const { return {0, pieces_}; }
 
   void expand(Node&& node, Expansion<SharedWork>& out) {
-    if (node.size() == 1) {
-      out.solution(piece_(node.first));
-      return;
-    }
-    const auto [lower, upper] = node.halves();
-    out.branch(lower);
-    out.branch(upper);
+    if (!branch_into_halves(node, 1, out)) out.solution(piece_(node.first));
   }
 
  private:

@@ -7,12 +7,7 @@ namespace kusabi::run {
 
 void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
   constexpr std::uint64_t few = 16;
-  if (node.size() > few) {
-    const auto [lower, upper] = node.halves();
-    out.branch(lower);
-    out.branch(upper);
-    return;
-  }
+  if (engine::branch_into_halves(node, few, out)) return;
   for (auto number = node.first; number < node.last; ++number) {
     const auto& record = certificate_.records[number];
     auto judgement = proof_.judgement(record);

@@ -59,12 +59,7 @@ class HoldVerification {
 
   void expand(Node&& node, engine::Expansion<HoldVerification>& out) {
     constexpr std::uint64_t few = 16;
-    if (node.size() > few) {
-      const auto [lower, upper] = node.halves();
-      out.branch(lower);
-      out.branch(upper);
-      return;
-    }
+    if (engine::branch_into_halves(node, few, out)) return;
     const auto nodes = certificate_.nodes.size();
     for (auto number = node.first; number < node.last; ++number) {
       auto judgement =

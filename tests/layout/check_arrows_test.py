@@ -51,7 +51,7 @@ class CheckArrows(Planted):
     def test_finds_a_circle_of_the_table(self):
         self.write("docs/architecture.md", PAGE.format(TABLE.replace("low:", "low: high")))
         self.assertEqual(
-            self.check(), (1, ["docs/architecture.md: the rooms go in a circle: low -> high -> low"]))
+            self.check(), (1, ["docs/architecture.md: folders include each other in a circle: low -> high -> low"]))
 
     def test_wants_every_source_in_a_room(self):
         self.write("shed/spade.hpp", "")
