@@ -128,7 +128,7 @@ class Warnings(Problems):
     def test_candidates_that_are_not_on_the_cone(self):
         message = self.said("critical", self.plug(CONE.format(6)), "--time-limit", 20).stderr
         self.assertIn("candidates are not on one cone with this axis and half_angle", message)
-        self.assertIn("right for none", message)
+        self.assertIn("wrong for all candidates", message)
         self.assertNotIn("candidates are not", self.said("show", self.plug(CONE.format(3))).stderr)
         self.assertNotIn("candidates are not", self.said("show", EXAMPLES / "morse-taper.toml").stderr)
 

@@ -63,7 +63,7 @@ void MarketReader::head() {
   }
   const auto symmetry = word(4, "symmetric or general");
   if (symmetry != "SYMMETRIC" && symmetry != "GENERAL") {
-    refuse(4, "symmetric, or general and symmetric all the same");
+    refuse(4, "symmetric, or general with symmetric entries");
   }
   data_.one_triangle = symmetry == "SYMMETRIC";
 }
