@@ -136,13 +136,13 @@ void SubstructureReader::matrix() {
       ++field;
     }
   }
-  if (field < in_.fields()) in_.fail(field, "the matrix goes on; expected its end");
+  if (field < in_.fields()) in_.fail(field, "the matrix continues; expected its end");
 }
 
 // The mass matrix may follow.
 void SubstructureReader::rest() {
   while (next_data()) {
-    if (!is_keyword()) in_.fail("the matrix goes on; expected its end");
+    if (!is_keyword()) in_.fail("the matrix continues; expected its end");
     if (capitals(in_.field(0)) != "*MATRIX") {
       in_.fail(fmt::format("{} after the stiffness; expected the end of the file, or *MATRIX",
                            support::in_quotes(in_.field(0))));

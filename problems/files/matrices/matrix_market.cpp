@@ -135,7 +135,7 @@ MatrixData MarketReader::read() {
   head();
   size();
   is_array_ ? array() : coordinates();
-  if (next_entry()) in_.fail("the file goes on after the last entry; expected its end");
+  if (next_entry()) in_.fail("the file continues after the last entry; expected its end");
   return std::move(data_);
 }
 

@@ -304,7 +304,7 @@ void MeshFileSection::add_supports() {
     if (structure().dimension == 2) fixed[2] = false;
     if (number(support.node) < 0) {
       const MeshNode& node = mesh_.nodes[static_cast<std::size_t>(support.node)];
-      warn(support.at, fmt::format("the support of node {} is left out: the node is of no element",
+      warn(support.at, fmt::format("the support of node {} is left out: no element has this node",
                                    mesh_name(mesh_, node)));
     } else if (fixed[0] || fixed[1] || fixed[2]) {
       draft_.support({number(support.node), position(support.at)}, fixed);
