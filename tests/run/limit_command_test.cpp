@@ -199,10 +199,10 @@ TEST_F(LoadCases, CanBeAskedForByName) {
   EXPECT_THAT(refusal(" limit " + example("gust.toml") + " --case pull"),
               HasSubstr("there is no load case \"pull\"; expected none"));
   EXPECT_THAT(refusal(" limit " + file() + " --alpha 1"), HasSubstr("expected no --alpha"));
-  EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("to be chosen (--case)"));
+  EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("expected --case with one of"));
   EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1 --case pull"),
               HasSubstr("its own half-width"));
-  EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("to be chosen (--case)"));
+  EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("expected --case with one of"));
 }
 
 TEST_F(LoadCases, AreFoundByTheProofOfOne) {

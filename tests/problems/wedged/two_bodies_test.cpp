@@ -194,7 +194,7 @@ TEST(TwoBodies, AreRefusedWhereTheyAreNotTwo) {
   EXPECT_THAT(spoilt([&](Structure& s) {
                 s.contact[0].against = {{pairs[1].node, 1}};
               }),
-              HasSubstr("which itself follows"));
+              HasSubstr("which is itself a dependent node"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.contact[0].against[0].node = 99; }),
               HasSubstr("does not exist"));
   EXPECT_THAT(
