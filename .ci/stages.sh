@@ -33,7 +33,7 @@ check_layout() {
   listed=$(git ls-files '*.cpp' '*.hpp') || give_up "git cannot list the sources; is this a clone, and yours?"
   [[ -n "$listed" ]] || give_up "git lists no sources: nothing would be checked"
   mapfile -t sources <<<"$listed"
-  stage "arrows between the rooms" .ci/check_arrows
+  stage "includes between the modules" .ci/check_arrows
   stage "table of tolerances" .ci/check_tolerances
   stage "vocabulary" .ci/check_words
   stage "names that are brought in and not used" .ci/check_using "${sources[@]}"

@@ -134,7 +134,7 @@ Content checked(const std::string& name, const char* magic) {
   const auto content = content_of(name);
   const auto line_end = content.find('\n');
   if (!content.starts_with(std::string(magic) + " ") || line_end == std::string::npos) {
-    fail(name, "is no checkpoint file; expected one that begins with " + std::string(magic));
+    fail(name, "is not a checkpoint file; expected one that begins with " + std::string(magic));
   }
   std::string header = content.substr(0, line_end);
   std::string body = content.substr(line_end + 1);
@@ -329,8 +329,8 @@ void expect_folder(const std::string& file) {
 void expect_no_other(const std::string& file, const std::string& resume_from) {
   if (resume_from == file || resume_from == previous(file) || !checkpoint_exists(file)) return;
   fail(file,
-       "is a checkpoint already; expected Options::checkpoint.resume_from to name it, so "
-       "that the search goes on from it, or that it is removed first");
+       "is a checkpoint already; expected Options::checkpoint.resume_from to name it, so that the "
+       "search resumes from it, or its removal");
 }
 
 std::string usable_checkpoint(const std::string& file, std::uint64_t problem,
@@ -344,7 +344,7 @@ std::string usable_checkpoint(const std::string& file, std::uint64_t problem,
     } catch (const CheckpointError&) {
       throw newest;  // NOLINT(misc-throw-by-value-catch-by-reference): the first fault counts
     }
-    warning = std::string(newest.what()) + "; going on from " + previous(file);
+    warning = std::string(newest.what()) + "; resuming from " + previous(file);
     return previous(file);
   }
 }

@@ -115,8 +115,8 @@ std::string difference(const Facts& there, const Facts& here) {
     const auto before = value_of(there, name);
     const auto now = value_of(here, name);
     if (before == now) continue;
-    return "was begun with " + said(name, before) + ", and this call has " + said(name, now) +
-           "; expected the call that it was begun with, or another file";
+    return "was started with " + said(name, before) + ", and this call has " + said(name, now) +
+           "; expected the call that it was started with, or another file";
   }
   return {};
 }
@@ -183,7 +183,7 @@ void Journal::open_file() {
   struct stat status {};
   if (fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) return;
   close(descriptor_);
-  refuse(file_, "is no file; expected the name of one, which need not be there yet");
+  refuse(file_, "is not a file; expected the name of a file, which need not exist yet");
 }
 
 void Journal::lock() {
@@ -191,7 +191,7 @@ void Journal::lock() {
   if (errno == EWOULDBLOCK)
     throw JournalInUse(file_ + ": is in use by another run; expected its end, or another file");
   warnings_.push_back(file_ + ": cannot be locked here (" + system_error() +
-                      "): see to it that no two runs have it at a time");
+                      "): make sure that only one run uses it at a time");
 }
 
 void Journal::begin(const std::string& beginning) {
@@ -205,8 +205,8 @@ std::uint64_t Journal::check_beginning(const Facts& facts) {
   const auto start = read_at(descriptor_, 0, longest_line);
   const auto line_end = start.find('\n');
   if (!start.starts_with(std::string(journal_magic) + ' ') || line_end == std::string::npos) {
-    refuse(file_, "is no state to go on from; expected a file that begins with " +
-                      std::string(journal_magic) + ", or a name that is still free");
+    refuse(file_, "is not a state to resume from; expected a file that begins with " +
+                      std::string(journal_magic) + ", or an unused name");
   }
   std::istringstream words(start.substr(journal_magic.size(), line_end - journal_magic.size()));
   int version = 0;

@@ -22,8 +22,8 @@ void agree(Transport& transport, std::uint64_t fingerprint) {
   if (all.found == 0) return;
   throw Disagreement(
       std::to_string(all.found) + " of " + std::to_string(all.ranks) +
-      " ranks computed another problem from the same file than rank 0: expected machines of "
-      "one kind and the same build of kusabi on each");
+      " ranks computed a problem from the same file that differs from that of rank 0; expected "
+      "machines of one kind and the same build of kusabi on each");
 }
 
 }  // namespace kusabi::engine

@@ -17,7 +17,7 @@ GAP = "examples/static-gap.toml"
 BOTH = (f"kusabi limit {THREE} --alpha 20 --output two.json; "
         f"kusabi limit {THREE} --alpha 40 --curve --curve-load two.json --curve-to 2")
 PRINTED = f"kusabi limit {FOUR} --alpha 40 --cuts disjunctive --big-m 5 --node-limit 1"
-CLIQUES = "ours: [each is one, and none is missing](theory/rays.md#maximal-cones)"
+CLIQUES = "ours: [each is a maximal clique, and none is missing](theory/rays.md#maximal-cones)"
 
 
 class Row(NamedTuple):
@@ -166,7 +166,7 @@ def breakpoints(run):
 
 
 def stopped(run):
-    return f"{run.statistics['zero_one']['nodes']} nodes, and open"
+    return f"{run.statistics['zero_one']['nodes']} nodes, still open"
 
 
 def samples(run):
@@ -212,17 +212,17 @@ TABLES = {
             "the sum of all rays of a cone is a solution, for each cone", "ours"),
         Row("Algorithms 4.1, 4.2", "kusabi rays plane-11.toml --mu 0.65 --method double-description", "100, 9",
             rays_and_cones),
-        Row("the same, by the patterns", "kusabi rays plane-11.toml --mu 0.65 --method tree", "100, 9", rays_and_cones),
+        Row("the same, by the tree of sign patterns", "kusabi rays plane-11.toml --mu 0.65 --method tree", "100, 9", rays_and_cones),
         Row("Proposition 4.9, cliques, N = 5", "python3 tests/reference/exact_cliques.py 5", "1", exact_cones),
         Row("Algorithm 5.1, t̂ at N = 5", "kusabi patterns plane-5.toml --mu 1", "5", count),
         Row("Remark 5.2, breadth-first", "kusabi patterns plane-5.toml --mu 1 --order breadth-first", "5", count),
         Row("Remark 5.5, the rule", "kusabi patterns plane-5.toml --mu 1 --branching paper", "5", count),
-        Row("Algorithm 5.8, Y_1 … Y_k and what is left", f"kusabi patterns {SPACE} --mu 0.65 --method polyhedral --facets 8",
-            NOTHING, candidates, "found by polyhedral cones, and living under the friction cones", "ours"),
+        Row("Algorithm 5.8, Y_1 … Y_k, and those that remain", f"kusabi patterns {SPACE} --mu 0.65 --method polyhedral --facets 8",
+            NOTHING, candidates, "found with polyhedral cones, and feasible with the friction cones", "ours"),
         Row("Algorithm 6.1", "kusabi critical plane-5.toml --method bisection --mu-max 1", "0.6072", critical),
         Row("(3)", "kusabi export matrix plane-5.toml", NOTHING, matrix, "K, condensed to the candidates", "ours"),
         Row("(18), (23), the root", "kusabi export cbf plane-5.toml --mu 1", NOTHING, cones_of_program,
-            "as a cone program for the solvers of others", "ours"),
+            "as a cone program for other solvers", "ours"),
         Row("(4), (5)", "kusabi patterns plane-5.toml --mu 1", NOTHING, imbalance, "in the result file", "ours"),
     ],
     "wedged-body": [
@@ -234,7 +234,7 @@ TABLES = {
             coefficients(4), "the first is the same; the second entry is not available"),
         Row("7.1: μᶜ", f"kusabi critical {BODY}", "1.2689", critical),
         Row("Figure 2: the rays drawn", f"kusabi rays {BODY} --mu 1.5", MISSING, cones,
-            "rays of each cone, and where they are in contact; the picture is not available"),
+            "rays of each cone, and the candidates at which they are in contact; the picture is not available"),
     ],
     "wedged-plane": [
         *table_2(),
@@ -244,7 +244,7 @@ TABLES = {
             lambda run: str(len(run.result["rays"]))),
         Row("Figure 5: t̂", "kusabi rays plane-5.toml --mu 1", "5", lambda run: str(len(run.result["cones"]))),
         Row("Figure 5: the circles", "kusabi rays plane-5.toml --mu 1", MISSING, cones,
-            "rays of each cone, and where they are in contact; the picture is not available"),
+            "rays of each cone, and the candidates at which they are in contact; the picture is not available"),
         Row("7.2: rays (a)–(i) of one pattern", "kusabi rays plane-5.toml --mu 1", "9", rays_of_cones,
             "rays of each of our five cones; none has nine"),
         Row("Table 3: μᶜ of (a)–(e)", "kusabi critical plane-5.toml --method bisection --mu-max 1",
@@ -279,7 +279,7 @@ TABLES = {
             "--node-limit 1", NOTHING, lambda run: f"{run.result['zero_one']['start']:.3f}",
             "above λ_min, as it must be", "ours"),
         Row("Remark 3.3", f"kusabi limit {THREE} --alpha 40 --curve", NOTHING, breakpoints,
-            "where modes change: of β ζ₁, and of λ_min(β α₁)", "ours"),
+            "where the mode changes, for β ζ₁ and for λ_min(β α₁)", "ours"),
     ],
     "limit-three": [
         Row("6.1: n^m, m", f"kusabi limit {THREE} --alpha 40", "n^m = 42, m = 24", sizes),
@@ -306,7 +306,7 @@ TABLES = {
         Row("Figure 8: its mode", f"kusabi limit {FOUR} --alpha 40", "as nominal", same_mode),
         Row("6.2: iterations of Algorithm 5.1", PRINTED, "61", lambda run: str(run.result["zero_one"]["cut_rounds"])),
         Row("6.2: cuts kept", PRINTED, "34", lambda run: str(run.result["zero_one"]["cuts"]),
-            "[which are kept](theory/limit.md#the-0-1-program-l-29) hangs on the units of motions and on the simplex method"),
+            "[which cuts are kept](theory/limit.md#the-0-1-program-l-29) depends on the units of motions and on the simplex method"),
         Row("6.2: programs of Algorithm 4.2", f"{PRINTED[:-2]} 20000", "9", stopped,
             "not reached: (38) begins at −3385.7 with M = 5, [see there](theory/limit.md#the-0-1-program-l-29)", "slow"),
         Row("the same by static cuts", f"kusabi limit {FOUR} --alpha 40", NOTHING,
@@ -320,6 +320,6 @@ TABLES = {
         *table_2_seconds(),
         Row("L 6.2, Algorithm 5.1", PRINTED, "229.5", seconds, "", "seconds"),
         Row("L 6.2, Algorithm 4.2 after it", f"kusabi limit {FOUR} --alpha 40", "28.5", seconds,
-            "by static cuts, with both ends proved", "seconds"),
+            "by static cuts, with both bounds proved", "seconds"),
     ],
 }

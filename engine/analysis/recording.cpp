@@ -141,7 +141,7 @@ void Recording::keep(const std::string& kind, const Bytes& content) {
     keeping_.journal->append(kind, content);
   } catch (const CheckpointError& error) {
     writable_ = false;  // a missing part must not be followed by a present one
-    if (warn_) warn_(std::string(error.what()) + "; from here on nothing more is kept");
+    if (warn_) warn_(std::string(error.what()) + "; no further results are stored");
     return;
   }
   remove_checkpoint(checkpoint_of_part(keeping_.file, number));

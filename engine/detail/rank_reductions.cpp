@@ -200,7 +200,7 @@ void Rank::finish_checkpoint(const Reduction& wave) {
   if (transport_.rank() != 0) return;
   if ((wave.wishes & wish_failed) != 0) {
     warn("a part of checkpoint " + std::to_string(epoch_) + " could not be written; " +
-         "the one before still counts");
+         "the previous one remains valid");
     remove_leftovers(options_.checkpoint.file);
     return;
   }

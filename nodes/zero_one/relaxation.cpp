@@ -18,7 +18,7 @@ const linear::LinearProgram& checked(const linear::MixedProgram& mixed) {
   for (const int column : mixed.binaries) {
     const auto at = static_cast<std::size_t>(column);
     if (column < 0 || at >= seen.size() || seen[at]) {
-      throw std::invalid_argument("mixed program: a binary is no column, or is listed twice");
+      throw std::invalid_argument("mixed program: a binary is not a column, or is listed twice");
     }
     seen[at] = true;
     const auto& [cost, lower, upper, name] = mixed.program.columns[at];

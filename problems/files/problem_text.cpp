@@ -62,8 +62,8 @@ void Collection::add(const std::string& place, const std::string& namer,
   auto bytes = bytes_of(path, largest_meshes - size_);
   if (!bytes) {
     fail(
-        fmt::format("the file {} cannot be read, or all files have more than {} bytes; "
-                    "expected a name as seen from the folder of this file",
+        fmt::format("the file {} cannot be read, or all files have more than {} bytes; expected a "
+                    "name relative to the folder of this file",
                     support::in_quotes(place), largest_meshes));
   }
   size_ += bytes->size();

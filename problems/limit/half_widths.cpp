@@ -97,8 +97,8 @@ std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
   }
   if (!asked.alpha) {
     throw UnfitHalfWidths(
-        fmt::format("other uncertain loads have half-widths of their own, but how far {} may go is "
-                    "left open; expected --alpha as well",
+        fmt::format("other uncertain loads have half-widths of their own, but {} has none; "
+                    "expected --alpha as well",
                     open->name()));
   }
   for (auto& each : columns) {

@@ -51,8 +51,8 @@ void require_bars_with_yield_and_reference(const Structure& structure) {
   }
   if (!load_cases(structure).empty()) {
     throw structure_error(structure, top_of(structure),
-                          fmt::format("the loads are several cases, and a limit load is of one; "
-                                      "expected one of {} to be chosen (--case)",
+                          fmt::format("the loads belong to several load cases, and a limit load "
+                                      "to one; expected --case with one of {}",
                                       choice_of_load_cases(structure)));
   }
   const bool any = std::ranges::any_of(

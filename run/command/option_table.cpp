@@ -266,7 +266,8 @@ void OptionTable::time_limit(engine::Limits& limits) {
        .value = "TIME",
        .range = "seconds, 90s, 1h30m or slurm",
        .help =
-           "time limit, as 5400, 90s or 1h30m, or slurm: shortly before the end of the Slurm job",
+           "time limit, such as 5400 (seconds), 90s or 1h30m; slurm: until shortly before the end "
+           "of the Slurm job",
        .matters = false,
        .take = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {

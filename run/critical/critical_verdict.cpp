@@ -19,7 +19,7 @@ Bound bound(double value, bool proved) {
 
 // The pattern that becomes feasible at the least coefficient, and its slipping candidates.
 std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
-  auto text = fmt::format("The first way is number 1 (in contact: {})",
+  auto text = fmt::format("The first pattern to stick is number 1 (in contact: {})",
                           contact_text(problem, first.pattern));
   if (first.reaction.empty() || !first.upper) return text + '.';
   const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
@@ -27,8 +27,9 @@ std::string first_way(const problems::WedgedProblem& problem, const wedged::Crit
   if (nearest.slips_there.empty()) return text + '.';
   support::IndexSet slips;
   for (const int i : nearest.slips_there) slips.insert(i);
-  return fmt::format("{}: with less friction {} would slip.", text,
-                     with_ranges(candidate_names(problem, slips)));
+  return fmt::format("{}; with less friction {} {}.", text,
+                     with_ranges(candidate_names(problem, slips)),
+                     nearest.slips_there.size() == 1 ? "slips" : "slip");
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ class Draw final : public Subcommand {
     table.result(file_);
     table.further_output("--svg", "SVG file; default: standard output");
     table.number("--pattern", &pattern_, above(0),
-                 "number of the pattern or ray to draw in detail; of a result of kusabi limit 1 is "
-                 "the nominal load, 2 the worst case");
+                 "number of the pattern or ray to draw in detail; for a result of kusabi limit, 1 "
+                 "is the nominal load and 2 the worst case");
     table.quiet_and_serial();
   }
   void read(CommandRun& run) override {

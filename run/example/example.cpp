@@ -80,8 +80,8 @@ class PlaneTruss final : public Example {
                  "vertical bars in addition to the diagonals: none, in the inner columns, or also "
                  "along the obstacle");
     table.flag("--paper", paper_,
-               "truss of section 7.2 of the paper on wedged configurations, which is given by its "
-               "number of rows");
+               "truss of section 7.2 of the paper on wedged configurations, which --rows alone "
+               "determines");
     describe_output(table);
   }
   void check() const override {

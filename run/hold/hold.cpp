@@ -50,13 +50,13 @@ void Hold::describe(OptionTable& table) {
                "upper limit of the search for the smallest coefficient");
   table
       .number("--total", &options_.question.total, above(0),
-              "only states whose normal reactions add up to this force: the load that pushes a "
-              "clamped part out")
+              "consider only states whose normal reactions add up to this force, such as a "
+              "clamping force")
       .needs("--mu");
   table
       .flag("--grip", options_.grip,
-            "also the least and the largest sum of the normal reactions over all states under the "
-            "dead load")
+            "compute also the least and the largest sum of the normal reactions over all states "
+            "under the dead load")
       .needs("--mu");
   table.output();
   table
@@ -165,7 +165,7 @@ constexpr Registration hold_subcommand{
      .purpose = "loads that contact with friction can hold",
      .description =
          "The smallest friction coefficient at which the structure can hold its dead load; with "
-         "--mu, the factors of the reference load that it can hold in addition. With proved "
+         "--mu, the factors of the reference load that it can hold in addition. Both have proved "
          "bounds.",
      .example = "examples/ladder.toml"},
     make<Hold>};

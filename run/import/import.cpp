@@ -32,7 +32,9 @@ class Import final : public Subcommand {
     table_ = &table;
     table.file("file", file_, Role::input, "input deck (.inp)").required();
     table.output("problem file to write; default: standard output");
-    table.text("--units", units_, "LENGTH,FORCE", "units of the deck, which has none: mm,N");
+    table.text("--units", units_, "LENGTH,FORCE",
+               "units of length and force of the deck, such as "
+               "mm,N; the deck does not contain them");
     table.number("--gap", &gap_, at_least(0),
                  "distance up to which a node of a contact pair or a tie touches the other "
                  "surface; default: ADJUST and POSITION TOLERANCE of the deck");
@@ -112,10 +114,9 @@ constexpr Registration import_subcommand{
      .chapter = "Files of other programs",
      .purpose = "problem file of an input deck of Abaqus or CalculiX",
      .description =
-         "Writes the problem file that an input deck (.inp) of Abaqus or CalculiX describes, to "
-         "be "
-         "read and edited: mesh, materials, supports, ties, and contact candidates. Each keyword "
-         "that is not understood is left out with a warning.",
+         "Writes the problem file that an input deck (.inp) of Abaqus or CalculiX describes: "
+         "mesh, materials, supports, ties, and contact candidates. Read and edit it before an "
+         "analysis. Each keyword that is not understood is left out with a warning.",
      .example = "examples/wedge.inp --output wedge.toml"},
     make<Import>};
 

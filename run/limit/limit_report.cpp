@@ -91,7 +91,8 @@ void write_interval(std::string& text, const LimitProblem& problem,
   text += "  " + passed_text(interval) + '\n';
   const auto& reversed = answer.reversed;
   if (!reversed || reversed->zeta.size() == 0 || interval.least.upper <= 0) return;
-  text += "  load with the largest least factor:\n" + critical_load_text(problem, reversed->zeta);
+  text += "  load that determines the least of these factors:\n" +
+          critical_load_text(problem, reversed->zeta);
 }
 
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
@@ -107,7 +108,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
       problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
   if (along > 0) {
     fmt::format_to(
-        out, "  {} of them act along the reference load; load factors come in addition to them\n",
+        out, "  {} of them act along the reference load; the load factor does not include them\n",
         along);
   }
   if (worst.status == RootStatus::not_carried) {

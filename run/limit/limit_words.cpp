@@ -192,7 +192,7 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   if (answer.worst) {
     const auto& worst = *answer.worst;
     if (worst.collapse && worst.status != limit::RootStatus::not_carried)
-      yields(*worst.collapse, worst.proved ? "In the worst case" : "At the worst known");
+      yields(*worst.collapse, worst.proved ? "In the worst case" : "Under the worst load known");
   } else if (answer.nominal) {
     yields(*answer.nominal, "Then");
   }

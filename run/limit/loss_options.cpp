@@ -52,16 +52,16 @@ std::vector<int> kept_members(const LimitProblem& problem, const std::string& na
 
 void LossOptions::describe(OptionTable& table) {
   table.number("--lose", &most, between(1, 1000),
-               "least load factor over all losses of up to this number of members and, with "
-               "half-widths of uncertain loads, over these loads");
+               "maximum number of lost members, for the least load factor over all such losses "
+               "and, with half-widths of uncertain loads, over these loads");
   table
       .number("--at-least", &at_least, Range{},
-              "decides if this load factor is carried after every such loss")
+              "decide whether this load factor is carried after every such loss")
       .needs("--lose");
   table
       .text("--keep", kept, "NAMES",
-            "members that are not lost, as NODE-NODE, and nodes whose members are not, separated "
-            "by blanks")
+            "members that cannot be lost, as NODE-NODE, and nodes none of whose members can be "
+            "lost, separated by blanks")
       .needs("--lose");
   table
       .number(

@@ -105,7 +105,7 @@ void write_ends(std::string& text, const LossAnswer& loss) {
   const auto out = std::back_inserter(text);
   const auto mark = [](bool proved) { return proved ? "" : " (computed, not proved)"; };
   if (loss.is_fatal()) {
-    fmt::format_to(out, "  some loss leaves no load factor of either sign{}\n",
+    fmt::format_to(out, "  after some loss no load factor is carried, of either sign{}\n",
                    loss.proved ? ", proved" : mark(false));
     return;
   }
@@ -152,7 +152,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
   if (loss.is_fatal()) text += fatal_text(problem, truss, loss);
   if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(problem, loss.zeta);
   if (loss.collapse && loss.collapse->factor < 0)
-    text += "  negative: the dead load alone collapses the structure then\n";
+    text += "  negative: the dead load alone then collapses the structure\n";
   if (loss.undecided > 0)
     fmt::format_to(out, "  {} numerically undecided\n",
                    counted(loss.undecided, "node") + (loss.undecided == 1 ? " is" : " are"));

@@ -79,14 +79,15 @@ void Mip::describe(OptionTable& table) {
   table.choice("--branching", options_.branching,
                {{"paper", ZeroOneBranching::paper}, {"look-ahead", ZeroOneBranching::look_ahead}},
                "branching rule: largest tau (1 - tau), as in the paper, or largest gain of the "
-               "children's bounds (fewer nodes of higher cost); the optimum is the same");
+               "children's bounds (fewer nodes, each of higher cost); the optimum is the same");
   table.choice("--order", options_.order,
                {{"depth-first", Order::depth_first},
                 {"best-first", Order::best_first},
                 {"hybrid", Order::hybrid}},
                "order in which nodes are opened; the optimum is the same");
-  table.flag("--no-tighten", options_.tighten, "do not tighten coefficients M", false);
-  table.flag("--no-dive", options_.dive, "do not dive for a first point before the search", false);
+  table.flag("--no-tighten", options_.tighten, "do not tighten the coefficients M", false);
+  table.flag("--no-dive", options_.dive, "omit the dive for a first point before the search",
+             false);
   table.output();
   table.further_output("--csv", "CSV file of the best point, one row per nonzero column");
   table.search_limits(options_.limits);

@@ -89,7 +89,7 @@ void Patterns::describe(OptionTable& table) {
   table.number(
       "--probe", &options_.probes, between(0, 1000),
       "number of candidates that strong branching compares at each node. Strong branching gives "
-      "fewer nodes and a smaller certificate and takes more time; 8 candidates are enough");
+      "fewer nodes and a smaller certificate, but takes more time; 8 candidates are enough");
   table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
                "friction cones of the search: second-order cones (cones), or polyhedral cones that "
                "contain them (polyhedral, Algorithm 5.8); the resulting patterns are then tested "
@@ -116,10 +116,11 @@ void Patterns::describe(OptionTable& table) {
   table
       .number(
           "--group", &options_.group, between(0, 1000),
-          "groups of patterns, one row each. Patterns whose contact sets differ in at most this "
-          "number of candidates are in one group, as are those connected by a chain of such pairs. "
-          "Groups are also in the result file. Default: no groups, but on a terminal more than 40 "
-          "patterns are grouped around those with the largest margins; 0 lists all")
+          "table of groups of patterns, one row each. Two patterns are in one group if their "
+          "contact sets differ in at most this number of candidates, or if a chain of such pairs "
+          "connects them. Groups are also in the result file. Default: no groups, but on a "
+          "terminal more than 40 patterns are grouped around those with the largest margins; 0 "
+          "lists all")
       .varies();
   table.top(options_.top);
   // Order by the number of decided signs, see SignPatternTree::bound.

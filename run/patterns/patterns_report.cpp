@@ -107,9 +107,8 @@ Verdict PatternsReport::verdict() const {
   }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
-        "The coefficients from which on the patterns stick (--sort critical) were not all "
-        "computed; "
-        "the table is as found.");
+        "The coefficients from which the patterns stick (--sort critical) were not all computed; "
+        "the table is in the order found.");
   }
   return verdict;
 }
@@ -124,8 +123,8 @@ std::string PatternsReport::largest_margin() const {
   if (best->state != wedged::LeafState::feasible) return {};
   const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
                                        best->reaction, best->displacement);
-  return fmt::format("The largest margin, {:.3g}, has number {} (in contact: {}). {}", best->lower,
-                     best - leaves.begin() + 1, contact_text(problem_, best->pattern),
+  return fmt::format("Number {} has the largest margin, {:.3g} (in contact: {}). {}",
+                     best - leaves.begin() + 1, best->lower, contact_text(problem_, best->pattern),
                      nearest_failure_text(problem_, nearest));
 }
 
@@ -140,28 +139,28 @@ std::string PatternsReport::details() const {
                  findings_.marginal, options_.tolerance);
   if (findings_.flat != 0) {
     fmt::format_to(out,
-                   "{} of the list flat (t* = 0): in all configurations of one the candidates at "
-                   "rest have neither a reaction nor a gap, or those in contact slip\n",
+                   "{} of the list flat (t* = 0): in all their configurations some candidates are "
+                   "inactive, or some in contact slip\n",
                    findings_.flat);
   }
   if (findings_.blocks.size() > 1) {
     fmt::format_to(out,
-                   "the structure comes apart into {} blocks, which wedge or rest each by "
-                   "itself:\n",
+                   "the structure consists of {} decoupled blocks, each of which wedges or is "
+                   "inactive independently:\n",
                    findings_.blocks.size());
     for (const auto& block : findings_.blocks) {
       fmt::format_to(out, "  {}: {}\n", with_ranges(candidate_names(problem_, block.candidates)),
-                     block.rests() ? "at rest always" : patterns(block.cones));
+                     block.rests() ? "always inactive" : patterns(block.cones));
     }
     const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
                                        [](const auto& b) { return b.cones != 0; });
     if (wedging > 1) {
       text +=
-          "any pattern of one goes with any of another: their product is the number of patterns "
-          "of the whole, and the list has those of each block\n";
+          "patterns of different blocks combine freely: the structure has the product of their "
+          "numbers of patterns; the list has the patterns of each block\n";
     }
     if (findings_.whole() && findings_.open() > 0) {
-      fmt::format_to(out, "with those that are undecided there are at most {} of the whole\n",
+      fmt::format_to(out, "with undecided ones, the structure has at most {}\n",
                      patterns(most_patterns(findings_)));
     }
   }

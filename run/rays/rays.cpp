@@ -79,8 +79,8 @@ void Rays::describe(OptionTable& table) {
                 {"double-description", RayMethod::double_description},
                 {"tree", RayMethod::tree}},
                "method: Algorithm 4.2 with all rays on every rank (double-description), the rays "
-               "of one sign pattern after the other (tree), or the faster of both in a trial, with "
-               "the rays divided among the ranks (auto). The rays are the same");
+               "of each sign pattern in turn (tree), or the method that is faster in a trial, "
+               "with the rays divided among the ranks (auto). The rays are the same");
   table.output();
   table.pictures(vtu_, "ray", "rays.pvd");
   table.csv_of("rays");
@@ -88,7 +88,7 @@ void Rays::describe(OptionTable& table) {
       "--dot", "graph of the maximal cones and their rays for Graphviz, of at most 200 rays");
   table.whole_states(options_.whole, "rays", "none");
   table.search_limits(options_.limits);
-  table.resume(options_.checkpoint, ". Short steps that all ranks make together are repeated");
+  table.resume(options_.checkpoint, ". A resumed run repeats short steps, which are not stored");
   table.prove(options_.prove,
               "compare the cones with a list of patterns whose nodes are tested in exact "
               "arithmetic, as kusabi verify does");

@@ -59,7 +59,7 @@ class OlderVerdict {
     return value == nullptr ? 0 : count(*value);
   }
   [[nodiscard]] std::uint64_t count(const ResultJson& value) const {
-    if (!value.is_number_unsigned()) reader_.refuse(value.dump().substr(0, 40) + " is no count");
+    if (!value.is_number_unsigned()) reader_.refuse(value.dump().substr(0, 40) + " is not a count");
     return value.get<std::uint64_t>();
   }
   [[nodiscard]] std::optional<Bound> bound(const ResultJson& object, const char* key,

@@ -72,7 +72,7 @@ support::ExactCount ResultReader::count(const ResultJson& object, const char* ke
 int ResultReader::index(const ResultJson& value, std::size_t count) const {
   if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
       value.get<std::uint64_t>() >= count) {
-    refuse(fmt::format("{} is none of {} nodes", value.dump(), count));
+    refuse(fmt::format("{} is not one of {} nodes", value.dump(), count));
   }
   return value.get<int>();
 }

@@ -46,7 +46,7 @@ class WrittenVerdict {
     } else if (kind == "mixed-optimum") {
       verdict.answer = mixed_optimum(answer);
     } else {
-      reader_.refuse(fmt::format("'kind' is none of an answer: {}", kind));
+      reader_.refuse(fmt::format("'kind' is not that of an answer: {}", kind));
     }
     return verdict;
   }
@@ -54,7 +54,7 @@ class WrittenVerdict {
  private:
   [[nodiscard]] std::uint64_t count(const ResultJson& object, const char* key) const {
     const auto& value = reader_.at(object, key);
-    if (!value.is_number_unsigned()) reader_.refuse(fmt::format("'{}' is no count", key));
+    if (!value.is_number_unsigned()) reader_.refuse(fmt::format("'{}' is not a count", key));
     return value.get<std::uint64_t>();
   }
   [[nodiscard]] bool truth(const ResultJson& object, const char* key) const {
@@ -65,7 +65,7 @@ class WrittenVerdict {
   /// A count of any size.
   [[nodiscard]] support::ExactCount digits(const ResultJson& object, const char* key) const {
     auto count = support::ExactCount::read(reader_.text(object, key));
-    if (!count) reader_.refuse(fmt::format("'{}' is no count", key));
+    if (!count) reader_.refuse(fmt::format("'{}' is not a count", key));
     return *std::move(count);
   }
   [[nodiscard]] std::optional<double> some_number(const ResultJson& object, const char* key) const {
@@ -132,7 +132,8 @@ class WrittenVerdict {
   [[nodiscard]] HoldReason hold_reason(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "reason");
     const auto found = std::ranges::find(hold_reasons, word);
-    if (found == hold_reasons.end()) reader_.refuse("'reason' is none of an answer about loads");
+    if (found == hold_reasons.end())
+      reader_.refuse("'reason' is not that of an answer about loads");
     return static_cast<HoldReason>(found - hold_reasons.begin());
   }
   [[nodiscard]] HoldingBracket holding_friction(const ResultJson& answer) const {
@@ -218,7 +219,7 @@ class WrittenVerdict {
   [[nodiscard]] MixedOptimum mixed_optimum(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "state");
     const auto state = std::ranges::find(mixed_states, word);
-    if (state == mixed_states.end()) reader_.refuse("'state' is none of a program");
+    if (state == mixed_states.end()) reader_.refuse("'state' is not that of a program");
     return {.state = static_cast<MixedOptimum::State>(state - mixed_states.begin()),
             .maximise = truth(answer, "maximise"),
             .objective = some_number(answer, "objective"),
@@ -239,7 +240,7 @@ engine::Status ended_as(const ResultReader& reader, const std::string& status) {
   for (const auto each : {solved, time_limit, node_limit, solution_limit, gap_limit, interrupted}) {
     if (status == status_name(each)) return each;
   }
-  reader.refuse("'status' is none of a search");
+  reader.refuse("'status' is not that of a search");
 }
 
 Verdict result_verdict(const ResultReader& reader) {

@@ -116,9 +116,8 @@ std::vector<std::string> touching_surfaces(const Structure& structure) {
 }
 
 std::string coincident_nodes(const Structure& structure) {
-  return problems::coincidence_warnings(structure).empty()
-             ? "none that are not connected"
-             : "some that are not connected, see the warnings";
+  return problems::coincidence_warnings(structure).empty() ? "no unconnected nodes"
+                                                           : "unconnected nodes, see the warnings";
 }
 
 }  // namespace kusabi::run

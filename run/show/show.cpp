@@ -22,7 +22,7 @@ class Show final : public Subcommand {
     table.further_output(
         "--vtu",
         "VTU picture of the structure for ParaView, with supports, normals, candidates and loads");
-    table.further_output("--html", "HTML page of the structure, before anything is solved");
+    table.further_output("--html", "HTML page of the structure, without an analysis");
     table.quiet_and_serial();
   }
   void read(CommandRun& run) override { input_.read(run); }

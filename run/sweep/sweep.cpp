@@ -54,7 +54,7 @@ void Sweep::describe(OptionTable& table) {
   table.number("--mu-max", &options_.mu_max, above(0),
                "largest friction coefficient; without --mu all steps up to it are listed");
   table.number("--width", &options_.width, above(0),
-               "width of the bracket in which a pattern first sticks");
+               "width of the bracket of the coefficient from which a pattern sticks");
   table
       .text("--alpha", options_.alpha, "POINTS",
             "half-widths of the uncertain loads of a truss: START:END:STEP, or a list with commas")

@@ -133,8 +133,7 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
 std::string grip_sentence(const HoldingGrip& grip) {
   if (!grip.held) {
     return fmt::format(
-        "There is no state under the dead load alone{}, and no sum of normal "
-        "reactions.",
+        "There is no state under the dead load alone{}, so there is no sum of normal reactions.",
         unless_proved(grip.held_standing));
   }
   const std::string doubt =
@@ -189,7 +188,7 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
          true});
   }
   if (found.outside == Standing::computed && !found.open)
-    all.push_back({"That it holds at no other factor is computed, not proved.", true});
+    all.push_back({"It is computed, not proved, that no other factor can be held.", true});
   if (std::ranges::any_of(found.intervals,
                           [](const auto& each) { return each.standing == Standing::computed; })) {
     all.push_back(

@@ -9,9 +9,9 @@ namespace {
 
 std::string within(const LoadInterval& found) {
   const auto& loads = *found.uncertain;
-  auto text = loads.half_width ? fmt::format("whatever the dead load is within {}",
+  auto text = loads.half_width ? fmt::format("for every dead load within {}",
                                              half_width_text(*loads.half_width, loads.force))
-                               : std::string("whatever the dead load is within its bounds");
+                               : std::string("for every dead load within its bounds");
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
   return text;
 }
@@ -72,7 +72,7 @@ std::string factors_headline(const LoadInterval& found) {
     return fmt::format("No load factor is carried {}{}.", loads, unless_proved(*standing));
   }
   const auto& to = found.most.lower;
-  if (!to) return fmt::format("No load was found that it carries {}.", loads);
+  if (!to) return fmt::format("No load factor was found that it carries {}.", loads);
   const auto& from = found.least.upper;
   if (!from) {
     return fmt::format(
@@ -128,7 +128,7 @@ std::string headline_of(const LoadInterval& found, engine::Status ended) {
   if (!found.uncertain || ended != engine::Status::solved) return text;
   const auto known = passed(found);
   if (!known || found.carried_at_none || empty(found)) return text;
-  return text + (*known ? " Passed: 0 to 1 is within them."
+  return text + (*known ? " Passed: these include 0 to 1."
                         : " Not passed: some factor from 0 to 1 is not carried.");
 }
 
@@ -138,7 +138,7 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
       all.push_back({"The nominal load factor is not known.", true});
     } else if (found.most.lower->standing == Standing::computed) {
       all.push_back(
-          {"The factor is as the simplex method finds it, for the dead load exactly as given.",
+          {"The factor is the result of the simplex method, for the dead load exactly as given.",
            false});
     }
   }
@@ -153,7 +153,7 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
     if (!proved(found.most.upper))
       all.push_back({"An upper bound of the largest factor is not proved.", true});
     if (!found.if_big_m && !proved(found.least.upper))
-      all.push_back({"It is not proved from which factor on every load is carried.", true});
+      all.push_back({"The least factor from which every load is carried is not proved.", true});
     if (is_undecided(found)) {
       all.push_back({fmt::format("No factor below {} and none above {} is carried.",
                                  rounded_down(found.least.lower ? found.least.lower->value
@@ -165,7 +165,7 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
   }
   if (found.if_big_m)
     all.push_back({"The bounds of (29) hold only if its M is large enough.", false});
-  if (found.incomplete) all.push_back({"Not all that was asked for is proved.", true});
+  if (found.incomplete) all.push_back({"Not every requested result is proved.", true});
 }
 
 std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
@@ -194,7 +194,7 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
 void reserve(const LoadSteps& found, std::vector<Reservation>& all) {
   if (found.points < found.points_asked) {
     all.push_back(
-        {fmt::format("{} of {} points were looked at.", found.points, found.points_asked), true});
+        {fmt::format("{} of {} points were computed.", found.points, found.points_asked), true});
   }
   if (!found.nominal && !found.nominal_at_none)
     all.push_back({"The nominal load factor is not known.", true});

@@ -80,8 +80,7 @@ void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservat
   }
   if (found.target) {
     if (!found.reached)
-      all.push_back(
-          {"No proof was found that the factor remains, and none that it does not.", true});
+      all.push_back({"It is neither proved nor refuted that the factor remains.", true});
     return;
   }
   if (!proved(found.factor.lower))

@@ -21,10 +21,10 @@ std::string bound_text(const MixedOptimum& found) {
 
 std::string of_list(const CertificateCheck::List& list) {
   if (list.undecided > 0 && list.nodes == 0)
-    return "NOTHING PROVED: all nodes are marginal, and nothing is claimed of these";
+    return "NOTHING PROVED: all nodes are marginal, and the certificate claims nothing about them";
   const auto patterns = counted(list.patterns, "pattern");
   if (list.undecided > 0) {
-    return fmt::format("PROVED but for {}: the list of {} is complete but for these",
+    return fmt::format("PROVED except for {}: the list of {} is complete except for these",
                        counted(list.undecided, "marginal node"), patterns);
   }
   const auto except = list.but_far_motions == 0
@@ -142,7 +142,7 @@ std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
       return fmt::format("unbounded: there are points, and the objective has no {} bound",
                          found.maximise ? "upper" : "lower");
     case MixedOptimum::State::unknown:
-      return fmt::format("no point was found, and it is not known that there is none; {}",
+      return fmt::format("no point was found; it is not known whether one exists; {}",
                          bound_text(found));
     case MixedOptimum::State::optimal:
     case MixedOptimum::State::feasible:
@@ -168,7 +168,7 @@ void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reserv
          true});
   } else if (found.unproved != 0) {
     all.push_back(
-        {fmt::format("{}; the computed bounds say that nothing better is.", nodes), false});
+        {fmt::format("{}; by the computed bounds, nothing better is there.", nodes), false});
   }
   const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
   if (has_bound && found.bound && found.bound->standing == Standing::computed) {
@@ -185,7 +185,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
   if (const auto* const list = std::get_if<CertificateCheck::List>(&found.claim))
     return of_list(*list);
   if (const auto* const example = std::get_if<CertificateCheck::Example>(&found.claim)) {
-    return fmt::format("PROVED: it can stick, by {}; nothing is said of other patterns",
+    return fmt::format("PROVED: it can stick, by {}; other patterns are not decided",
                        counted(example->patterns, "pattern"));
   }
   if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
@@ -201,12 +201,13 @@ void reserve(const CertificateCheck& found, std::vector<Reservation>& all) {
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim)) {
     const bool grip = held->grip && (held->grip->below || held->grip->above);
     if (found.refusals == 0 && held->held.empty() && held->none.empty() && !grip)
-      all.push_back({"Nothing is claimed of any load.", true});
+      all.push_back({"The certificate claims nothing about any load.", true});
   }
   const auto* const list = std::get_if<CertificateCheck::List>(&found.claim);
   if (list == nullptr || list->undecided == 0) return;
-  all.push_back(
-      {fmt::format("Of {} nothing is claimed.", counted(list->undecided, "marginal node")), true});
+  all.push_back({fmt::format("The certificate claims nothing about {}.",
+                             counted(list->undecided, "marginal node")),
+                 true});
 }
 
 }  // namespace kusabi::run

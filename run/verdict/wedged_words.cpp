@@ -26,11 +26,12 @@ bool is_refuted(const std::optional<ExactDoubt>& doubt) {
 void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
   if (!doubt.why.empty()) {
     all.push_back({fmt::format("The scales of the structure are {:.1e} apart: floating point may "
-                               "miss a pattern or add one. The exact test does not settle it: {}.",
+                               "miss a pattern or add one. The exact test does not decide this: "
+                               "{}.",
                                doubt.scale_ratio, doubt.why),
                    true});
   } else {
-    all.push_back({fmt::format("The exact test says nothing of {}, with a margin of zero.",
+    all.push_back({fmt::format("The exact test leaves {} with a margin of zero undecided.",
                                counted(doubt.nodes, "node")),
                    true});
   }
@@ -67,15 +68,15 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
 void reserve(const Sticking& found, engine::Status ended, std::vector<Reservation>& all) {
   if (found.undecided > 0) {
     const bool one = found.undecided == 1;
-    all.push_back({fmt::format("Of {} it could not be decided whether {} a wedged configuration; "
-                               "{} not counted.",
-                               counted(found.undecided, "sign pattern"),
-                               one ? "it holds" : "they hold", one ? "it is" : "they are"),
-                   true});
+    all.push_back(
+        {fmt::format("It is undecided whether {} {} a wedged configuration; {} not counted.",
+                     counted(found.undecided, "sign pattern"), one ? "has" : "have",
+                     one ? "it is" : "they are"),
+         true});
   }
   if (found.ambiguous) {
     all.push_back(
-        {"Some numbers are too near to zero to be told from it: the lists may be wrong.", true});
+        {"Some numbers cannot be distinguished from zero: the lists may be wrong.", true});
   }
   if (found.doubt) reserve(*found.doubt, all);
   if (found.standing == Standing::computed) {
@@ -117,15 +118,14 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
   const auto& [lower, upper] = found.bracket;
   const bool solved = ended == engine::Status::solved;
   if (!upper && (!lower || lower->value < found.most)) {
-    all.push_back({fmt::format("Between {:.12g} and {:.12g} it was not decided whether it can "
-                               "stick.",
+    all.push_back({fmt::format("It is undecided whether it can stick between {:.12g} and {:.12g}.",
                                lower ? lower->value : 0, found.most),
                    true});
   }
   if (found.wide && upper) {
     all.push_back(
-        {fmt::format("The bracket is {:.2g} wide, wider than asked for ({:g}): within it, "
-                     "it was not decided whether it can stick.",
+        {fmt::format("The bracket is {:.2g} wide, wider than requested ({:g}): within it, it is "
+                     "undecided whether it can stick.",
                      upper->value - (lower ? lower->value : 0), found.width),
          true});
   }
@@ -140,8 +140,8 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
         "That it can stick at {:.12g} is computed, not proved in exact "
         "arithmetic",
         upper->value);
-    all.push_back({solved ? that + ": what sticks there is a tie, which holds within the rounding "
-                                   "of the file's numbers."
+    all.push_back({solved ? that + ": the pattern there is degenerate, and exists only within the "
+                                   "rounding of the file's numbers."
                           : that + '.',
                    !solved});
   }
@@ -208,15 +208,15 @@ void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
          true});
   }
   if (found.open_patterns > 0) {
-    all.push_back({fmt::format("Of {} it could not be decided from which {} on {}.",
-                               counted(found.open_patterns, "pattern"), coefficient,
-                               found.open_patterns == 1 ? "it sticks" : "they stick"),
+    all.push_back({fmt::format("It is undecided from which {} on {} {}.", coefficient,
+                               counted(found.open_patterns, "pattern"),
+                               found.open_patterns == 1 ? "sticks" : "stick"),
                    true});
   }
   if (found.undecided_points > 0) {
-    all.push_back({fmt::format("At {} of the points the count is not decided: within a bracket in "
-                               "which a pattern begins, or above what is open. A smaller --width, "
-                               "or another point, decides the former.",
+    all.push_back({fmt::format("The count is undecided at {} of the points: these are within a "
+                               "bracket in which a pattern first sticks, or above an undecided "
+                               "pattern. A smaller --width, or another point, decides the former.",
                                found.undecided_points),
                    true});
   }

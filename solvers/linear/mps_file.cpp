@@ -237,7 +237,7 @@ class MpsReader {
   std::size_t row_called(std::string_view name) const {
     const auto at = row_of_.find(std::string(name));
     if (at == row_of_.end()) {
-      refuse(fmt::format("{} is no row", in_quotes(name)), "a name of section ROWS");
+      refuse(fmt::format("{} is not a row", in_quotes(name)), "a name of section ROWS");
     }
     return at->second;
   }
@@ -417,7 +417,7 @@ class MpsReader {
     if (name.empty() || (valued && word.empty())) refuse_bound(valued);
     const auto at = column_of_.find(std::string(name));
     if (at == column_of_.end()) {
-      refuse(fmt::format("{} is no column", in_quotes(name)), "a name of section COLUMNS");
+      refuse(fmt::format("{} is not a column", in_quotes(name)), "a name of section COLUMNS");
     }
     check_set(set);
     bound(columns_[at->second], type, valued ? number_or_refuse(word) : 0);
@@ -481,8 +481,9 @@ class MpsReader {
       if (!objective_name_ || rows_[i].name == *objective_name_) return i;
     }
     if (objective_name_) {
-      refuse(fmt::format("OBJNAME says {}, which is no row of type N", in_quotes(*objective_name_)),
-             "one of ROWS");
+      refuse(
+          fmt::format("OBJNAME says {}, which is not a row of type N", in_quotes(*objective_name_)),
+          "one of ROWS");
     }
     refuse("no row of type N, the objective", "one in ROWS");
   }

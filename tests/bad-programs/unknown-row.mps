@@ -1,4 +1,4 @@
-* expect: unknown-row.mps:7: "R2" is no row; expected a name of section ROWS
+* expect: unknown-row.mps:7: "R2" is not a row; expected a name of section ROWS
 NAME X
 ROWS
  N COST

@@ -215,7 +215,7 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
     EXPECT_EQ(outcome.status, Status::node_limit);  // it continued until then
     EXPECT_FALSE(outcome.saved);
     EXPECT_GT(warnings_.size(), 2U);
-    EXPECT_THAT(warnings_, testing::Contains(HasSubstr("the one before still counts")));
+    EXPECT_THAT(warnings_, testing::Contains(HasSubstr("the previous one remains valid")));
     EXPECT_EQ(read_manifest(file_).epoch, before);
     EXPECT_EQ(names(), names_before) << "a full disk is not to be filled further";
     expect_a_good_one();

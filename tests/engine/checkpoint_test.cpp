@@ -311,7 +311,7 @@ TEST_F(Checkpoint, IsNotOverwrittenByANewSearch) {
   choice.checkpoint.interval = 1e-3;
   EXPECT_EQ(refusal_of(choice),
             file_ + ": is a checkpoint already; expected Options::checkpoint.resume_from to name " +
-                "it, so that the search goes on from it, or that it is removed first");
+                "it, so that the search resumes from it, or its removal");
   // A search that resumes from another checkpoint must not overwrite it either.
   const auto copy = folder_ / "copy";
   fs::create_directory(copy);
@@ -382,7 +382,7 @@ TEST_F(Checkpoint, TheEpochBeforeServesWhenTheNewestIsDamaged) {
   overwrite(file_, content(file_).substr(0, 20));
   std::string warning;
   EXPECT_EQ(usable_checkpoint(file_, problem, warning), file_ + ".previous");
-  EXPECT_THAT(warning, HasSubstr("going on from"));
+  EXPECT_THAT(warning, HasSubstr("resuming from"));
 }
 
 }  // namespace

@@ -96,10 +96,10 @@ TEST_F(JournalTest, SaysWhatDiffers) {
   const auto before = content();
   EXPECT_THAT(refusal({{"the problem", "7"}, {"--mu", "0.7"}, {"--thorough", ""}}),
               ThrowsMessage<CheckpointError>(
-                  HasSubstr("was begun with --mu 0.65, and this call has --mu 0.7")));
+                  HasSubstr("was started with --mu 0.65, and this call has --mu 0.7")));
   EXPECT_THAT(refusal({{"the problem", "7"}, {"--mu", "0.65"}}),
               ThrowsMessage<CheckpointError>(
-                  HasSubstr("was begun with --thorough, and this call has no --thorough")));
+                  HasSubstr("was started with --thorough, and this call has no --thorough")));
   EXPECT_EQ(content(), before);
 }
 
@@ -111,7 +111,7 @@ TEST_F(JournalTest, IsInUseByOneAtATime) {
 TEST_F(JournalTest, TakesNoOtherFile) {
   for (const auto* const text : {"name = \"truss\"\n", "kusabi-checkpoint 4 1 2 3\n"}) {
     write(text);
-    EXPECT_THAT(refusal(these_facts), ThrowsMessage<CheckpointError>(HasSubstr("is no state")));
+    EXPECT_THAT(refusal(these_facts), ThrowsMessage<CheckpointError>(HasSubstr("is not a state")));
     EXPECT_EQ(content(), text);
   }
 }

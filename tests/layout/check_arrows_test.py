@@ -7,7 +7,7 @@ import unittest
 from planted import Planted
 
 TABLE = "low:\nlow/cellar: low\nhigh: low low/cellar\n"
-PAGE = "# A house\n\n```arrows\n{}```\n"
+PAGE = "# Architecture\n\n```arrows\n{}```\n"
 
 
 class CheckArrows(Planted):
@@ -23,58 +23,58 @@ class CheckArrows(Planted):
     def test_accepts_what_the_table_allows(self):
         code, lines = self.check()
         self.assertEqual((code, len(lines)), (0, 1))
-        self.assertRegex(lines[0], "^4 sources in 3 rooms")
+        self.assertRegex(lines[0], "^4 sources in 3 modules")
 
     def test_names_file_and_line_of_a_wrong_include(self):
         self.write("low/stone.hpp", '// a stone\n#  include "high/roof.hpp"\n')
-        self.assertEqual(self.check(), (1, ["low/stone.hpp:2: room low may not include room high (allowed: none)"]))
+        self.assertEqual(self.check(), (1, ["low/stone.hpp:2: module low may not include module high (allowed: none)"]))
 
-    def test_a_room_is_not_the_one_around_it(self):
+    def test_a_module_is_not_the_one_around_it(self):
         self.write("low/stone.hpp", '#include "cellar/wine.hpp"\n')
-        self.assertEqual(self.check(), (1, ["low/stone.hpp:1: room low may not include room low/cellar (allowed: none)"]))
+        self.assertEqual(self.check(), (1, ["low/stone.hpp:1: module low may not include module low/cellar (allowed: none)"]))
 
-    def test_details_are_for_their_own_room(self):
+    def test_details_are_for_their_own_module(self):
         self.write("low/detail/mortar.hpp", "")
         self.write("low/stone.hpp", '#include "low/detail/mortar.hpp"\n')
         self.assertEqual(self.check()[0], 0)
         self.write("high/roof.hpp", '#include "low/detail/mortar.hpp"\n')
         self.assertEqual(
             self.check(),
-            (1, ["high/roof.hpp:1: low/detail/mortar.hpp is a detail of room low; expected a header of its front door"]))
+            (1, ["high/roof.hpp:1: low/detail/mortar.hpp is a detail of module low; expected a public header"]))
 
-    def test_no_room_includes_tests(self):
+    def test_no_module_includes_tests(self):
         self.write("high/roof.hpp", '#include "tests/roof_test.cpp"\n')
         self.assertEqual(
             self.check(),
-            (1, ["high/roof.hpp:1: room high may not include room tests (allowed: low low/cellar)"]))
+            (1, ["high/roof.hpp:1: module high may not include module tests (allowed: low low/cellar)"]))
 
     def test_finds_a_circle_of_the_table(self):
         self.write("docs/architecture.md", PAGE.format(TABLE.replace("low:", "low: high")))
         self.assertEqual(
-            self.check(), (1, ["docs/architecture.md: folders include each other in a circle: low -> high -> low"]))
+            self.check(), (1, ["docs/architecture.md: modules include each other in a circle: low -> high -> low"]))
 
-    def test_wants_every_source_in_a_room(self):
+    def test_wants_every_source_in_a_module(self):
         self.write("shed/spade.hpp", "")
         self.write("low/attic/box.hpp", "")
         self.assertEqual(self.check(), (1, [
-            "low/attic/box.hpp: low/attic is no room; expected it beside the others of low/ in docs/architecture.md",
-            "shed/spade.hpp: in no room; expected its folder among those of docs/architecture.md"]))
+            "low/attic/box.hpp: low/attic is not a module; expected it beside the others of low/ in docs/architecture.md",
+            "shed/spade.hpp: in no module; expected its folder among those of docs/architecture.md"]))
 
     def test_wants_what_is_included_to_be_there(self):
         self.write("high/roof.hpp", '#include "low/brick.hpp"\n')
         self.assertEqual(self.check(), (
             1, ['high/roof.hpp:1: no file "low/brick.hpp"; expected a path from the root of the sources']))
 
-    def test_wants_no_empty_room(self):
+    def test_wants_no_empty_module(self):
         self.write("docs/architecture.md", PAGE.format(TABLE + "garden: low\n"))
         self.assertEqual(self.check(), (
-            1, ["docs/architecture.md: garden has no source; expected a room only where there is one"]))
+            1, ["docs/architecture.md: garden has no source; expected a module with at least one"]))
 
-    def test_refuses_a_table_that_names_no_room(self):
+    def test_refuses_a_table_that_names_no_module(self):
         self.write("docs/architecture.md", PAGE.format(TABLE + "garden: pond\n"))
         code, lines = self.check()
         self.assertEqual(code, 2)
-        self.assertRegex(lines[0], r"/docs/architecture.md:7: pond is no room; expected one that has a line$")
+        self.assertRegex(lines[0], r"/docs/architecture.md:7: pond is not a module; expected one that has a line$")
 
 
 if __name__ == "__main__":

@@ -250,7 +250,7 @@ class Draw(KusabiCase):
             ("[" * 1000000, "is nested deeper than 32;"),
             (without(whole, "problem", "structure"), "'structure' is missing"),
             (without(whole, "result", "patterns", 0, "reaction"), "'reaction' is missing"),
-            (text.replace('"members": [[0', '"members": [[99'), "99 is none of 15 nodes"),
+            (text.replace('"members": [[0', '"members": [[99'), "99 is not one of 15 nodes"),
             (text.replace('"command": "patterns"', '"command": "mip"'), "is a result of kusabi mip"),
             (text.replace('"contact": ["', '"contact": ["z'), "there is no candidate 'z"),
             (text.replace('"d": 2', '"d": 3'), "is not a list of 3 numbers")))

@@ -66,7 +66,7 @@ TEST_F(Command, ProvesAllButWhatIsMarginal) {
         argument("cert"));
   const auto run = shell(command + " verify " + argument("cert"));
   EXPECT_EQ(run.exit_code, 3) << run.output;
-  EXPECT_THAT(run.output, testing::ContainsRegex("PROVED but for [0-9]* marginal node"));
+  EXPECT_THAT(run.output, testing::ContainsRegex("PROVED except for [0-9]* marginal node"));
 }
 
 TEST_F(Command, TheCertificateAndTheVerdictAreTheSameOnAnyNumberOfRanks) {

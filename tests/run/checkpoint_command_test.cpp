@@ -57,7 +57,7 @@ TEST_F(Command, StopsAtALimitAndIsResumed) {
   const auto other =
       shell(command + " patterns " + truss + " --mu 0.9 --resume " + argument("state"));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.output, HasSubstr("was begun with --mu 1"));
+  EXPECT_THAT(other.output, HasSubstr("was started with --mu 1"));
 
   const auto rest = in_folder("rest.json");
   const auto resumed = shell(ranks(3) + call + quoted(rest) + " --resume " + argument("state"));

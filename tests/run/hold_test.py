@@ -109,7 +109,7 @@ class Hold(KusabiCase):
         cases = LADDER.replace('force = [0, -1]\n', 'force = [0, -1]\ncase = "a"\n', 1)
         self.assertIn('expected --case with one of them: "a"', self.refused("hold", self.problem(cases)))
         both = PEG.replace("clearance = 0.001", "clearance = 0.001\ninterference = 0.001")
-        self.assertIn("interference beside clearance", self.refused("hold", self.problem(both)))
+        self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
 
     def test_limits_leave_a_partial_answer(self):
         result = self.solve("hold", "peg-under-load.toml", "--mu", 0.5, "--node-limit", 3)

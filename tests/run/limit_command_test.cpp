@@ -51,7 +51,7 @@ TEST_F(LimitCommand, NamesTheUncertainLoadsOfTheWorstCase) {
               AllOf(HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust: 0.5 times\n"
                               "    +where the load stands: 0.5 times\n"),
                     HasSubstr("worst case of 4 uncertain loads, alpha = 0.5\n"),
-                    HasSubstr("whatever the dead load is within ± 0.5 times its uncertain part.")));
+                    HasSubstr("for every dead load within ± 0.5 times its uncertain part.")));
   EXPECT_THAT(shell(command + " limit " + example("static-gap.toml") + " --alpha 0.35").output,
               HasSubstr(", alpha = 0.35 kN\n"));
   const auto json = result_of(call);
@@ -199,10 +199,10 @@ TEST_F(LoadCases, CanBeAskedForByName) {
   EXPECT_THAT(refusal(" limit " + example("gust.toml") + " --case pull"),
               HasSubstr("there is no load case \"pull\"; expected none"));
   EXPECT_THAT(refusal(" limit " + file() + " --alpha 1"), HasSubstr("expected no --alpha"));
-  EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("to be chosen (--case)"));
+  EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("expected --case with one of"));
   EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1 --case pull"),
               HasSubstr("its own half-width"));
-  EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("to be chosen (--case)"));
+  EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("expected --case with one of"));
 }
 
 TEST_F(LoadCases, AreFoundByTheProofOfOne) {

@@ -109,7 +109,8 @@ TEST_F(Command, RefusesAZeroOneProgramThatIsNone) {
   std::ofstream(in_folder("bad.mps")) << "NAME X\nROWS\n N C\nCOLUMNS\n A B 1\nENDATA\n";
   const auto run = shell(command + " mip " + argument("bad.mps"));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("bad.mps:5: \"B\" is no row; expected a name of section ROWS"));
+  EXPECT_THAT(run.output, HasSubstr("bad.mps:5: \"B\" is not a row; expected a name of section "
+                                    "ROWS"));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ class OldFiles(KusabiCase):
         for name in ("state", "state.1.0"):
             shutil.copy(OLD / name, self.folder)
         message = self.refused("patterns", EXAMPLES / "plane-truss.toml", "--mu", 0.8, "--resume", self.folder / "state")
-        self.assertIn("is no state to go on from", message)
+        self.assertIn("is not a state to resume from", message)
         for name in ("state", "state.1.0"):
             self.assertEqual((self.folder / name).read_bytes(), (OLD / name).read_bytes())
 

@@ -147,7 +147,7 @@ TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
   EXPECT_THAT(run, AllOf(HasSubstr(row(0)), HasSubstr(row(1)), Not(HasSubstr(row(2))),
                          HasSubstr("  25 more\n")));
   EXPECT_LT(run.find(row(0)), run.find(row(1)));
-  EXPECT_THAT(run, HasSubstr(fmt::format(", has number {} (", margins[0].second)));
+  EXPECT_THAT(run, HasSubstr(fmt::format("Number {} has the largest margin, ", margins[0].second)));
   EXPECT_THAT(patterns(" --sort contact --top 1"), HasSubstr("   27  "));
 }
 

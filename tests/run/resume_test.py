@@ -162,7 +162,7 @@ class State(Resumed):
 
     def test_is_of_one_call(self):
         self.begin(self.CALL, 4)
-        for words, why in ((("--mu", 0.7), "was begun with --mu 0.65, and this call has --mu 0.7"),
+        for words, why in ((("--mu", 0.7), "was started with --mu 0.65, and this call has --mu 0.7"),
                            (("--tolerance", 1e-7), "--tolerance"), (("--certificate", self.folder / "c"), "--certificate"),
                            (("--branching", "deepest"), "--branching paper")):
             call = [*self.CALL]
@@ -205,7 +205,7 @@ class State(Resumed):
 
     def test_is_no_other_file(self):
         self.state.write_text("what somebody wrote\n")
-        self.assertIn("is no state to go on from", self.refused_state(self.CALL))
+        self.assertIn("is not a state to resume from", self.refused_state(self.CALL))
         self.assertEqual(self.state.read_text(), "what somebody wrote\n")
         self.state.unlink()
         self.state.mkdir()

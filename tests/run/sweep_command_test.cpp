@@ -130,7 +130,7 @@ TEST_F(SweepCommand, WritesPointsAndStepsAsTextAndAsAPicture) {
   const auto run = shell(command + " sweep " + file_of("two-bars.toml") + " --mu 1,2,3 --csv " +
                          argument("c.csv") + " --svg " + argument("c.svg"));
   EXPECT_EQ(run.exit_code, 3) << run.output;  // 2 is critical
-  EXPECT_THAT(run.output, HasSubstr("within a bracket in which a pattern begins"));
+  EXPECT_THAT(run.output, HasSubstr("within a bracket in which a pattern first sticks"));
   const auto csv = content(in_folder("c.csv"));
   EXPECT_THAT(csv, HasSubstr("row,mu,count,known,open\npoint,1,0,0,0\npoint,2,,0,1\npoint,3,1,1,0\n"
                              "from,0,0,0,0\n"));

@@ -103,7 +103,7 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
   const bool all = unknowns.size() == middle.size;
   const auto own = all ? std::optional<Cholesky>{} : factor(unknowns);
   const auto& solver = all ? whole_ : own;
-  if (!solver) return "K is too badly conditioned to compute its displacements";
+  if (!solver) return "K is too ill-conditioned to compute its displacements";
   DyadicList x;
   DyadicList kx(middle.size);
   std::optional<std::string> refusal;

@@ -138,7 +138,7 @@ class SlipPart {
 
 // Proves that minus the form has a least eigenvalue larger than the effect of the error of F~.
 Judgement BlockProof::judge_form(std::span<const double> numbers) const {
-  if (motions() > 0) return {"a form is no proof of unconstrained bodies"};
+  if (motions() > 0) return {"a form proves nothing about unconstrained bodies"};
   const auto m = candidates();
   const auto d = block_.dimension;
   const auto form = parts_of_form(numbers, m, d);
@@ -147,7 +147,7 @@ Judgement BlockProof::judge_form(std::span<const double> numbers) const {
   std::vector<std::size_t> normals;
   for (std::size_t i = 0; i < m; ++i) normals.push_back(d * i);
   const auto inverse = held_.front().inverse_columns(normals);
-  if (!inverse) return {"K is too badly conditioned to compute its displacements"};
+  if (!inverse) return {"K is too ill-conditioned to compute its displacements"};
   const auto products = words_of(form.products, d * m);
   const auto responses = responses_of(products, *inverse, m, d * m);
   const SlipPart slips(form, responses, friction_, d);

@@ -26,7 +26,10 @@ void AbaqusMaterials::read_material(AbaqusText& text, const AbaqusCard& card) {
 // need those of a [[material]].
 void AbaqusMaterials::read_elastic(AbaqusText& text, const AbaqusCard& card) {
   allow_only(text, card, {"TYPE", "MODULI"});
-  if (latest_ == nullptr) text.line().fail("*ELASTIC of no material; expected *MATERIAL before");
+  if (latest_ == nullptr)
+    text.line().fail(
+        "*ELASTIC without a material; expected *MATERIAL "
+        "before it");
   if (latest_->read) text.line().fail("a second *ELASTIC of one material; expected one");
   latest_->read = true;
   if (const auto* type = card.find("TYPE"); type != nullptr) {

@@ -49,7 +49,10 @@ Eigen::Isometry3d rotation(const MeshText& line) {
   const auto given = numbers_in<7>(line, "the axis and the angle of a rotation");
   const Eigen::Vector3d from = given.head<3>();
   const Eigen::Vector3d axis = given.segment<3>(3) - from;
-  if (axis.isZero(0)) line.fail("a rotation about two equal points; expected an axis");
+  if (axis.isZero(0))
+    line.fail(
+        "the two points of a rotation axis are equal; expected different "
+        "points");
   const Eigen::Vector3d unit = axis.normalized();
   const auto [c, s] = cosine_and_sine(given(6));
   Eigen::Matrix3d across;

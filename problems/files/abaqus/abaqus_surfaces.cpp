@@ -76,7 +76,7 @@ void AbaqusGroups::read_face(const MeshText& line, MeshGroup& surface) {
     }
   }
   if (surface.faces.size() + surface.elements.size() > most_faces * mesh_.elements.size()) {
-    line.fail("a surface of more faces than the mesh has; expected each once");
+    line.fail("a surface with more faces than the mesh; expected each face once");
   }
 }
 

@@ -126,7 +126,7 @@ AbaqusCard AbaqusText::card() {
 bool AbaqusText::next_card(AbaqusCard& result) {
   if (!next_line()) return false;
   if (!is_keyword(line().line())) {
-    line().fail(0, "a data line of no keyword; expected a line *KEYWORD before it");
+    line().fail(0, "a data line without a keyword; expected a line *KEYWORD before it");
   }
   result = card();
   return true;

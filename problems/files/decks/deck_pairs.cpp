@@ -200,7 +200,7 @@ void PairWriter::write_contact(const MeshPair& pair, const Sides& sides, ChosenN
   leave_out_by_normals(pair, sides, nodes);
   if (sides.other == nullptr) {
     draft_.warn(pair.at,
-                fmt::format("the rigid surface of this pair is no mesh: all nodes of {} are "
+                fmt::format("the rigid surface of this pair is not a mesh: all nodes of {} are "
                             "taken as touching it",
                             pair.nodes));
   }

@@ -89,7 +89,7 @@ void SubstructureReader::nodes() {
     for (std::size_t field = 0; field < in_.fields(); ++field) {
       const auto node =
           count_in(field == 0 ? trimmed(content.substr(0, content.find(','))) : in_.field(field));
-      if (!node) in_.fail(field, "a comment that is no list of nodes; expected whole numbers");
+      if (!node) in_.fail(field, "a comment that is not a list of nodes; expected whole numbers");
       data_.rows.push_back({*node, 0, in_.number()});
     }
   }
@@ -136,13 +136,13 @@ void SubstructureReader::matrix() {
       ++field;
     }
   }
-  if (field < in_.fields()) in_.fail(field, "the matrix goes on; expected its end");
+  if (field < in_.fields()) in_.fail(field, "the matrix continues; expected its end");
 }
 
 // The mass matrix may follow.
 void SubstructureReader::rest() {
   while (next_data()) {
-    if (!is_keyword()) in_.fail("the matrix goes on; expected its end");
+    if (!is_keyword()) in_.fail("the matrix continues; expected its end");
     if (capitals(in_.field(0)) != "*MATRIX") {
       in_.fail(fmt::format("{} after the stiffness; expected the end of the file, or *MATRIX",
                            support::in_quotes(in_.field(0))));
@@ -185,7 +185,7 @@ std::vector<MatrixRow> stored_rows(std::string_view dofs, const std::string& fil
   MeshText in(dofs, file, ".");
   while (in.next_line()) {
     if (in.fields() == 0) continue;
-    if (in.fields() != 2) in.fail("the line is no NODE.DIRECTION; expected one, as 17.3");
+    if (in.fields() != 2) in.fail("the line is not NODE.DIRECTION; expected a row such as 17.3");
     rows.push_back({in.whole(0, "a node", 1), in.whole(1, "a direction", 1), in.number()});
     if (std::ssize(rows) > most_matrix_rows) {
       in.fail(fmt::format("too many rows; expected at most {}", most_matrix_rows));

@@ -132,12 +132,12 @@ SymmetricMatrix SymmetryCheck::result() {
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   result.rounding = rounding(data_.digits);
   if (most_asymmetric_ > 0) {
-    result.warning = support::InputError(
-                         data_.file, {},
-                         fmt::format("the matrix is symmetric but for {:.2g} of its diagonal; the "
-                                     "means of its entries and those across are taken",
-                                     most_asymmetric_))
-                         .what();
+    result.warning =
+        support::InputError(data_.file, {},
+                            fmt::format("the matrix deviates from symmetry by {:.2g} of its "
+                                        "diagonal; the means of entries ij and ji are used",
+                                        most_asymmetric_))
+            .what();
   }
   return result;
 }

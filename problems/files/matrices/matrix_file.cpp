@@ -10,8 +10,8 @@ TomlText matrix_file_name(const TomlReader& reader, const toml::node& entry) {
   TomlText name{value.value_or(""), reader.position(entry)};
   if (!name.text.ends_with(".mtx") && !name.text.ends_with(".sti")) {
     reader.fail(entry,
-                "file is no name of a matrix; expected file = \"....mtx\" (Matrix Market, or a "
-                "substructure of CalculiX) or \"....sti\" (CalculiX, with the .dof beside it)");
+                "file is not the name of a matrix; expected file = \"....mtx\" (Matrix Market, or "
+                "a substructure of CalculiX) or \"....sti\" (CalculiX, with the .dof beside it)");
   }
   return name;
 }

@@ -63,7 +63,7 @@ void MarketReader::head() {
   }
   const auto symmetry = word(4, "symmetric or general");
   if (symmetry != "SYMMETRIC" && symmetry != "GENERAL") {
-    refuse(4, "symmetric, or general and symmetric all the same");
+    refuse(4, "symmetric, or general with symmetric entries");
   }
   data_.one_triangle = symmetry == "SYMMETRIC";
 }
@@ -135,7 +135,7 @@ MatrixData MarketReader::read() {
   head();
   size();
   is_array_ ? array() : coordinates();
-  if (next_entry()) in_.fail("the file goes on after the last entry; expected its end");
+  if (next_entry()) in_.fail("the file continues after the last entry; expected its end");
   return std::move(data_);
 }
 

@@ -116,7 +116,7 @@ void GmshBinary::end(const std::string& name) {
   if (bytes_.substr(at_).starts_with('\n')) ++at_;
   const std::string expected = "$End" + name.substr(1);
   if (line() != expected)
-    fail(fmt::format("{} of a binary mesh goes on; expected {}", name, expected));
+    fail(fmt::format("{} of a binary mesh continues; expected {}", name, expected));
 }
 
 void GmshBinary::format() {

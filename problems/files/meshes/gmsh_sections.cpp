@@ -35,7 +35,7 @@ void end_section(MeshText& text, const std::string& name) {
   const std::string last = "$End" + name.substr(1);
   if (!text.next_line()) text.fail(fmt::format("the file ends; expected {}", last));
   if (text.fields() != 1 || text.field(0) != last) {
-    text.fail(fmt::format("{} goes on; expected {}", name, last));
+    text.fail(fmt::format("{} continues; expected {}", name, last));
   }
 }
 

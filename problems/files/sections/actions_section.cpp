@@ -113,7 +113,7 @@ void ActionsReader::read_action(const TomlTable& table) {
   const auto same = [&](const Action& other) { return other.name.text == action.name.text; };
   if (std::ranges::any_of(all_.actions, same)) {
     reader_.fail(action.name.position,
-                 fmt::format("two actions have the name {}; expected names of their own",
+                 fmt::format("two actions have the name {}; expected different names",
                              support::in_quotes(action.name.text)));
   }
   read_factors(table, action);
@@ -215,8 +215,8 @@ void ActionsReader::find_reference() {
     reader_.fail(
         reference_name_.position,
         fmt::format(
-            "reference names {}, which is {}; expected an action of every combination with one "
-            "sense, since the load factor multiplies it",
+            "reference names {}, which is {}; expected an action that is in every combination and "
+            "has one sense, since the load factor multiplies it",
             name, found->either_way ? "either way" : "exclusive"));
   }
   all_.reference = static_cast<std::size_t>(found - all_.actions.begin());

@@ -32,7 +32,9 @@ const toml::node* friction_factor(const TomlReader& reader, const TomlTable& gro
   const toml::node* const entry = group.table->get("friction_factor");
   const toml::node* const old = group.table->get("friction");
   if (entry != nullptr && old != nullptr)
-    reader.fail(*old, "friction beside friction_factor, which is its name now; expected one");
+    reader.fail(*old,
+                "friction, the former name of friction_factor, stands beside it; expected "
+                "friction_factor only");
   return entry != nullptr ? entry : old;
 }
 
@@ -56,7 +58,9 @@ double clearance_in(const TomlReader& reader, const TomlTable& group) {
   const toml::node* const gap = group.table->get("clearance");
   const toml::node* const press = group.table->get("interference");
   if (gap != nullptr && press != nullptr)
-    reader.fail(*press, "interference beside clearance, of which it is the opposite; expected one");
+    reader.fail(*press,
+                "interference and clearance in one group; expected one, since each is "
+                "minus the other");
   if (press != nullptr) return -reader.number(*press, "the interference");
   return gap == nullptr ? 0 : reader.number(*gap, "the clearance");
 }

@@ -47,7 +47,7 @@ TomlText mesh_file_name(const TomlReader& reader, const toml::node& entry) {
   const TomlText name{value.value_or(""), reader.position(entry)};
   if (!name.text.ends_with(".msh") && !is_abaqus_file(name.text)) {
     reader.fail(entry,
-                "file is no name of a mesh; expected file = \"....msh\" (Gmsh) or "
+                "file is not the name of a mesh; expected file = \"....msh\" (Gmsh) or "
                 "\"....inp\" (Abaqus, CalculiX)");
   }
   return name;

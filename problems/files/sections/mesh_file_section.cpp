@@ -93,7 +93,7 @@ void MeshFileSection::head(const TomlTable& group) {
   if (const auto* entry = group.table->get("scale"); entry != nullptr) {
     scale_ = reader.number(*entry, "scale");
     if (!(scale_ > 0)) {
-      reader.fail(*entry, "scale is not positive; expected the length of 1 in the mesh");
+      reader.fail(*entry, "scale is not positive; expected the length of one mesh unit");
     }
   }
   join_ = truth_of(reader, group, "join");
@@ -178,8 +178,8 @@ void MeshFileSection::add_nodes() {
     const Eigen::VectorXd place = scale_ * node.place.head(structure().dimension);
     const int same = places.node_at(place, tolerance);
     if (same >= 0 && !taken.insert(same).second) {
-      fail(node.at, fmt::format("node {} is a second one at the place of {}, to which it would be "
-                                "joined; expected join = false, or one node there",
+      fail(node.at, fmt::format("node {} is a second one at the position of {}, to which it would "
+                                "be joined; expected join = false, or one node there",
                                 mesh_name(mesh_, node), draft_.node_name(same)));
     }
     if (same >= 0) draft_.add_name(name, same);
@@ -226,8 +226,8 @@ void MeshFileSection::add_body_element(const MeshElement& element, const MeshUse
                                  mesh_name(mesh_, element), fault));
   }
   if (element.state && material != nullptr && material->has_plane && made.state != *element.state) {
-    fail(element.at, fmt::format("element {} is of another kind of plane than its material; "
-                                 "expected the same, or a material without plane",
+    fail(element.at, fmt::format("element {} differs from its material in plane stress or plane "
+                                 "strain; expected the same, or a material without plane",
                                  mesh_name(mesh_, element)));
   }
   if (!has_plane && !element.state && !is_of_stiffness(draft_, name_.text)) {
@@ -304,7 +304,7 @@ void MeshFileSection::add_supports() {
     if (structure().dimension == 2) fixed[2] = false;
     if (number(support.node) < 0) {
       const MeshNode& node = mesh_.nodes[static_cast<std::size_t>(support.node)];
-      warn(support.at, fmt::format("the support of node {} is left out: the node is of no element",
+      warn(support.at, fmt::format("the support of node {} is left out: no element has this node",
                                    mesh_name(mesh_, node)));
     } else if (fixed[0] || fixed[1] || fixed[2]) {
       draft_.support({number(support.node), position(support.at)}, fixed);

@@ -18,7 +18,8 @@ using Edges = std::map<std::string, std::vector<int>, std::less<>>;
 Eigen::Matrix<double, 2, 4> corners(const TomlReader& reader, const toml::node& entry) {
   const auto places = reader.elements(entry, "corners");
   if (places.size() != 4) {
-    reader.fail(entry, fmt::format("a mesh has {} corners; expected four positions, going round",
+    reader.fail(entry, fmt::format("a mesh has {} corners; expected four positions, in order "
+                                   "around the mesh",
                                    places.size()));
   }
   Eigen::Matrix<double, 2, 4> result;
@@ -31,7 +32,9 @@ Eigen::Matrix<double, 2, 4> corners(const TomlReader& reader, const toml::node& 
 StructuredMesh shape(const TomlReader& reader, const TomlTable& group) {
   StructuredMesh mesh;
   const auto& corner_entry =
-      reader.require(group, "corners", "corners = [[x, y], ...], four of them, going round");
+      reader.require(group, "corners",
+                     "corners = [[x, y], ...], four of them, in order around "
+                     "the mesh");
   mesh.corners = corners(reader, corner_entry);
   const auto& division_entry = reader.require(group, "divisions",
                                               "divisions = [11, 11], elements from left to right "
@@ -45,8 +48,9 @@ StructuredMesh shape(const TomlReader& reader, const TomlTable& group) {
   mesh.rows = reader.count(*counts[1], "a division", most_divisions);
   if (!mesh.is_convex()) {
     reader.fail(corner_entry,
-                "the corners of a mesh do not go round a convex quadrilateral; expected lower "
-                "left, lower right, upper right, upper left, or any four like them");
+                "the corners of a mesh are not those of a convex quadrilateral in order; expected "
+                "lower left, lower right, upper right, upper left, or four others in order around "
+                "it");
   }
   return mesh;
 }

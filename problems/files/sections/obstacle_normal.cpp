@@ -128,7 +128,7 @@ ObstacleNormal of_surface(const ProblemDraft& draft, const TomlTable& group, Laz
     if (!normal) normal = body.mean_normal(listed.node, [](const SurfaceFace&) { return true; });
     if (!normal) {
       draft.reader().fail(listed.position,
-                          fmt::format("the body has no surface at {}, or faces two opposite ways "
+                          fmt::format("the body has no surface at {}, or two opposite faces "
                                       "there; expected a normal [...]",
                                       draft.node_name(listed.node)));
     }
@@ -186,17 +186,19 @@ Revolution revolution(const ProblemDraft& draft, const TomlTable& table) {
   result.point = reader.vector(reader.require(table, "point", "point = [...], on the axis"),
                                "the point", dimension);
   if (dimension == 3) {
-    const auto& axis = reader.require(table, "axis", "axis = [...], the way a cone widens");
+    const auto& axis = reader.require(table, "axis",
+                                      "axis = [...], the direction in which a cone "
+                                      "widens");
     result.axis = direction(draft, axis, "the axis").stableNormalized();
   } else if (const auto* axis = table.table->get("axis"); axis != nullptr) {
-    reader.fail(*axis, "an axis in the plane; expected the point only, the middle of a circle");
+    reader.fail(*axis, "an axis in the plane; expected the point only, the centre of a circle");
   }
   if (const auto* angle = table.table->get("half_angle"); angle != nullptr) {
     const double degrees = reader.number(*angle, "half_angle");
     if (!(degrees >= 0 && degrees < 90) || dimension == 2) {
-      reader.fail(*angle,
-                  "half_angle is no angle of a cone; expected degrees from 0 to below 90, "
-                  "in space");
+      reader.fail(
+          *angle,
+          "half_angle is not that of a cone; expected degrees from 0 to below 90, in space");
     }
     result.half_angle = degrees * std::numbers::pi / 180;
   }

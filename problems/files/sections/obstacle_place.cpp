@@ -86,7 +86,7 @@ std::optional<std::string> place_fault(const ProblemDraft& draft, const Surface&
       "expected the plane, cylinder or cone that the nodes are on, or normal = \"surface\"",
       off, nodes.size(), none ? "one" : "a", surfaces.called, distance(offsets, own[worst]),
       draft.structure().units.length, draft.node_name(nodes[worst].node),
-      none ? ", and no face of the body is, so that the normal is right for none" : "");
+      none ? ", nor is any face of the body, so the normal is wrong for all candidates" : "");
 }
 
 }  // namespace kusabi::problems

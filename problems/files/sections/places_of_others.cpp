@@ -38,7 +38,7 @@ class PlacesOfOthers {
     const auto faces = faces_within(draft_.structure(), group);
     if (faces.empty()) {
       reader_.fail(entry_,
-                   fmt::format("{} is no surface: no element has an edge or face within it; "
+                   fmt::format("{} is not a surface: no element has an edge or face within it; "
                                "expected the name of an edge or group, or a list of nodes",
                                support::in_quotes(name.text)));
     }

@@ -125,7 +125,7 @@ std::vector<ListedNode> ProblemDraft::nodes_listed(const TomlTable& table) const
       others.insert(nodes.begin(), nodes.end());
     }
     std::erase_if(listed, [&](const ListedNode& one) { return others.contains(one.node); });
-    if (listed.empty()) reader_.fail(*entry, "nodes without these are none; expected one or more");
+    if (listed.empty()) reader_.fail(*entry, "except leaves no nodes; expected one or more");
   }
   if (const auto* entry = table.table->get("every"); entry != nullptr) {
     const auto step = static_cast<std::size_t>(reader_.count(*entry, "every", most_every));

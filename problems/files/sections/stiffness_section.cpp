@@ -71,7 +71,7 @@ StiffnessSection::StiffnessSection(ProblemDraft& draft, const TomlTable& group)
   }
   if (const auto* others = entry("others"); others != nullptr) {
     if (reader_.text(*others, "others").text != "free") {
-      reader_.fail(*others, "others is something else than \"free\"; expected that, or no others");
+      reader_.fail(*others, "others is not \"free\"; expected others = \"free\", or no others");
     }
     others_free_ = true;
   }

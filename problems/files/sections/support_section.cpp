@@ -25,7 +25,9 @@ void inclined_group(ProblemDraft& draft, const TomlTable& group, const toml::nod
   }
   const Eigen::VectorXd direction = reader.vector(entry, "direction", structure.dimension);
   if (direction.isZero(0.0)) {
-    reader.fail(entry, "the direction is zero; expected that along which the nodes are held");
+    reader.fail(entry,
+                "the direction is zero; expected the one along which the nodes are "
+                "supported");
   }
   std::array<bool, 3> fixed{};
   const bool axis = (direction.array() != 0).count() == 1;

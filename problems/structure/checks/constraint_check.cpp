@@ -97,12 +97,12 @@ void ConstraintCheck::followers() const {
     }
     if (!following.insert(follower.node).second && !follower.pair) {
       fail(follower.position,
-           fmt::format("node {} follows other nodes twice; expected pairs, or one tie",
+           fmt::format("node {} is a dependent node twice; expected pairs, or one tie",
                        name(follower.node)));
     }
     if (is_inclined(follower.node)) {
       fail(follower.position,
-           fmt::format("node {} follows other nodes and has an inclined support; expected one of "
+           fmt::format("node {} is a dependent node and has an inclined support; expected one of "
                        "the two",
                        name(follower.node)));
     }
@@ -133,8 +133,8 @@ void ConstraintCheck::place_of(const Follower& follower, const std::set<int>& fo
     }
     if (following.contains(node)) {
       fail(follower.position,
-           fmt::format("node {} is paired with {}, which itself follows other nodes; expected the "
-                       "nodes of one body to follow and those of the other to lead",
+           fmt::format("node {} is paired with {}, which is itself a dependent node; expected "
+                       "dependent nodes on one body and master nodes on the other",
                        name(follower.node), name(node)));
     }
     if (!seen.insert(node).second) {

@@ -108,8 +108,10 @@ void ElementCheck::shape() const {
       zero_length * size * std::pow(element_extent(structure_, element_), structure_.dimension - 1);
   if ((values > least).all() || (values < -least).all()) return;
   if (element_.shape == ElementShape::quadrilateral4) {
-    fail(fmt::format("the element at {} is no convex quadrilateral; expected corners that go round",
-                     corner_names()));
+    fail(
+        fmt::format("the element at {} is not a convex quadrilateral; expected corners in order "
+                    "around it",
+                    corner_names()));
   }
   // The sign of the majority determines the wrong ones.
   const bool negative = (values < 0).count() > values.size() / 2;
@@ -121,8 +123,8 @@ void ElementCheck::shape() const {
           ? fmt::format("at node {}", name(element_.nodes[static_cast<std::size_t>(where)]))
           : std::string("inside");
   fail(
-      fmt::format("the {} at {} is flat or turned inside out {}: its Jacobian determinant is not "
-                  "of one sign; expected nodes in the order of docs/problem-files.md, {}",
+      fmt::format("the {} at {} is flat or inverted {}: its Jacobian determinant does not have "
+                  "one sign; expected nodes in the order of docs/problem-files.md, {}",
                   traits_.name, corner_names(), place,
                   traits_.quadratic ? "and middles of edges near the middle" : "and a volume"));
 }

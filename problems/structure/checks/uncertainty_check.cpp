@@ -83,7 +83,7 @@ void UncertaintyCheck::single(const UncertainParameter& parameter) {
 void UncertaintyCheck::named(const UncertainParameter& parameter) {
   const auto name = support::in_quotes(parameter.name);
   if (!names_.insert(parameter.name).second) {
-    fail(fmt::format("two uncertain loads have the name {}; expected names of their own", name));
+    fail(fmt::format("two uncertain loads have the name {}; expected different names", name));
   }
   if (std::ranges::all_of(parameter.components, [&](const auto& each) { return is_fixed(each); })) {
     fail(

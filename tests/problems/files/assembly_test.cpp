@@ -138,7 +138,7 @@ TEST(Assembly, RefusesWhatDoesNotEnd) {
               HasSubstr("instance \"Mid\" does not exist"));
   EXPECT_THAT(
       error(deck("*Instance, name=A, part=Block\n0., 0., 0.\n1., 1., 1., 1., 1., 1., 9.\n")),
-      HasSubstr("rotation about two equal points"));
+      HasSubstr("the two points of a rotation axis are equal"));
 }
 
 TEST(Assembly, WarnsOnceForEachThingThatIsLeftOut) {

@@ -67,7 +67,7 @@ TEST(BadMatrices, OfRowsThatAreNoneAreRefused) {
   EXPECT_EQ(error(""),
             "stored.dof:1:1: the file has no rows; expected NODE.DIRECTION on each line");
   EXPECT_EQ(error("1.1\n12\n"),
-            "stored.dof:2:1: the line is no NODE.DIRECTION; expected one, as 17.3");
+            "stored.dof:2:1: the line is not NODE.DIRECTION; expected a row such as 17.3");
   EXPECT_EQ(error("1.1\n7.1\n"),
             "stored.dof:2:1: node 7 of the matrix would be \"7\", which does not exist; expected "
             "it among the nodes of the problem, or others = \"free\" in [[stiffness]]");

@@ -194,7 +194,7 @@ TEST(TwoBodies, AreRefusedWhereTheyAreNotTwo) {
   EXPECT_THAT(spoilt([&](Structure& s) {
                 s.contact[0].against = {{pairs[1].node, 1}};
               }),
-              HasSubstr("which itself follows"));
+              HasSubstr("which is itself a dependent node"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.contact[0].against[0].node = 99; }),
               HasSubstr("does not exist"));
   EXPECT_THAT(
@@ -205,7 +205,7 @@ TEST(TwoBodies, AreRefusedWhereTheyAreNotTwo) {
   EXPECT_THAT(spoilt([&](Structure& s) {
                 s.ties.push_back({pairs[0].node, {{0, 1}}});
               }),
-              HasSubstr("follows other nodes twice"));
+              HasSubstr("is a dependent node twice"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.ties[0].to.clear(); }), HasSubstr("tied to no node"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.inclined.push_back(s.inclined[0]); }),
               HasSubstr("supported twice"));

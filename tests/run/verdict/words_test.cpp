@@ -238,7 +238,7 @@ TEST(LoadWords, ReportAnEmptyInterval) {
                            .least = {Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}},
                            .most = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}}};
   EXPECT_EQ(headline({.answer = empty}),
-            "No load factor is carried whatever the dead load is within ± 2.5 kN.");
+            "No load factor is carried for every dead load within ± 2.5 kN.");
   EXPECT_EQ(exit_code({.answer = empty}), solved);
 }
 

@@ -107,7 +107,7 @@ TEST(Mps, TakesTheFirstRowOfTypeNForTheObjectiveUnlessOneIsNamed) {
   const auto named = read("OBJNAME\n b\n" + rows);
   EXPECT_EQ(named.mixed.program.columns[0].cost, 5);
   EXPECT_EQ(named.mixed.program.constant, -7);
-  EXPECT_THAT(refusal("OBJNAME l\n" + rows), HasSubstr("\"l\", which is no row of type N"));
+  EXPECT_THAT(refusal("OBJNAME l\n" + rows), HasSubstr("\"l\", which is not a row of type N"));
   EXPECT_THAT(refusal("ROWS\n L l\nCOLUMNS\n x l 1\nENDATA\n"),
               HasSubstr("no row of type N, the objective"));
 }
@@ -246,7 +246,7 @@ TEST(Mps, RefusesWithTheLineWhatIsWrongOrMayMeanTwoThings) {
       {file("INDICATORS\n IF l y 1\n"), "t.mps:12: \"INDICATORS\": indicator constraints are"},
       {file(" x c 1\n"), "t.mps:12: column \"x\" comes again after another"},
       {file(" y c 1\n"), "t.mps:12: a second entry of column \"y\" in row \"c\""},
-      {file(" z no 1\n"), "t.mps:12: \"no\" is no row"},
+      {file(" z no 1\n"), "t.mps:12: \"no\" is not a row"},
       {file(" z c 1D3\n"), "t.mps:12: \"1D3\" is not a number"},
       {file(" z c 0x10\n"), "t.mps:12: \"0x10\" is not a number"},
       {file(" z c nan\n"), "t.mps:12: \"nan\" is not a number"},
@@ -260,7 +260,7 @@ TEST(Mps, RefusesWithTheLineWhatIsWrongOrMayMeanTwoThings) {
       {file("RHS\n R g 1e30\n"), "t.mps:13: the right-hand side 1e+30 of row \"g\""},
       {file("BOUNDS\n SC B x 4\n"), "t.mps:13: \"SC\": semi-continuous columns are not supported"},
       {file("BOUNDS\n XX B x 4\n"), "t.mps:13: a bound of type \"XX\"; expected LO, UP"},
-      {file("BOUNDS\n UP B z 4\n"), "t.mps:13: \"z\" is no column"},
+      {file("BOUNDS\n UP B z 4\n"), "t.mps:13: \"z\" is not a column"},
       {file("BOUNDS\n UP B x\n"), "t.mps:13: "},
       {file("BOUNDS\n UP B x 4\n UP C y 4\n"), "t.mps:14: a second set \"C\" after \"B\""},
       {file("BOUNDS\n UP B x 4\n UP B x 5\n"), "t.mps:14: a second upper bound of column \"x\""},
