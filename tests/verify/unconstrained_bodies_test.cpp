@@ -377,6 +377,54 @@ normal = [0, 0, 1]
   }
 }
 
+// A triangle of bars and a node a million times farther away. A rotation of that node strains the
+// triangle so little that, with its contacts fixed, the eigenvalues of K differ by a factor of
+// 1e16.
+TEST(LooseTrusses, AreProvedWithAVeryLongLever) {
+  const auto lever = read(R"(
+name = "lever"
+dimension = 2
+[nodes]
+a = [0.7706521597981201, 0.018297834191031336]
+b = [-0.16894052248598754, 0.8377311952464849]
+c = [-0.7960570833301549, -0.4142136273628958]
+far = [1360103.0763467862, 529428.8620135831]
+[[members]]
+EA = 0.6261946677920907
+between = [["a", "b"]]
+[[members]]
+EA = 1.904562501691604
+between = [["a", "c"]]
+[[members]]
+EA = 1.8687358362155064
+between = [["b", "c"]]
+[[members]]
+EA = 1911966.2853108642
+between = [["far", "c"]]
+[[members]]
+EA = 1418074.3514599341
+between = [["far", "a"]]
+[[contact]]
+nodes = ["a"]
+normal = [-0.9863508342967405, 0.1646573159082948]
+[[contact]]
+nodes = ["c"]
+normal = [0.9057831897196091, 0.4237414461925697]
+friction_factor = 0.37017046969364437
+[[contact]]
+nodes = ["b"]
+normal = [0.5672571170074856, -0.8235407477498341]
+[[contact]]
+nodes = ["far"]
+normal = [-1.0097363452536945, 0.1452424204884224]
+friction_factor = 1.2632737347327885
+)");
+  const auto said = proved(lever, 1.55461);
+  EXPECT_THAT(said.refusals, IsEmpty());
+  EXPECT_EQ(said.feasible.size(), 8U);
+  EXPECT_EQ(said.marginal, 0U);
+}
+
 TEST(ContactMotions, OfTheStructureAreRigidAndComplete) {
   std::mt19937 bits(3);
   for (const int dimension : {2, 3}) {
