@@ -89,10 +89,10 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
 // |load + factor f_R - B forces|, by displacement, with the errors of f_R and B.
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
-  std::vector<Dyadic> doubt(load.size());
+  std::vector<Dyadic> errors(load.size());
   const auto add = [&](std::size_t e, const Near& number, double times) {
     load[e] = load[e] + product(number.value, times);
-    doubt[e] = doubt[e] + product(number.error, std::abs(times));
+    errors[e] = errors[e] + product(number.error, std::abs(times));
   };
   if (factor != 0) {
     for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
@@ -101,18 +101,20 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
     if (force == 0) continue;
     for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
   }
-  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + doubt[e];
+  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + errors[e];
   return load;
 }
 
 namespace {
 
-/// A member is rigid in the intended motion if its elongation is below this share of the largest.
-/// Its elongation is made exactly zero if rounding of the motion may change the dissipation by more
-/// than `is_dear` of it. (In a redundant body with rounded bar directions not all elongations can
-/// be zero.)
+/// A member is rigid in the intended motion if its elongation is below this share of the largest
+/// displacement.
 constexpr double is_still = 1e-9;
-constexpr double is_dear = 1e-14;
+
+/// The elongation of a rigid member is made exactly zero if rounding of the motion may change the
+/// dissipation by more than this share. Not all can be zero: directions of bars are rounded, so a
+/// redundant body has no exact rigid motion.
+constexpr double significant_cost = 1e-14;
 constexpr double rounding = 0x1p-53;
 
 /// Each step reduces the elongations by about ten digits, by fewer for trusses close to mechanisms.
@@ -155,7 +157,8 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
     for (const auto& [e, entry] : column) rough.emplace_back(e, entry.value.nearest());
   };
   for (const auto i : may_be_still) {
-    if (cost_of(i, rounding * largest) > is_dear * dissipated) keep_still(truss_.columns[i]);
+    if (cost_of(i, rounding * largest) > significant_cost * dissipated)
+      keep_still(truss_.columns[i]);
   }
   Column reference;
   if (without_work) {
@@ -219,16 +222,16 @@ bool LimitProof::load_is_admissible() const {
 std::variant<mpq_class, std::string> LimitProof::upper() const {
   if (!load_is_admissible()) return "the load is outside of its bounds";
   const auto u = still_motion(false);
-  Dyadic work;   // of f_R
-  Dyadic doubt;  // of the work
+  Dyadic work;        // of f_R
+  Dyadic work_error;  // of the work
   Dyadic value;
   for (std::size_t e = 0; e < u.size(); ++e) {
     const auto size = absolute(u[e]);
     work = work + truss_.reference[e].value * u[e];
-    doubt = doubt + truss_.reference[e].error * size;
+    work_error = work_error + truss_.reference[e].error * size;
     value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
   }
-  if (!(work > doubt)) return "the reference load does no work on the motion";
+  if (!(work > work_error)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     for (const auto& [e, each] : certificate_.uncertain[j]) {
       value = value - product(product(u[e], each), certificate_.load[j]);
@@ -243,7 +246,7 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
       value = value + product(entry.error * absolute(u[e]), std::max(tension, compression));
     }
   }
-  const auto divisor = value.sign() < 0 ? work + doubt : work - doubt;
+  const auto divisor = value.sign() < 0 ? work + work_error : work - work_error;
   return mpq_class(value.rational() / divisor.rational());
 }
 
@@ -380,7 +383,7 @@ std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<b
   };
   // A node that decides no further sign covers the whole subtree.
   if (std::ranges::any_of(nodes, whole)) return {};
-  return "the nodes do not come from a tree: no sign is decided in all of some";
+  return "the nodes do not form a tree: some of them have no decided sign in common";
 }
 
 double towards(const mpq_class& value, double limit) {

@@ -19,18 +19,6 @@ support::IndexSet set_of(const std::vector<std::size_t>& members) {
   return set;
 }
 
-std::vector<double> recorded_sum(const std::vector<Force>& forces, const Structure& truss,
-                                 const Freedom& freedom) {
-  std::vector<double> sum(freedom.count);
-  for (const auto& force : forces) {
-    for (std::size_t axis = 0; axis < truss.dimension; ++axis) {
-      const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += force.components[axis];
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
 LimitCertificate recorded_loads(const Structure& truss) {
@@ -50,8 +38,8 @@ LimitCertificate recorded_loads(const Structure& truss) {
         column.emplace_back(e, cosine);
     }
   }
-  loads.dead = recorded_sum(truss.dead, truss, freedom);
-  loads.reference = recorded_sum(truss.reference, truss, freedom);
+  loads.dead = sum_of<double>(truss.dead, truss, freedom);
+  loads.reference = sum_of<double>(truss.reference, truss, freedom);
   for (std::size_t j = 0; j < truss.uncertain->size(); ++j) {
     auto& column = loads.uncertain.emplace_back();
     for (const auto& each : (*truss.uncertain)[j]) {
@@ -116,15 +104,15 @@ std::vector<std::string> LossClaim::check_loss(double& upper) const {
   if (const auto& flaw = cover.flaw()) {
     std::string why = "no state is left after the loss of";
     for (const int member : *flaw) why += ' ' + names_[static_cast<std::size_t>(member)];
-    refusals.push_back(flaw->empty() ? "it has no states" : why);
+    refusals.push_back(flaw->empty() ? "the certificate has no states" : why);
   }
   return refusals;
 }
 
 std::optional<std::string> LossClaim::refusal_of_state(std::size_t number) const {
   const auto carried = carried_factor(exact_, statement_.states[number]);
-  if (!carried) return "its forces are not in equilibrium within the yield forces";
-  if (carried->factor < *statement_.lower) return "it carries less than the claimed factor";
+  if (!carried) return "the forces of the state are not in equilibrium within the yield forces";
+  if (carried->factor < *statement_.lower) return "the state carries less than the claimed factor";
   return {};
 }
 

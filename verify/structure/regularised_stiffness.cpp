@@ -21,10 +21,6 @@ constexpr int first_bits = 9;
 // Maximum size of a K that is factorised in intervals, which takes a tenth of a second for it.
 constexpr std::size_t most_enclosed = 100;
 
-bool all_finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-}
-
 // The lower triangle of some rows and columns of a matrix, by rows.
 DyadicList lower_triangle(const DyadicMatrix& matrix, std::span<const std::size_t> numbers) {
   DyadicList result;

@@ -12,14 +12,14 @@ using support::IndexSet;
 std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& contact,
                                                            const IndexSet& /*separated*/,
                                                            std::span<const double> numbers) const {
-  if (contact.empty()) return "no candidate is in contact";
+  if (contact.empty()) return "the leaf has no candidate in contact";
   return refusal_of_leaf({contact, {}, {}, {}, {}, {}, {}, {}}, numbers);
 }
 
 std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
                                                        std::span<const double> numbers) const {
   const auto& contact = leaf.contact;
-  const auto* stiffness = held_at_normals(contact);
+  const auto* stiffness = regularised_at_normals(contact);
   if (stiffness == nullptr) {
     auto [springs, sliding] = hold(contact);
     leaf.sliding = std::move(sliding);
@@ -27,7 +27,7 @@ std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
   }
   if (auto why = read_leaf(numbers, leaf)) return why;
   if (!stiffness->least_eigenvalue())
-    return "K is not proved to be definite with its contacts fixed";
+    return "K is not proved to be positive definite if its contacts are fixed along their normals";
   return stiffness->solve(leaf.unknowns, leaf.right,
                           [&](const auto& u, const auto& r, const auto& off) {
                             return check_feasible(*stiffness, leaf, u, r, off);
@@ -85,7 +85,7 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   }
   for (const auto& motion : unseen.left()) {  // no reaction of U does work on it
     if (!leaf.work.empty() && sgn(dot(leaf.work, motion)) != 0)
-      return "its load does work on a motion that no contact resists";
+      return "its load does work on a rigid-body mode that no contact resists";
   }
   const auto& seen = unseen.taken();
   const auto motions = seen.size();
@@ -140,29 +140,29 @@ Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& co
   return sum;
 }
 
-std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& held, const Leaf& leaf,
-                                                const NearList& shift,
+std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& stiffness,
+                                                const Leaf& leaf, const NearList& shift,
                                                 const Dyadic& pressures) const {
-  const auto& s = *held.least_eigenvalue();
+  const auto& s = *stiffness.least_eigenvalue();
   const auto change = (leaf.lift * leaf.correction).scaled(1);
-  if (!(s > change * held.size())) return {};
-  const auto gap = held.size() * normal_size(shift, leaf.contact).scaled(1);
-  return gap + change * (pressures + quotient_above(held.size() * gap, s));
+  if (!(s > change * stiffness.size())) return {};
+  const auto gap = stiffness.size() * normal_size(shift, leaf.contact).scaled(1);
+  return gap + change * (pressures + quotient_above(stiffness.size() * gap, s));
 }
 
-std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness& held,
+std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness& stiffness,
                                                       const Leaf& leaf, const DyadicList& u,
                                                       const DyadicList& r,
                                                       const Dyadic& unknown) const {
   const auto d = block_.dimension;
-  const auto& s = *held.least_eigenvalue();
+  const auto& s = *stiffness.least_eigenvalue();
   Dyadic rest_squared;
   for (const auto row : leaf.unknowns) {
     rest_squared = rest_squared + square(r[row] - leaf.right[row]);
   }
   auto right_error = leaf.right_error;
   auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times the error of u
-  auto error = held.size() * rest + s * unknown;                 // s times the error of K u
+  auto error = stiffness.size() * rest + s * unknown;            // s times the error of K u
   auto reaction = r;                                             // K u minus the load
   if (leaf.forces.size() > 0) {
     auto forces = leaf.forces;
@@ -175,11 +175,11 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
   if (!leaf.sliding.empty()) {
     auto shift = seen_of(block_.motions, missing(leaf.mean, u, leaf.sliding));
     const auto pressures = normal_size({reaction, quotient_above(error, s)}, leaf.contact);
-    const auto lifted = error_of_lift(held, leaf, shift, pressures);
+    const auto lifted = error_of_lift(stiffness, leaf, shift, pressures);
     if (!lifted) return "its sliding modes displace the contacts along their normals by too much";
     right_error = right_error + *lifted;
     rest = rest + *lifted;
-    error = error + held.size() * *lifted;
+    error = error + stiffness.size() * *lifted;
     off = s * shift.error;
     moved += std::move(shift.values);
   }
@@ -189,7 +189,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     const auto& name = block_.names[i];
     if (!holds(leaf.contact, i)) {
       const auto gap = leaf.gaps.size() > 0 ? moved[d * i] + leaf.gaps[i] : moved[d * i];
-      if (!(s * gap > rest + off)) return name + " does not separate";
+      if (!(s * gap > rest + off)) return name + " is not proved to separate";
       continue;
     }
     sum = sum + s * reaction[d * i];
@@ -198,7 +198,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
     if (friction_[i].sign() == 0) continue;  // r_t = 0 is required
     const auto shear = s * (sqrt_above(tangential_square(leaf.tangential, i)) + right_error);
-    if (!(friction_[i] * pressure > shear)) return name + " slips, or is about to";
+    if (!(friction_[i] * pressure > shear)) return name + " slips, or is at the limit of friction";
   }
   if (leaf.grip != nullptr) {
     *leaf.grip = {(sum - spread).rational() / s.rational(),
