@@ -108,7 +108,7 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
   const bool all = unknowns.size() == middle.size;
   const auto own = all ? std::optional<Cholesky>{} : factor(unknowns);
   const auto& solver = all ? whole_ : own;
-  if (!solver) return "K is too badly conditioned to compute its displacements";
+  if (!solver) return "K is too ill-conditioned to compute its displacements";
   DyadicList x;
   DyadicList kx(middle.size);
   std::optional<std::string> refusal;
@@ -142,7 +142,7 @@ std::optional<std::string> RegularisedStiffness::solve_enclosed(
   const auto own = all ? std::optional<EnclosedFactor>{}
                        : EnclosedFactor::of(unknowns.size(), lower_triangle(middle, unknowns));
   const auto& solver = all ? enclosed_ : own;
-  if (!solver) return "K is too badly conditioned to compute its displacements";
+  if (!solver) return "K is too ill-conditioned to compute its displacements";
   std::vector<Enclosure> loads;
   for (const auto row : unknowns) loads.emplace_back(right[row]);
   const auto enclosures = solver->solve(std::move(loads));

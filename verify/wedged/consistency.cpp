@@ -118,8 +118,9 @@ std::optional<std::string> other_motions(const Certificate& certificate,
       for (std::size_t j = 0; parts && j < p; ++j) moves += own[p * row + j] * (*parts)[j];
       // The condition is false for NaN.
       if (!(std::abs(column[row] - moves) <= motion_tolerance * largest)) {
-        return "rigid-body mode " + std::to_string(k + 1) +
-               " of the certificate is not one of the structure: it strains at " +
+        return "its motion " + std::to_string(k + 1) +
+               " is not a rigid-body mode of the "
+               "structure: it strains at " +
                certificate.names[row / certificate.dimension];
       }
     }
