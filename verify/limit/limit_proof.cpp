@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -121,70 +122,30 @@ constexpr double rounding = 0x1p-53;
 constexpr int steps = 12;
 constexpr double shift = 1e-10;
 
-}  // namespace
-
-// The recorded motion, corrected such that members that are rigid in the intended motion are rigid
-// exactly and, if requested, the reference load does no work. A large yield force, which stands for
-// an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
-// is computed exactly.
-std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
-  std::vector<Dyadic> motion;
-  double largest = 0;
-  for (const double u : certificate_.motion) {
-    motion.emplace_back(u);
-    largest = std::max(largest, std::abs(u));
-  }
-  // Upper bound of the cost, since the sign of a rounding error is unknown.
-  const auto cost_of = [this](std::size_t i, double stretch) {
-    return std::abs(stretch) * std::max(certificate_.tension[i], certificate_.compression[i]);
-  };
-  std::vector<std::size_t> may_be_still;
-  double dissipated = 0;
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
-    if (std::abs(stretch) <= is_still * largest) {
-      may_be_still.push_back(i);
-    } else {
-      dissipated +=
-          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
-    }
-  }
-  std::vector<const Column*> still;
+// Changes a motion such that the elongations of some columns are zero up to rounding far below that
+// of doubles, by projections with rows scaled to one.
+std::vector<Dyadic> without_elongations(std::vector<Dyadic> motion,
+                                        const std::vector<const Column*>& still) {
   std::vector<Sparse> roughly;
-  const auto keep_still = [&](const Column& column) {
-    still.push_back(&column);
-    auto& rough = roughly.emplace_back();
-    for (const auto& [e, entry] : column) rough.emplace_back(e, entry.value.nearest());
-  };
-  for (const auto i : may_be_still) {
-    if (cost_of(i, rounding * largest) > significant_cost * dissipated)
-      keep_still(truss_.columns[i]);
-  }
-  Column reference;
-  if (without_work) {
-    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
-      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
-    }
-    keep_still(reference);
-  }
-  if (still.empty()) return motion;
-  std::vector<bool> touched(certificate_.displacements);
-  std::vector<std::size_t> all;
+  std::vector<bool> touched(motion.size());
   std::vector<double> weight;  // scales each row to one
-  for (const auto& rough : roughly) {
+  for (const auto* column : still) {
+    auto& rough = roughly.emplace_back();
     double square = 0;
-    for (const auto& [e, entry] : rough) {
+    for (const auto& [e, entry] : *column) {
+      rough.emplace_back(e, entry.value.nearest());
+      square += rough.back().second * rough.back().second;
       touched[e] = true;
-      square += entry * entry;
     }
-    all.push_back(all.size());
     weight.push_back(1 / square);
   }
   std::vector<std::size_t> displacements;
   for (std::size_t e = 0; e < touched.size(); ++e) {
     if (touched[e]) displacements.push_back(e);
   }
-  const Gram gram(roughly, all, weight, displacements, certificate_.displacements, shift);
+  std::vector<std::size_t> all(still.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Gram gram(roughly, all, weight, displacements, motion.size(), shift);
   if (!gram.definite()) return motion;
   std::vector<double> change(displacements.size());
   for (int step = 0; step < steps; ++step) {
@@ -210,6 +171,47 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
     }
   }
   return motion;
+}
+
+}  // namespace
+
+// The recorded motion, corrected such that members that are rigid in the intended motion are rigid
+// exactly and, if requested, the reference load does no work. A large yield force, which stands for
+// an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
+// is computed exactly.
+std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
+  std::vector<Dyadic> motion;
+  double largest = 0;
+  for (const double u : certificate_.motion) {
+    motion.emplace_back(u);
+    largest = std::max(largest, std::abs(u));
+  }
+  std::vector<std::size_t> rigid;
+  double dissipated = 0;
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
+    if (std::abs(stretch) <= is_still * largest) {
+      rigid.push_back(i);
+    } else {
+      dissipated +=
+          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
+    }
+  }
+  std::vector<const Column*> still;
+  for (const auto i : rigid) {
+    // Upper bound of the cost, since the sign of a rounding error is unknown.
+    const double cost =
+        rounding * largest * std::max(certificate_.tension[i], certificate_.compression[i]);
+    if (cost > significant_cost * dissipated) still.push_back(&truss_.columns[i]);
+  }
+  Column reference;
+  if (without_work) {
+    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
+      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
+    }
+    still.push_back(&reference);
+  }
+  return still.empty() ? motion : without_elongations(std::move(motion), still);
 }
 
 bool LimitProof::load_is_admissible() const {

@@ -196,6 +196,11 @@ class BlockProof {
   // Makes the tangential reactions of a leaf orthogonal to the sliding modes.
   [[nodiscard]] std::optional<std::string> balance_sliding(const std::vector<double>& room,
                                                            Leaf& leaf) const;
+  // Adds the norms `lift` and `correction` of sliding modes that displace tangents of U.
+  // @param rows products of the rows of G with these modes @return false if they are dependent
+  [[nodiscard]] bool add_corrections(const std::vector<Rationals>& rows,
+                                     const std::vector<std::size_t>& tangents,
+                                     const std::vector<Rationals>& modes, Leaf& leaf) const;
   // Adds the load to the forces of a leaf, and the forces that would close the gaps of U.
   void add_load(const ActingLoad& load, LoadShare share, Leaf& leaf) const;
   [[nodiscard]] std::optional<std::string> refusal_of_leaf(Leaf leaf,

@@ -70,7 +70,6 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
                                                        Leaf& leaf) const {
   constexpr auto not_balanced = "its tangential reactions are not in equilibrium";
   const auto size = room.size();
-  const Dyadic entries(static_cast<double>(size));
   // Modes that displace tangents of U. The other sliding modes must displace nothing on U.
   Elimination unseen(leaf.sliding);
   std::vector<std::size_t> tangents;
@@ -88,7 +87,6 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
       return "its load does work on a rigid-body mode that no contact resists";
   }
   const auto& seen = unseen.taken();
-  const auto motions = seen.size();
   std::vector<Rationals> rows;
   Rationals forces;
   for (std::size_t row = 0; row < size; ++row) {
@@ -96,21 +94,29 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     for (const auto& motion : seen) own.push_back(dot(block_.motions.rows[row], motion));
     forces.emplace_back(leaf.right[row].nearest() / block_.motions.lengths[row].nearest());
   }
-  auto own_rows = rows;
   auto own_room = room;
   if (!leaf.work.empty()) {  // the load is one more force, which is not changed
-    auto& own = own_rows.emplace_back();
+    auto& own = rows.emplace_back();
     for (const auto& motion : seen) own.push_back(dot(leaf.work, motion));
     forces.emplace_back(1);
     own_room.push_back(0);
   }
-  auto exact = balanced(own_rows, std::move(forces), own_room);
+  auto exact = balanced(rows, std::move(forces), own_room);
   if (!exact) return not_balanced;
   exact->resize(size);
+  rows.resize(size);
   auto near = times_lengths(block_.motions, *exact);
   leaf.right = std::move(near.values);
-  leaf.right_error = near.error * entries;
-  // Tangential reactions with unit work on each of the sliding modes.
+  leaf.right_error = near.error * Dyadic(static_cast<double>(size));
+  if (!add_corrections(rows, tangents, seen, leaf)) return not_balanced;
+  return {};
+}
+
+bool BlockProof::add_corrections(const std::vector<Rationals>& rows,
+                                 const std::vector<std::size_t>& tangents,
+                                 const std::vector<Rationals>& modes, Leaf& leaf) const {
+  const auto size = rows.size();
+  const auto motions = modes.size();
   std::vector<Rationals> products(motions, Rationals(motions));
   for (const auto row : tangents) {
     for (std::size_t i = 0; i < motions; ++i) {
@@ -118,17 +124,18 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     }
   }
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    leaf.lift = leaf.lift + normal_size(seen_of(block_.motions, seen[motion]), leaf.contact);
+    leaf.lift = leaf.lift + normal_size(seen_of(block_.motions, modes[motion]), leaf.contact);
     Rationals unit(motions);
     unit[motion] = 1;
     const auto shares = solution(products, unit);
-    if (!shares) return not_balanced;
+    if (!shares) return false;
     Rationals carrying(size);
     for (const auto row : tangents) carrying[row] = dot(rows[row], *shares);
     const auto correction = times_lengths(block_.motions, carrying);
-    leaf.correction = leaf.correction + norm_above(correction.values) + correction.error * entries;
+    leaf.correction = leaf.correction + norm_above(correction.values) +
+                      correction.error * Dyadic(static_cast<double>(size));
   }
-  return {};
+  return true;
 }
 
 Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& contact) const {
