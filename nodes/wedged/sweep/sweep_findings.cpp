@@ -11,7 +11,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// A change in terms of the whole problem.
+/// The range of a cone that begins with a change of its leaf, in terms of the whole problem.
 ConeRange range_of(const LeafOfSweep& leaf, const LeafChange& change,
                    const support::IndexSet& candidates, const FrictionGrid& grid) {
   ConeRange range{.block = leaf.block,
@@ -44,7 +44,8 @@ bool same_cone(const ConeRange& a, const ConeRange& b) {
   return a.block == b.block && a.pattern == b.pattern;
 }
 
-/// Several leaves may have the same cone: it is kept once, from the smallest coefficient on.
+/// Unites the ranges of equal cones, which several leaves may have, from the smallest coefficient
+/// on.
 void unite(std::vector<ConeRange>& ranges) {
   std::sort(ranges.begin(), ranges.end(), by_cone);
   std::vector<ConeRange> united;
@@ -57,7 +58,7 @@ void unite(std::vector<ConeRange>& ranges) {
   ranges = std::move(united);
 }
 
-/// True if the first range is not empty after the others have begun.
+/// Ends a range where the first larger cone begins. @return false if the range is then empty
 bool remains(ConeRange& range, const std::vector<ConeRange>& all) {
   if (range.solid()) return true;
   for (const auto& other : all) {
