@@ -51,6 +51,18 @@ std::optional<std::vector<std::pair<std::size_t, Near>>> true_column(const Spars
   return exact;
 }
 
+std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure& structure,
+                              const Freedom& freedom) {
+  std::vector<Enclosure> sum(freedom.count);
+  for (const auto& force : forces) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+      const auto number = freedom.number[force.node][axis];
+      if (number != Freedom::none) sum[number] += Enclosure(force.components[axis]);
+    }
+  }
+  return sum;
+}
+
 // The recorded load is a sum of doubles in double precision, with few rounding errors.
 std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
                                            const std::vector<Enclosure>& load) {
@@ -182,9 +194,8 @@ std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& 
                                                         const Structure& structure) {
   const Freedom freedom(structure);
   if (!freedom.others.empty() || !structure.ties.empty())
-    return "the structure has multi-point constraints, inclined supports or contact pairs, which "
-           "limit "
-           "analysis does not support";
+    return "the structure has multi-point constraints, inclined supports or contact pairs; "
+           "limit analysis does not support these";
   if (certificate.displacements != freedom.count ||
       certificate.members() != structure.bars.size()) {
     return "the certificate has " + std::to_string(certificate.displacements) +
@@ -194,8 +205,8 @@ std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& 
   }
   LimitTruss truss;
   if (auto why = other_bars(certificate, structure, freedom, truss)) return *why;
-  const auto dead = sum_of<Enclosure>(structure.dead, structure, freedom);
-  const auto reference = sum_of<Enclosure>(structure.reference, structure, freedom);
+  const auto dead = sum_of(structure.dead, structure, freedom);
+  const auto reference = sum_of(structure.reference, structure, freedom);
   auto true_dead = true_load(certificate.dead, dead);
   auto true_reference = true_load(certificate.reference, reference);
   if (!true_dead) return "the recorded dead load is not that of the truss";

@@ -54,18 +54,4 @@ struct Freedom {
            const Enclosure& value, SparseEnclosure& matrix) const;
 };
 
-/// Sum of forces by free displacement. @tparam Number made from doubles
-template <class Number>
-std::vector<Number> sum_of(const std::vector<Force>& forces, const Structure& structure,
-                           const Freedom& freedom) {
-  std::vector<Number> sum(freedom.count);
-  for (const auto& force : forces) {
-    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += Number(force.components[axis]);
-    }
-  }
-  return sum;
-}
-
 }  // namespace kusabi::verify
