@@ -38,7 +38,7 @@ TEST(EnclosedFactor, DecidesTheSignOfATinyPivot) {
 
 // The inverse of the Hilbert matrix, 1 / (i + j + 1), has integer entries in closed form.
 TEST(EnclosedFactor, BoundsTheLeastEigenvalueOfAHilbertMatrix) {
-  constexpr int size = 12;
+  constexpr int size = 14;
   long multiple = 1;  // makes all entries integers
   for (long k = 2; k < 2 * size; ++k) multiple = std::lcm(multiple, k);
   std::vector<double> lower;
