@@ -50,11 +50,11 @@ struct DecidedEnd {
 struct CriticalEnds::DecidedLeaf {
   std::vector<Configuration> found;  ///< the leaf, if it is not infeasible
   bool holds = false;                ///< feasible by the exact test
-  bool tie = false;                  ///< t* = 0 within the tolerance: undecided
+  bool degenerate = false;           ///< t* = 0 within the tolerance: undecided
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& found& holds& tie;
+    archive& found& holds& degenerate;
   }
 
   [[nodiscard]] bool is(LeafState state) const {
@@ -69,8 +69,8 @@ namespace {
 constexpr int most_moves = 7;
 constexpr double growth = 8;
 
-/// A bracket of at least this many widths counts as wider than requested. A coefficient that is a
-/// multiple of the width has a neighbour on either side.
+/// A bracket of at least this many widths counts as wider than requested. A critical coefficient at
+/// a grid point is undecided there, so its bracket has two widths.
 constexpr double wide = 2.5;
 
 bool is_cone(const Configuration& leaf) {
@@ -132,7 +132,7 @@ conic::Tolerances CriticalEnds::tolerances() const {
   return tolerances;
 }
 
-void CriticalEnds::know(std::vector<Configuration> found) {
+void CriticalEnds::set_known(std::vector<Configuration> found) {
   known_ = std::move(found);
   known_leaf_ = bracket_.leaf();
 }
@@ -144,7 +144,7 @@ void CriticalEnds::prove_at_once() {
     auto decided = decide_leaf(*bracket_.leaf(), factor, false);
     if (decided.holds) {
       bracket_.prove_upper(factor, *bracket_.leaf());
-      know(std::move(decided.found));
+      set_known(std::move(decided.found));
     }
   }
   const double factor = bracket_.lower();
@@ -163,7 +163,7 @@ Evidence CriticalEnds::form_of(std::uint32_t block) const {
 // If K cannot be enclosed, the proof in doubles (quadratic_is_infeasible) is sufficient.
 void CriticalEnds::prove_by_forms(QuadraticForms forms) {
   if (!enclose()) {
-    bracket_.raise(forms.factor);
+    bracket_.raise_lower(forms.factor);
     return;
   }
   forms_ = std::move(forms);
@@ -231,7 +231,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
       decided.holds = evidence.kind == Evidence::Kind::feasible && accepts(evidence);
-      decided.tie = evidence.kind == Evidence::Kind::marginal;
+      decided.degenerate = evidence.kind == Evidence::Kind::marginal;
     });
     try {
       auto fate = tree.decide(leaf);
@@ -309,7 +309,7 @@ engine::Status CriticalEnds::bisect() {
         leaf && decided.feasible != 0) {
       const auto block = problems::blocks_of(problem_)[leaf->block];
       bracket_.prove_upper(grid.at(cell), {leaf->block, own_leaf(*leaf, block)});
-      know({*leaf});
+      set_known({*leaf});
     }
     bracket_.show();
     return decided.status;
@@ -361,7 +361,7 @@ engine::Status CriticalEnds::prove_upper() {
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> feasible;
-  bool ties_decided = false;  // by the other patterns, after the first degenerate point
+  bool others_decided = false;  // by the other patterns, after the first degenerate point
   double factor = *bracket_.upper();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {
@@ -369,16 +369,16 @@ engine::Status CriticalEnds::prove_upper() {
     if (analysis_.ended() && !decided.holds) return why(analysis_);
     if (decided.holds) {
       bracket_.prove_upper(factor, leaf);
-      know(std::move(decided.found));
+      set_known(std::move(decided.found));
       return engine::Status::solved;
     }
     if (decided.is_feasible() && !feasible) {
       feasible = factor;
-      know(decided.found);
+      set_known(decided.found);
     }
     if (decided.is(LeafState::flat)) break;
-    if (decided.tie && !ties_decided) {
-      ties_decided = true;
+    if (decided.degenerate && !others_decided) {
+      others_decided = true;
       const auto status = prove_by_any(factor);
       if (status != engine::Status::solved || known_at(factor)) return status;
     }
@@ -403,7 +403,7 @@ engine::Status CriticalEnds::prove_by_any(double factor) {
     const auto block = problems::blocks_of(problem_)[found->block];
     bracket_.move_upper(factor, {found->block, own_leaf(*found, block)});
     if (decided.feasible != 0) bracket_.prove_upper(factor, *bracket_.leaf());
-    know({*found});
+    set_known({*found});
     break;
   }
   return engine::Status::solved;
@@ -427,7 +427,7 @@ engine::Status CriticalEnds::list(CriticalFindings& findings) {
   if (cones.empty()) return engine::Status::solved;
   if (!bracket_.upper_proved() && decided.feasible != 0)
     bracket_.prove_upper(factor, *bracket_.leaf());
-  know(std::move(cones));
+  set_known(std::move(cones));
   return engine::Status::solved;
 }
 
@@ -449,7 +449,7 @@ void CriticalEnds::note_patterns(CriticalFindings& findings) const {
        .displacement = {}});
 }
 
-void CriticalEnds::note_what_is_open(CriticalFindings& findings) const {
+void CriticalEnds::note_undecided(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
   const double width = question_.grid.width;
   if (!findings.upper && findings.lower < question_.grid.most)
@@ -485,7 +485,7 @@ void CriticalEnds::prove(CriticalFindings& findings) {
   findings.upper_proved = bracket_.upper_proved();
   findings.exact = stiffness_ && std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
   if (findings.patterns.empty()) note_patterns(findings);
-  note_what_is_open(findings);
+  note_undecided(findings);
 }
 
 }  // namespace kusabi::wedged

@@ -62,7 +62,7 @@ struct EndsQuestion {
 /// Configurations at one coefficient.
 struct DecidedEnd;
 
-/// Every rank makes the same calls. @pre arguments outlive this object
+/// Verification on all ranks, which make the same calls. @pre arguments outlive this object
 class CriticalEnds {
  public:
   CriticalEnds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
@@ -88,7 +88,7 @@ class CriticalEnds {
   using Test = std::function<bool(const Evidence&)>;
 
   bool enclose();
-  void know(std::vector<Configuration> found);
+  void set_known(std::vector<Configuration> found);
   bool roots_are_infeasible(double factor);
   [[nodiscard]] Evidence form_of(std::uint32_t block) const;
   [[nodiscard]] bool forms_are_the_bound() const {
@@ -105,7 +105,7 @@ class CriticalEnds {
   /// Exact test at one coefficient. Null: K cannot be enclosed.
   [[nodiscard]] std::shared_ptr<const EvidenceCheck> check(
       std::span<const double> friction, std::span<const ProvedBound> bounds = {}) const;
-  /// The test; without one the bounds of the solver hold, unless they may be wrong.
+  /// The exact test; if it is null, the claims of the solver count as proved, unless far_apart_.
   [[nodiscard]] Test test(std::shared_ptr<const EvidenceCheck> check) const;
   [[nodiscard]] conic::Tolerances tolerances() const;
   template <class Wanted>
@@ -121,7 +121,7 @@ class CriticalEnds {
   }
   engine::Status list(CriticalFindings& findings);
   void note_patterns(CriticalFindings& findings) const;
-  void note_what_is_open(CriticalFindings& findings) const;
+  void note_undecided(CriticalFindings& findings) const;
 
   engine::Analysis& analysis_;
   const problems::CheckedStructure& structure_;

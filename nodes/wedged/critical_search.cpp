@@ -39,7 +39,7 @@ double or_infinity(const std::optional<double>& number) {
 }
 
 // Feasible or undecided leaves at the largest coefficient: maximal cones and undecided leaves.
-struct Living {
+struct FeasiblePatterns {
   engine::Status status = engine::Status::solved;
   std::vector<Configuration> leaves;
 
@@ -49,15 +49,16 @@ struct Living {
   }
 };
 
-Living feasible_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                         double most, std::vector<CriticalCost>& costs) {
+FeasiblePatterns feasible_patterns(engine::Analysis& analysis,
+                                   const problems::WedgedProblem& problem, double most,
+                                   std::vector<CriticalCost>& costs) {
   SignPatternTree tree(problem, candidate_friction(problem, most));
   auto outcome = analysis.search(tree, {});
   costs.push_back({CriticalPhase::patterns, most, outcome.opened(), outcome.opened()});
   return engine::from_first_rank(analysis.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
-    return Living{outcome.status, maximal_cones(std::move(leaves))};
+    return FeasiblePatterns{outcome.status, maximal_cones(std::move(leaves))};
   });
 }
 
@@ -97,11 +98,11 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
 }
 
 // Strategies for the smallest coefficient, with the steps before and between them.
-class SmallestWays {
+class SmallestStrategies {
  public:
-  SmallestWays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-               const CriticalQuestion& question, const CriticalGrid& grid, CriticalEnds& ends,
-               NarrowingBracket& bracket, CriticalFindings& findings)
+  SmallestStrategies(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                     const CriticalQuestion& question, const CriticalGrid& grid, CriticalEnds& ends,
+                     NarrowingBracket& bracket, CriticalFindings& findings)
       : analysis_(analysis),
         problem_(problem),
         question_(question),
@@ -112,7 +113,7 @@ class SmallestWays {
 
   // Global search within a limit of nodes: small trees are solved, others get a lower bound for the
   // descent.
-  void either() {
+  void automatic() {
     if (start() || search_patterns() || bound_by_forms() || known_at_most()) return;
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
@@ -120,9 +121,9 @@ class SmallestWays {
     descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_);
   }
 
-  void down() { descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_); }
+  void descent() { descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_); }
 
-  void up() {
+  void global() {
     const auto found =
         find_smallest(analysis_, problem_, {CriticalDirection::up, CriticalPhase::fine, grid_, 0},
                       findings_.costs, findings_.global_ranks);
@@ -154,7 +155,7 @@ class SmallestWays {
   bool search_patterns() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto before = bracket_.upper();
-    const auto programs = sink_by_patterns(analysis_, problem_, grid_, bracket_);
+    const auto programs = reduce_by_patterns(analysis_, problem_, grid_, bracket_);
     findings_.costs.push_back({CriticalPhase::primal, 0, 0, programs});
     if (stopped(CriticalPhase::primal)) return true;
     if (bracket_.upper() != before) ends_.prove_at_once();
@@ -177,8 +178,8 @@ class SmallestWays {
     const auto dive =
         dive_at(analysis_, problem_, multiples(*question_.most, grid_.width), grid_, {});
     findings_.costs.push_back({CriticalPhase::dive, *question_.most, dive.opened, dive.opened});
-    if (dive.all_infeasible) bracket_.raise(*question_.most);
-    if (std::isfinite(dive.feasible)) bracket_.sink(dive.feasible, dive.leaf);
+    if (dive.all_infeasible) bracket_.raise_lower(*question_.most);
+    if (std::isfinite(dive.feasible)) bracket_.reduce_upper(dive.feasible, dive.leaf);
     return dive.all_infeasible;
   }
 
@@ -259,8 +260,8 @@ void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProble
     smallest.leaf = {first.block, own_leaf(leaf, block)};
     return smallest;
   });
-  bracket.raise(found.lower);
-  if (std::isfinite(found.upper)) bracket.sink(found.upper, found.leaf);
+  bracket.raise_lower(found.lower);
+  if (std::isfinite(found.upper)) bracket.reduce_upper(found.upper, found.leaf);
 }
 
 }  // namespace
@@ -315,7 +316,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
                      .list = question.list && looks_for_smallest(question.way),
                      .list_nodes = question.list_nodes},
                     recorder, bracket, findings.costs);
-  SmallestWays ways(analysis, problem, question, grid, ends, bracket, findings);
+  SmallestStrategies strategies(analysis, problem, question, grid, ends, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
     auto costs = std::move(findings.costs);
     auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.most, costs);
@@ -328,13 +329,13 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   };
   switch (question.way) {
     case CriticalWay::automatic:
-      ways.either();
+      strategies.automatic();
       break;
     case CriticalWay::descent:
-      ways.down();
+      strategies.descent();
       break;
     case CriticalWay::global:
-      ways.up();
+      strategies.global();
       break;
     case CriticalWay::newton:
       by_patterns(CriticalMethod::newton);

@@ -44,11 +44,11 @@ PatternFindings exact_list(engine::Analysis& analysis, const ExactQuestion& ques
 void add(ExactTest& test, const PatternFindings& list) {
   test.done = list.exact.done;
   test.refused += list.exact.refused;
-  test.ties += list.exact.ties;
+  test.unproved += list.exact.unproved;
   test.doubted += list.exact.doubted;
   test.unable = list.exact.unable;
   if (test.unable.empty() && !list.whole()) test.unable = "the exact test was stopped early";
-  if (test.unable.empty() && list.open() > 0) test.unable = "the exact test leaves patterns open";
+  if (test.unable.empty() && list.open() > 0) test.unable = "the exact test leaves patterns undecided";
   test.done = test.unable.empty();
 }
 

@@ -140,8 +140,8 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
                                     .branching = Branching::relative,
                                     .tightening = Tightening::never};
   auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
-  // A certificate leaves degenerate nodes out. For unconstrained bodies the exact test shows of
-  // some that other leaves contain all their configurations.
+  // A certificate makes no claim on degenerate nodes. For unconstrained bodies the exact test
+  // proves that the configurations of some of them are those of other leaves.
   std::optional<verify::EnclosedProblem> of_unconstrained;
   if (!enclosed && question.recorder && problem.modes.matrix.cols() > 0)
     of_unconstrained = enclosed_if_small(analysis, question);
@@ -157,8 +157,8 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   findings.bounds = proved_bounds(prepared);
   if (enclosed) {
     findings.exact.done = check->is_able();
-    // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
-    // modes.
+    // For constrained bodies the bounds of the solver are valid without the test. For unconstrained
+    // ones they depend on its tolerances for rigid-body modes.
     if (!check->is_able() && problem.modes.matrix.cols() > 0)
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
     if (check->is_able() || problem.modes.matrix.cols() > 0)
@@ -187,7 +187,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
   });
   findings.exact.refused = findings.outcome.tally().refused;
-  findings.exact.ties = findings.outcome.tally().unproved;
+  findings.exact.unproved = findings.outcome.tally().unproved;
   findings.exact.doubted = findings.outcome.tally().doubted;
   sort_by_blocks(problem, prepared, findings);
   return findings;

@@ -47,14 +47,14 @@ struct ExactTest {
   double scale_ratio = 1;
   bool asked = false;
   bool done = false;
-  std::string unable{};       ///< the reason why a required test was impossible, a sentence
-  std::uint64_t refused = 0;  ///< claims that it did not accept
-  std::uint64_t doubted = 0;  ///< nodes closed nevertheless, since their subtrees are too large
-  std::uint64_t ties = 0;     ///< closed nodes without claim that it does not prove either
+  std::string unable{};        ///< the reason why a required test was impossible, a sentence
+  std::uint64_t refused = 0;   ///< claims that it did not accept
+  std::uint64_t doubted = 0;   ///< nodes closed nevertheless, since their subtrees are too large
+  std::uint64_t unproved = 0;  ///< closed nodes without claim that it does not prove either
 
   /// True if the list may be incomplete although all its patterns are decided.
   [[nodiscard]] bool leaves_doubt() const {
-    return !unable.empty() || doubted > 0 || (asked && ties > 0);
+    return !unable.empty() || doubted > 0 || (asked && unproved > 0);
   }
 };
 
@@ -90,7 +90,7 @@ struct PatternQuestion {
   EvidenceRecorder recorder;  ///< receives on each rank the evidence of closed nodes; empty: none
   const problems::CheckedStructure* structure = nullptr;  ///< of the problem; null: no exact test
   Proving proving = Proving::automatic;
-  bool exists = false;  ///< only whether there is any: one configuration is enough
+  bool exists = false;  ///< true: the search ends with the first configuration
 };
 
 /// Every rank makes the same call. The findings are complete on rank 0; other ranks have the

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/tree/pattern_options.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
 
-/// The feasible ones of these, in blocks that are not small. Every rank makes the same call and
-/// gets the same result. @param friction mu of each candidate
+/// The feasible patterns of this kind; small blocks are left out. Every rank makes the same call
+/// and gets the same result. @param friction mu of each candidate
 std::vector<Configuration> simple_leaves(engine::Analysis& analysis,
                                          const problems::WedgedProblem& problem,
                                          std::span<const double> friction,

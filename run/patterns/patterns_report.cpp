@@ -82,7 +82,7 @@ Verdict PatternsReport::verdict() const {
   // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
   // test has decided them.
   const auto& exact = findings_.exact;
-  const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
+  const bool proved = exact.done ? !exact.leaves_doubt() && exact.unproved == 0
                                  : findings_.flat == 0 && problem_.modes.bodies.empty();
   // A pattern answers --exists; a search that is complete has listed all of them.
   const bool example = options_.exists && findings_.count() != 0U &&
@@ -96,14 +96,14 @@ Verdict PatternsReport::verdict() const {
                          .undecided = findings_.open(),
                          .standing = proved ? Standing::proved : Standing::computed,
                          .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
-                         .degenerate = exact.ties,
+                         .degenerate = exact.unproved,
                          .doubt = doubt_of(exact),
                          .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
-  if (!options_.certificate.empty() && findings_.whole() && exact.ties > 0 && !exact.asked) {
+  if (!options_.certificate.empty() && findings_.whole() && exact.unproved > 0 && !exact.asked) {
     verdict.missing.push_back(
         fmt::format("The certificate does not prove {} with a margin of zero.",
-                    counted(exact.ties, "degenerate node")));
+                    counted(exact.unproved, "degenerate node")));
   }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(

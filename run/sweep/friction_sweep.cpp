@@ -108,8 +108,8 @@ ordered_json FrictionSweep::json() const {
   auto points = ordered_json::array();
   for (const auto& count : counts()) points.push_back(point_json(count));
   auto steps = ordered_json::array();
-  const auto treads = found_.enumerated ? found_.staircase() : std::vector<wedged::Tread>();
-  for (const auto& [from, to, known, open] : treads) {
+  const auto ranges = found_.enumerated ? found_.staircase() : std::vector<wedged::CountRange>();
+  for (const auto& [from, to, known, open] : ranges) {
     ordered_json step{{"from", from}, {"to", to}};
     add_counts(step, known, open);
     steps.push_back(std::move(step));

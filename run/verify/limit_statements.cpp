@@ -17,6 +17,7 @@
 #include "support/input_error.hpp"
 #include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -52,7 +53,7 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
   if (names.empty()) names.emplace_back();
   if (!statement.load_case.empty()) {
     std::erase_if(
-        names, [&](const auto& name) { return verify::in_one_line(name) != statement.load_case; });
+        names, [&](const auto& name) { return verify::on_one_line(name) != statement.load_case; });
   }
   return names;
 }

@@ -22,6 +22,7 @@
 #include "verify/limit/loss_certificate.hpp"
 #include "verify/limit/loss_claim.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -42,7 +43,7 @@ std::optional<problems::CheckedStructure> in_case_of(const LossStatement& statem
   const auto names = problems::load_cases(structure);
   if (names.empty() && statement.load_case.empty()) return structure;
   for (const auto& name : names) {
-    if (verify::in_one_line(name) == statement.load_case)
+    if (verify::on_one_line(name) == statement.load_case)
       return problems::in_chosen_case(structure, name);
   }
   return {};

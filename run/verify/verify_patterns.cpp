@@ -54,7 +54,7 @@ std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOp
                                             const verify::Certificate& certificate) {
   std::vector<std::string> refusals;
   for (const auto& bound : certificate.bounds) {
-    const auto why = proof.take_up(bound);
+    const auto why = proof.add_bound(bound);
     if (!why) continue;
     refusals.push_back(fmt::format("{}:{}: refused: {} {} {}: {}\n", options.certificate,
                                    bound.line,

@@ -8,12 +8,12 @@ nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
           {"done", test.done},
           {"refused", test.refused},
           {"doubted", test.doubted},
-          {"ties", test.ties}};
+          {"ties", test.unproved}};
 }
 
 std::optional<ExactDoubt> doubt_of(const wedged::ExactTest& test) {
   if (!test.leaves_doubt()) return std::nullopt;
-  return ExactDoubt{test.scale_ratio, test.unable, test.doubted + test.ties};
+  return ExactDoubt{test.scale_ratio, test.unable, test.doubted + test.unproved};
 }
 
 }  // namespace kusabi::run

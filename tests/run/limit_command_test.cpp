@@ -218,7 +218,8 @@ TEST_F(LoadCases, AreFoundByTheProofOfOne) {
   std::ofstream(in_folder("cases.toml")) << text;
   const auto other = shell(command + " verify " + argument("cert") + " --problem " + file());
   EXPECT_EQ(other.exit_code, 1) << other.output;
-  EXPECT_THAT(other.output, HasSubstr("case \"push\": its half-width of an uncertain load"));
+  EXPECT_THAT(other.output,
+              HasSubstr("case \"push\": the recorded half-width of an uncertain load"));
   EXPECT_THAT(other.output, HasSubstr("NOT PROVED"));
 }
 

@@ -97,9 +97,9 @@ TEST_F(VerifyCommand, AForgedStiffnessIsRefused) {
   const auto forged = given_certificate("forged-decoupled-K.cert");
   const auto run = verify(forged, example_file("plane-truss.toml"));
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.output,
-              AllOf(HasSubstr("refused: "), HasSubstr("its K is not that of the structure"),
-                    HasSubstr("NOT PROVED")));
+  EXPECT_THAT(run.output, AllOf(HasSubstr("refused: "),
+                                HasSubstr("K of the certificate is not that of the structure"),
+                                HasSubstr("NOT PROVED")));
 }
 
 TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {
@@ -110,11 +110,13 @@ TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {
     const char* said;
   };
   const Row table[] = {
-      {"EA = 3.0", "EA = 3.00001", "its K is not that of the structure"},
-      {"top = [1.0, 1.0]", "top = [1.0, 1.0001]", "its K is not that of the structure"},
+      {"EA = 3.0", "EA = 3.00001", "K of the certificate is not that of the structure"},
+      {"top = [1.0, 1.0]", "top = [1.0, 1.0001]",
+       "K of the certificate is not that of the structure"},
       {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.0]\nfriction_factor = 2.0",
        ""},  // mu = 1.5: all agree
-      {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.001]", "its K is not that of the structure"},
+      {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.001]",
+       "K of the certificate is not that of the structure"},
   };
   for (const auto& [what, with, said] : table) {
     const auto run = verify(certificate, changed("two-bars.toml", what, with));
@@ -129,7 +131,9 @@ TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {
   std::ofstream(path("renamed.toml")) << text;
   const auto run = verify(certificate, path("renamed.toml"));
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.output, HasSubstr("its contact candidate 1 is tip, that of the structure end"));
+  EXPECT_THAT(
+      run.output,
+      HasSubstr("contact candidate 1 of the certificate is tip, that of the structure end"));
 }
 
 TEST_F(VerifyCommand, AFileThatIsNoProblemGetsItsLine) {

@@ -72,7 +72,7 @@ TEST(Bounds, HoldForEveryStiffnessWithinTheRadius) {
     auto stiffness = recorded_stiffness(certificate);
     stiffness.radius = Dyadic(radius);
     Proof proof(certificate, stiffness);
-    EXPECT_EQ(proof.take_up(certificate.bounds[0]), std::nullopt);
+    EXPECT_EQ(proof.add_bound(certificate.bounds[0]), std::nullopt);
     return proof.judgement(certificate.records[0]).refusal.has_value();
   };
   for (const double near : {1e-3, 1e-9}) {
@@ -166,7 +166,7 @@ TEST(Bounds, RestOnThoseBeforeThem) {
 // A bar in a groove, as in unconstrained_bodies_test.cpp: the walls' normals are (0.6, 0.8) and
 // (-0.6, 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Rigid-body modes alone
 // give all proofs.
-BoundsDraft loose_bar(double mu) {
+BoundsDraft unconstrained_bar(double mu) {
   BoundsDraft draft;
   draft.header = {
       "kusabi certificate 4\n",       "dimension 2\n", "candidates 2\n", "name a\n",   "name b\n",
@@ -191,21 +191,21 @@ BoundsDraft loose_bar(double mu) {
   return draft;
 }
 
-TEST(BoundsOfALooseBar, ProveItsList) {
-  const auto said = verdict(loose_bar(2).text());
+TEST(BoundsOfAnUnconstrainedBar, ProveItsList) {
+  const auto said = verdict(unconstrained_bar(2).text());
   EXPECT_THAT(said.refusals, IsEmpty());
   EXPECT_EQ(said.bounds, 3U);
   EXPECT_EQ(said.feasible.size(), 1U);
   EXPECT_EQ(said.infeasible, 2U);
   EXPECT_EQ(said.but_for_far_motion, 0U);
-  auto without = loose_bar(2);
+  auto without = unconstrained_bar(2);
   without.bounds.clear();
   EXPECT_THAT(verdict(without.text()).refusals, testing::SizeIs(1));
 }
 
-TEST(BoundsOfALooseBar, AreRefusedBelowHalfOfTheReactions) {
+TEST(BoundsOfAnUnconstrainedBar, AreRefusedBelowHalfOfTheReactions) {
   const auto refused = [](const std::string& bound) {
-    auto draft = loose_bar(2);
+    auto draft = unconstrained_bar(2);
     draft.bounds = {bound};
     draft.nodes = {"marginal 1 0 0\n"};
     return !verdict(draft.text()).refusals.empty();
@@ -223,20 +223,20 @@ TEST(BoundsOfALooseBar, AreRefusedBelowHalfOfTheReactions) {
 }
 
 // No end is ever separated, so every bound on that side is true.
-TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
-  const auto text = loose_bar(2).text();
+TEST(BoundsOfAnUnconstrainedBar, NoChangeProvesWhatIsNotTrue) {
+  const auto text = unconstrained_bar(2).text();
   const auto begin = text.find("bounds 3\n");
   const auto size = text.rfind("digest ") - begin;
   std::mt19937_64 generator(8);
-  int taken_up = 0;
+  int added = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const auto wrong = misspelt(text, begin, size, generator);
     try {
       const auto certificate = read_certificate(wrong, "cert");
       Proof proof(certificate);
       for (const auto& bound : certificate.bounds) {
-        if (proof.take_up(bound)) continue;
-        ++taken_up;
+        if (proof.add_bound(bound)) continue;
+        ++added;
         EXPECT_TRUE(bound.side == Side::separated || (bound.most && *bound.most >= 0.5));
       }
       const auto said = verdict(wrong);
@@ -244,7 +244,7 @@ TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
     } catch (const CertificateError&) {
     }
   }
-  EXPECT_GT(taken_up, 100);
+  EXPECT_GT(added, 100);
 }
 
 // The search checks bounds without a file; faults that the reader would refuse are refused.
@@ -254,11 +254,11 @@ TEST(Bounds, AreCheckedWithoutAReaderToo) {
     Proof proof(certificate);
     auto bound = certificate.bounds[0];
     change(bound);
-    return proof.take_up(bound).value_or("");
+    return proof.add_bound(bound).value_or("");
   };
   EXPECT_EQ(refusal([](CandidateBound&) {}), "");
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.candidate = 2; }),
-              HasSubstr("not one of its block"));
+              HasSubstr("not in its block"));
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.most = 0; }), HasSubstr("above zero"));
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.most = -1; }), HasSubstr("above zero"));
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.numbers.back() = 0; }),
@@ -299,7 +299,7 @@ TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
   const auto begin = text.find("bounds 3\n");
   const auto size = text.rfind("digest ") - begin;
   std::mt19937_64 generator(6);
-  int taken_up = 0;
+  int added = 0;
   int proved = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     const auto wrong = misspelt(text, begin, size, generator);
@@ -307,8 +307,8 @@ TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
       const auto certificate = read_certificate(wrong, "cert");
       Proof proof(certificate);
       for (const auto& bound : certificate.bounds) {
-        if (proof.take_up(bound)) continue;
-        ++taken_up;
+        if (proof.add_bound(bound)) continue;
+        ++added;
         EXPECT_TRUE(is_true(bound)) << wrong;
       }
       const auto said = verdict(wrong);
@@ -320,7 +320,7 @@ TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
   }
-  EXPECT_GT(taken_up, 1000);
+  EXPECT_GT(added, 1000);
   EXPECT_GT(proved, 100);
 }
 

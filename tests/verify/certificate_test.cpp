@@ -92,8 +92,8 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
   const auto text = small().text();
   const Wrong table[] = {
       {"kusabi certificate 1", "kusabi certificate 5", "cert:1: 'kusabi certificate 5', expected"},
-      {"kusabi certificate 1", "kusabi certificate 4", "expected 'blocks' and how many there are"},
-      {"kusabi certificate 1", "kusabi certificate 2", "expected 'blocks' and how many there are"},
+      {"kusabi certificate 1", "kusabi certificate 4", "expected 'blocks' and a number"},
+      {"kusabi certificate 1", "kusabi certificate 2", "expected 'blocks' and a number"},
       {"dimension 2", "dimension 4", "cert:2: 'dimension 4', expected 'dimension 2' or"},
       {"dimension 2", "dimension", "cert:2: 'dimension', expected"},
       {"candidates 4", "candidates 0", "cert:3: 'candidates 0', expected"},
@@ -104,7 +104,7 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
        "expected friction coefficients that are not negative"},
       {"name c1", "name ", "cert:5: 'name ', expected a name that is not empty"},
       {"name c1", "name", "cert:5: 'name', expected a name that is not empty"},
-      {"name c3", "name c1", "cert:7: 'name c1', expected a name that line 5 has not"},
+      {"name c3", "name c1", "cert:7: 'name c1', expected a name other than that of line 5"},
       {"friction 0x1p+2", "friction 2", "expected 4 friction coefficients, each like 0x1.8p+3"},
       {"friction 0x1p+2", "friction 0xinf", "expected 4 friction coefficients"},
       {"friction 0x1p+2", "friction 0x1p+9999", "expected 4 friction coefficients"},
@@ -166,8 +166,8 @@ TEST(CertificateInBlocks, IsReadAsItWasWritten) {
 TEST(CertificateInBlocks, SaysWhatIsWrongAndWhatWasExpected) {
   const auto text = pieces().text();
   const Wrong table[] = {
-      {"blocks 2", "blocks 0", "cert:10: 'blocks 0', expected 'blocks' and how many"},
-      {"blocks 2", "blocks 6", "cert:10: 'blocks 6', expected 'blocks' and how many"},
+      {"blocks 2", "blocks 0", "cert:10: 'blocks 0', expected 'blocks' and a number from 1 to"},
+      {"blocks 2", "blocks 6", "cert:10: 'blocks 6', expected 'blocks' and a number from 1 to"},
       {"blocks 2", "blocks 1", "expected all contact candidates in the blocks, but {b-c0 b-c1}"},
       {"block 7", "block 0", "cert:11: 'block 0', expected contact candidates that no other"},
       {"block 18", "block 1c", "cert:12: 'block 1c', expected contact candidates that no other"},

@@ -50,22 +50,24 @@ TEST(Consistency, TheCertificateOfAnotherProblemIsRefused) {
     return said.proved() ? std::string() : said.refusals.front();
   };
   EXPECT_THAT(refusal([](Structure& s) { s.bars[3].axial_stiffness *= 1.001; }),
-              HasSubstr("its K is not that of the structure"));
+              HasSubstr("K of the certificate is not that of the structure"));
   EXPECT_THAT(refusal([](Structure& s) { s.places[s.contact[1].node][0] += 1e-3; }),
-              HasSubstr("its K is not that of the structure"));
+              HasSubstr("K of the certificate is not that of the structure"));
   EXPECT_THAT(refusal([](Structure& s) { s.contact[2].normal[1] += 1e-3; }),
-              HasSubstr("its K is not that of the structure"));
+              HasSubstr("K of the certificate is not that of the structure"));
   EXPECT_THAT(refusal([](Structure& s) { std::swap(s.contact[0], s.contact[1]); }),
-              HasSubstr("its contact candidate 1 is r1, that of the structure r2"));
+              HasSubstr("contact candidate 1 of the certificate is r1, that of the structure r2"));
   EXPECT_THAT(refusal([](Structure& s) { s.names[s.contact[4].node] = "x"; }),
-              HasSubstr("its contact candidate 5 is r5, that of the structure x"));
+              HasSubstr("contact candidate 5 of the certificate is r5, that of the structure x"));
   EXPECT_THAT(refusal([](Structure& s) { s.contact.pop_back(); }),
-              HasSubstr("it has 5 contact candidates, the structure has 4"));
+              HasSubstr("the certificate has 5 contact candidates, the structure has 4"));
   EXPECT_THAT(refusal([](Structure& s) { s.contact[1].friction = 2; }),
               HasSubstr("the friction at r2 is 1"));
   EXPECT_THAT(refusal([](Structure& s) { s.dimension = 3; }), HasSubstr("dimension"));
-  EXPECT_THAT(refusal([](Structure& s) { s.bars.clear(); }),
-              HasSubstr("it has 0 rigid-body modes of unconstrained bodies, the structure has 10"));
+  EXPECT_THAT(
+      refusal([](Structure& s) { s.bars.clear(); }),
+      HasSubstr(
+          "the certificate has 0 rigid-body modes of unconstrained bodies, the structure has 10"));
 }
 
 // Differences below the tolerance of the comparison do not lead to a proof for the wrong structure

@@ -60,7 +60,7 @@ TEST(Cover, NamesWhatIsThereTwice) {
   add(certificate, 0b01, 0);
   add(certificate, 0, 0b01);
   add(certificate, 0b11, 0);
-  EXPECT_THAT(flaw(certificate), HasSubstr("line 1 and line 3: both cover patterns below"));
+  EXPECT_THAT(flaw(certificate), HasSubstr("line 1 and line 3 both cover patterns below"));
 }
 
 TEST(Cover, NamesAContradiction) {
@@ -68,7 +68,7 @@ TEST(Cover, NamesAContradiction) {
   add(certificate, 1, 0);
   add(certificate, 0, 1);
   add(certificate, 0, 1, Claim::feasible);
-  EXPECT_THAT(flaw(certificate), HasSubstr("one says dead, the other alive"));
+  EXPECT_THAT(flaw(certificate), HasSubstr("line 2 says dead and line 3 says alive of"));
 }
 
 // Three nodes that cover six of eight patterns, two by two, without a common candidate for the
@@ -78,7 +78,7 @@ TEST(Cover, RefusesWhatNoTreeHas) {
   add(certificate, 0b001, 0b010);
   add(certificate, 0b010, 0b100);
   add(certificate, 0b100, 0b001);
-  EXPECT_THAT(flaw(certificate), HasSubstr("do not come from a tree"));
+  EXPECT_THAT(flaw(certificate), HasSubstr("do not form a tree"));
 }
 
 // Random trees over 64 candidates: complete, with a node missing, repeated or with exchanged sides.

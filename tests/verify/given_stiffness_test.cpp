@@ -67,7 +67,8 @@ TEST(GivenStiffness, HasCertificatesThatAreProvedForItAlone) {
     EXPECT_THAT(verdict(text, &own).refusals, testing::IsEmpty());
     for (auto& entry : own.given.front().entries) entry.value *= 1.001;
     EXPECT_THAT(verdict(text, &own).refusals,
-                testing::ElementsAre(testing::HasSubstr("its K is not that of the structure")));
+                testing::ElementsAre(
+                    testing::HasSubstr("K of the certificate is not that of the structure")));
   }
 }
 

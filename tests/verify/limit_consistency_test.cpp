@@ -120,9 +120,9 @@ TEST(LimitConsistency, AnotherTrussIsRefused) {
   EXPECT_EQ(refusal([](Structure&) {}), "");
   EXPECT_EQ(refusal([](Structure& s) { s.bars[0].axial_stiffness = 7; }), "");  // not in its laws
   EXPECT_THAT(refusal([](Structure& s) { s.places[1][1] += 1e-12; }),
-              HasSubstr("its direction of member high-tip is not that of the truss"));
+              HasSubstr("the recorded direction of member high-tip is not that of the truss"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars[0].tension = 1 + 1e-15; }),
-              HasSubstr("its yield forces of member low-tip are not those of the truss"));
+              HasSubstr("the recorded yield forces of member low-tip are not those of the truss"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars[1].compression = 2; }), HasSubstr("yield forces"));
   EXPECT_THAT(refusal([](Structure& s) { s.dead = {{2, {0, 1e-9, 0}}}; }), HasSubstr("dead load"));
   EXPECT_THAT(refusal([](Structure& s) { s.reference[0].components[1] = -1.5; }),

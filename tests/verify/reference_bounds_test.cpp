@@ -94,9 +94,9 @@ class Changed {
       const auto& bound = problem_.certificate.bounds[k];
       visit(bound, k, [&](const CandidateBound& changed) {
         auto proof = proof_;
-        return proof.take_up(changed).has_value();
+        return proof.add_bound(changed).has_value();
       });
-      ASSERT_EQ(proof_.take_up(bound), std::nullopt) << k;
+      ASSERT_EQ(proof_.add_bound(bound), std::nullopt) << k;
     }
   }
 
@@ -110,7 +110,7 @@ TEST(ReferenceBounds, AreProvedAndTrue) {
   for (const auto& problem : cases()) {
     Proof proof(problem.certificate);
     for (const auto& bound : problem.certificate.bounds) {
-      EXPECT_EQ(proof.take_up(bound), std::nullopt);
+      EXPECT_EQ(proof.add_bound(bound), std::nullopt);
       const auto truth = greatest(problem, bound.side, bound.candidate);
       constexpr double accuracy = 1e-6;  // of the exact values
       if (truth) {
@@ -193,7 +193,7 @@ TEST(ReferenceBounds, ThatNeedOthersAreRefusedBeforeThem) {
     for (std::size_t k = 0; k < problem.alone.size(); ++k) {
       if (problem.alone[k]) continue;
       Proof proof(problem.certificate);
-      EXPECT_TRUE(proof.take_up(problem.certificate.bounds[k])) << k;
+      EXPECT_TRUE(proof.add_bound(problem.certificate.bounds[k])) << k;
       ++tried;
     }
   }
@@ -206,7 +206,7 @@ TEST(ReferenceBounds, NodesThatNeedCutsAreRefusedWithoutBounds) {
     const Proof none(problem.certificate);
     Proof all(problem.certificate);
     for (const auto& bound : problem.certificate.bounds)
-      ASSERT_EQ(all.take_up(bound), std::nullopt);
+      ASSERT_EQ(all.add_bound(bound), std::nullopt);
     for (auto record : problem.certificate.records) {
       EXPECT_TRUE(none.judgement(record).refusal);
       auto negative = record;
@@ -229,7 +229,7 @@ TEST(ReferenceBounds, OfAnotherStructureAreRefused) {
       if (bound.side == Side::contact || !bound.most || !truth || *truth * 64 < *bound.most)
         continue;
       Proof proof(problem.certificate);
-      EXPECT_TRUE(proof.take_up(bound));
+      EXPECT_TRUE(proof.add_bound(bound));
       ++tried;
     }
   }

@@ -187,7 +187,7 @@ Verdict verdict(const std::string& text, const Structure* structure) {
     return result;
   }
   for (const auto& bound : certificate.bounds) {
-    if (auto why = proof.take_up(bound)) {
+    if (auto why = proof.add_bound(bound)) {
       result.refusals.push_back(*why);
     } else {
       ++result.bounds;

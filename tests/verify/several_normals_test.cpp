@@ -162,7 +162,7 @@ problems::Structure in_groove(const std::string& corners, const std::string& con
 
 // A square that stands on its vertex in a groove, on a wall and the floor, and a brick in a corner
 // of three walls: none has other supports.
-TEST(Corner, OfALooseBodyIsProved) {
+TEST(Corner, OfAnUnconstrainedBodyIsProved) {
   const auto diamond = in_groove("[[0, 0], [1, 1], [0, 2], [-1, 1]]",
                                  "[[contact]]\nname = \"right\"\nnodes = [\"b.bottom\"]\n"
                                  "normal = [-1, 1]\n[[contact]]\nname = \"left\"\n"

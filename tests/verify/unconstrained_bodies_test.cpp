@@ -109,12 +109,12 @@ void expect_refused(const Draft& draft, const Structure& structure, const std::s
     EXPECT_THAT(verdict(draft.text(), given).refusals, Contains(HasSubstr(why)));
 }
 
-TEST(LooseBar, WedgesInAGrooveAboveTheTangentOfItsHalfAngle) {
+TEST(UnconstrainedBar, WedgesInAGrooveAboveTheTangentOfItsHalfAngle) {
   expect_proved(groove.draft(1.334, wedged_nodes()), groove.structure(), 1);
   expect_refused(groove.draft(1.333, wedged_nodes()), groove.structure(), "slips");
 }
 
-TEST(LooseBar, IsFreeBelowIt) {
+TEST(UnconstrainedBar, IsFreeBelowIt) {
   const auto up = std::vector{node("dead 1 0 0", {0, 0, 0, -1, 0})};
   expect_proved(groove.draft(1.333, up), groove.structure(), 0);
   expect_refused(groove.draft(1.334, up), groove.structure(), "do not rule out");
@@ -123,7 +123,7 @@ TEST(LooseBar, IsFreeBelowIt) {
 }
 
 // The directions given in a file have irrational lengths; sliding modes are exact all the same.
-TEST(LooseBar, MayStandAskew) {
+TEST(UnconstrainedBar, MayStandAskew) {
   for (const auto& [c, s] : {std::pair(1.0, 0.3), {3.0, 4.0}, {0.1, 0.7}}) {
     const double length = std::hypot(c, s);
     const BarBetweenWalls bar{c / length, s / length};
@@ -141,7 +141,7 @@ TEST(LooseBar, MayStandAskew) {
 }
 
 // Between parallel walls nothing can be squeezed: pulled at both ends the bar moves away from both.
-TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
+TEST(UnconstrainedBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
   const BarBetweenWalls walls{1, 0};
   const auto nodes = [](double first, double second) {
     return std::vector{node("dead 1 3 0", {first, second, 0, 0, 0}),
@@ -160,7 +160,7 @@ TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
 
 // Between walls that are parallel up to 1e-9 the bar is wedged only in configurations that slide a
 // billion times farther than it strains. Up to 1e-5 it need not move that far.
-TEST(LooseBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
+TEST(UnconstrainedBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
   const auto said = [](double lean, const std::string& first) {
     const auto structure = BarBetweenWalls{1, lean}.structure();
     const std::vector nodes{first, node("dead 1 0 1", {0, 0, 1, 0, 0}),
@@ -174,7 +174,7 @@ TEST(LooseBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
   EXPECT_THAT(said(1e-5, node("alive 1 3 0", {1e-5, -1e-5, 0, 0, 0})).refusals, IsEmpty());
 }
 
-TEST(LooseBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
+TEST(UnconstrainedBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
   const auto structure = groove.structure();
   auto pulled = wedged_nodes();
   pulled[0] = node("alive 1 3 0", {0.8, 0.8, 0, 0, 0});
@@ -194,7 +194,7 @@ TEST(LooseBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
   EXPECT_THAT(verdict(fewer.text()).refusals, ElementsAre("K"));
 }
 
-TEST(LooseBar, HasMotionsThatAreCounted) {
+TEST(UnconstrainedBar, HasMotionsThatAreCounted) {
   EXPECT_THROW(verdict(groove.draft(1, {node("dead 1 0 0", {0, 0, 0, -1})}).text()),
                CertificateError);
   EXPECT_THROW(verdict(groove.draft(1, {node("alive 1 3 0", {0, 0})}).text()), CertificateError);
@@ -233,7 +233,7 @@ normal = [-0.9659258262890683, 0.25881904510252074]
                           columns, rows));
 }
 
-TEST(LooseBlock, IsProvedToWedgeFromTheTangentOfTheHalfAngle) {
+TEST(UnconstrainedBlock, IsProvedToWedgeFromTheTangentOfTheHalfAngle) {
   const double critical = 0.2679491924311227;
   for (const int rows : {1, 2, 4}) {
     for (const bool of_structure : {true, false}) {
@@ -276,7 +276,7 @@ problems::Structure random_truss(int dimension, int nodes, std::mt19937& bits) {
   return read(text);
 }
 
-TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
+TEST(UnconstrainedTrusses, AreProvedAsTheyAreSearched) {
   std::mt19937 bits(7);
   std::size_t feasible = 0;
   std::size_t infeasible = 0;
@@ -304,7 +304,7 @@ TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
 
 // No evidence proves a node infeasible that contains a configuration, be it a leaf or an inner
 // node.
-TEST(LooseTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
+TEST(UnconstrainedTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
   std::mt19937 bits(11);
   std::size_t tried = 0;
   for (int trial = 0; trial < 16; ++trial) {
@@ -335,7 +335,7 @@ TEST(LooseTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
 
 // Two ends of a bar in a groove, and a third point on the floor, whose reaction must be zero: only
 // friction could direct it to the line between the two.
-TEST(LooseTrusses, HaveContactsThatEquilibriumLeavesUnloaded) {
+TEST(UnconstrainedTrusses, HaveContactsThatEquilibriumLeavesUnloaded) {
   const auto body = read(R"(
 name = "tripod"
 dimension = 3
@@ -375,6 +375,54 @@ normal = [0, 0, 1]
     record.separated = {};  // the third has no reaction, but it is not in U
     EXPECT_FALSE(proof.judgement(record).unloaded);
   }
+}
+
+// A triangle of bars and a node a million times farther away. A rotation of that node strains the
+// triangle so little that, with its contacts fixed, the eigenvalues of K differ by a factor of
+// 1e16.
+TEST(UnconstrainedTrusses, AreProvedWithAVeryLongLever) {
+  const auto lever = read(R"(
+name = "lever"
+dimension = 2
+[nodes]
+a = [0.7706521597981201, 0.018297834191031336]
+b = [-0.16894052248598754, 0.8377311952464849]
+c = [-0.7960570833301549, -0.4142136273628958]
+far = [1360103.0763467862, 529428.8620135831]
+[[members]]
+EA = 0.6261946677920907
+between = [["a", "b"]]
+[[members]]
+EA = 1.904562501691604
+between = [["a", "c"]]
+[[members]]
+EA = 1.8687358362155064
+between = [["b", "c"]]
+[[members]]
+EA = 1911966.2853108642
+between = [["far", "c"]]
+[[members]]
+EA = 1418074.3514599341
+between = [["far", "a"]]
+[[contact]]
+nodes = ["a"]
+normal = [-0.9863508342967405, 0.1646573159082948]
+[[contact]]
+nodes = ["c"]
+normal = [0.9057831897196091, 0.4237414461925697]
+friction_factor = 0.37017046969364437
+[[contact]]
+nodes = ["b"]
+normal = [0.5672571170074856, -0.8235407477498341]
+[[contact]]
+nodes = ["far"]
+normal = [-1.0097363452536945, 0.1452424204884224]
+friction_factor = 1.2632737347327885
+)");
+  const auto said = proved(lever, 1.55461);
+  EXPECT_THAT(said.refusals, IsEmpty());
+  EXPECT_EQ(said.feasible.size(), 8U);
+  EXPECT_EQ(said.marginal, 0U);
 }
 
 TEST(ContactMotions, OfTheStructureAreRigidAndComplete) {

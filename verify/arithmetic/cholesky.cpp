@@ -4,38 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "verify/arithmetic/wide.hpp"
+#include "verify/arithmetic/word_grid.hpp"
 
 namespace kusabi::verify {
 namespace {
-
-// Numbers on a common grid, each in one word, such that sums of products of two are exact in two
-// words.
-struct WordList {
-  std::vector<std::int64_t> multiples;
-  long exponent = 0;
-};
-
-// @param terms the largest number of products in a sum
-WordList on_a_grid(std::span<const double> values, std::size_t terms) {
-  const auto bits = (126 - static_cast<long>(std::bit_width(terms))) / 2;
-  int above = 0;  // 2^above exceeds all numbers in size
-  std::frexp(*std::max_element(values.begin(), values.end(),
-                               [](double a, double b) { return std::abs(a) < std::abs(b); }),
-             &above);
-  WordList list;
-  list.exponent = above - bits;
-  list.multiples.reserve(values.size());
-  for (const double value : values) {
-    list.multiples.push_back(
-        static_cast<std::int64_t>(std::trunc(std::ldexp(value, static_cast<int>(-list.exponent)))));
-  }
-  return list;
-}
 
 std::size_t longest_row(const Profile& profile) {
   std::size_t longest = 0;
@@ -46,13 +21,13 @@ std::size_t longest_row(const Profile& profile) {
 
 // The square of the Frobenius norm of A - shift I - L L'. All entries outside the profile are zero.
 Dyadic square_of_error(const Profile& profile, const DyadicList& matrix, double shift,
-                       const WordList& lower) {
+                       const WordGrid& lower) {
   Dyadic sum;
   for (std::size_t i = 0; i < profile.size(); ++i) {
     for (std::size_t j = profile.first(i); j <= i; ++j) {
       const auto start = std::max(profile.first(i), profile.first(j));
-      const auto* const row = lower.multiples.data() + profile.at(i, start);
-      const auto* const other = lower.multiples.data() + profile.at(j, start);
+      const auto* const row = lower.words.data() + profile.at(i, start);
+      const auto* const other = lower.words.data() + profile.at(j, start);
       Wide product = 0;
       for (std::size_t k = 0; k <= j - start; ++k) product += static_cast<Wide>(row[k]) * other[k];
       auto error = matrix[profile.at(i, j)] - Dyadic(integer(product), 2 * lower.exponent);
@@ -90,10 +65,6 @@ double estimated_eigenvalue(const Cholesky& factor, std::size_t size) {
     estimate = 1 / norm;
   }
   return estimate;
-}
-
-bool finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
 }  // namespace
@@ -142,7 +113,7 @@ std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList&
   std::vector<double> rounded;
   rounded.reserve(profile.entries());
   for (std::size_t at = 0; at < profile.entries(); ++at) rounded.push_back(matrix[at].nearest());
-  if (!finite(rounded) || rounded.empty()) return {};
+  if (!all_finite(rounded) || rounded.empty()) return {};
   const auto first = Cholesky::of(profile, rounded);
   if (!first) return {};
   double shift = estimated_eigenvalue(*first, profile.size()) / 2;
@@ -150,8 +121,8 @@ std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList&
   constexpr int beyond_double_precision = 60;
   for (int step = 0; step < beyond_double_precision && shift > 0; ++step, shift /= 2) {
     const auto factor = Cholesky::of(profile, rounded, shift);
-    if (!factor || !finite(factor->lower())) continue;
-    const auto lower = on_a_grid(factor->lower(), terms);
+    if (!factor || !all_finite(factor->lower())) continue;
+    const auto lower = words_of(factor->lower(), terms);
     const auto error = sqrt_above(square_of_error(profile, matrix, shift, lower));
     const auto bound = Dyadic(shift) - error;
     if (bound + bound > Dyadic(shift)) return bound;

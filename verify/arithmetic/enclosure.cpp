@@ -51,6 +51,14 @@ Enclosure::Enclosure(double value) {
   mpfr_set_d(upper_, value, MPFR_RNDU);
 }
 
+Enclosure::Enclosure(const Dyadic& value) {
+  const mpz_class mantissa = value.multiples(value.exponent());
+  mpfr_init2(lower_, precision);
+  mpfr_init2(upper_, precision);
+  mpfr_set_z_2exp(lower_, mantissa.get_mpz_t(), value.exponent(), MPFR_RNDD);
+  mpfr_set_z_2exp(upper_, mantissa.get_mpz_t(), value.exponent(), MPFR_RNDU);
+}
+
 Enclosure::Enclosure(const Enclosure& other) {
   mpfr_init2(lower_, precision);
   mpfr_init2(upper_, precision);

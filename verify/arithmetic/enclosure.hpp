@@ -16,6 +16,8 @@ class Enclosure {
  public:
   /// @param value represented exactly @pre finite
   explicit Enclosure(double value = 0);
+  /// @param value rounded outwards
+  explicit Enclosure(const Dyadic& value);
   Enclosure(const Enclosure& other);
   Enclosure(Enclosure&& other) noexcept;
   Enclosure& operator=(const Enclosure& other);

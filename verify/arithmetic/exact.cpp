@@ -36,6 +36,10 @@ void shift_up(mpz_class& value, long bits) {
 
 }  // namespace
 
+bool all_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
+
 Dyadic::Dyadic(double value) {
   const auto parts = parts_of(value);
   mantissa_ = integer(parts.mantissa);

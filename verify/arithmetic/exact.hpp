@@ -12,6 +12,9 @@
 
 namespace kusabi::verify {
 
+/// True if no number is infinite or NaN.
+bool all_finite(std::span<const double> values);
+
 /// An exact dyadic number.
 class Dyadic {
  public:

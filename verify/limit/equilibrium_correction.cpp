@@ -128,20 +128,20 @@ class Reach {
   const DefectivePart& part_;
   const std::vector<double>& weight_;
   Gram gram_;
-  std::vector<double> size_;      // Y, by place
-  std::vector<double> solution_;  // row e of (B W B')^-1
-  std::vector<double> missed_;    // row e of E, by place
-  std::vector<double> doubt_;     // bound of the error of `missed_`
-  std::vector<double> direct_;    // sum_e defect_e |G_ei|
-  std::vector<double> largest_;   // max_e Y_e |G_ei|
-  double rest_ = 0;               // sum_e defect_e sum_k |E_ek| / Y_k
+  std::vector<double> size_;          // Y, by place
+  std::vector<double> solution_;      // row e of (B W B')^-1
+  std::vector<double> missed_;        // row e of E, by place
+  std::vector<double> missed_error_;  // bound of the error of `missed_`
+  std::vector<double> direct_;        // sum_e defect_e |G_ei|
+  std::vector<double> largest_;       // max_e Y_e |G_ei|
+  double rest_ = 0;                   // sum_e defect_e sum_k |E_ek| / Y_k
 };
 
 bool Reach::row(std::size_t e, double defect) {
   const auto here = gram_.place(e);
   std::ranges::fill(solution_, 0.0);
   std::ranges::fill(missed_, 0.0);
-  std::ranges::fill(doubt_, 0.0);
+  std::ranges::fill(missed_error_, 0.0);
   solution_[here] = 1;
   gram_.solve(solution_);
   missed_[here] = 1;
@@ -158,16 +158,16 @@ bool Reach::row(std::size_t e, double defect) {
     largest_[i] = std::max(largest_[i], size_[here] * size);
     for (const auto& [k, value] : members_.columns[i]) {
       missed_[gram_.place(k)] -= inverse * value;
-      doubt_[gram_.place(k)] += std::abs(inverse * value) * rounded_off;
+      missed_error_[gram_.place(k)] += std::abs(inverse * value) * rounded_off;
     }
     if (members_.errors.empty()) continue;
     for (const auto& [k, error] : members_.errors[i]) {
-      doubt_[gram_.place(k)] += size * double_above(error);
+      missed_error_[gram_.place(k)] += size * double_above(error);
     }
   }
   double total = 0;
   for (std::size_t k = 0; k < missed_.size(); ++k) {
-    total += (std::abs(missed_[k]) + doubt_[k] + tiny) / size_[k];
+    total += (std::abs(missed_[k]) + missed_error_[k] + tiny) / size_[k];
   }
   rest_ += defect * total;
   constexpr double half = 0.5 * (1 - all_roundings);
@@ -183,7 +183,7 @@ std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defe
   }
   solution_.resize(n);
   missed_.resize(n);
-  doubt_.resize(n);
+  missed_error_.resize(n);
   direct_.assign(members_.columns.size(), 0.0);
   largest_.assign(members_.columns.size(), 0.0);
   for (const auto e : part_.displacements) {

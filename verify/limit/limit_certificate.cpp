@@ -15,18 +15,6 @@ namespace {
 /// Larger counts are refused as damaged numbers before memory is allocated.
 constexpr std::uint64_t most = 10'000'000;
 
-std::size_t count(Lines& lines, const std::string& keyword) {
-  const std::string what = "'" + keyword + "' and a number";
-  lines.next();
-  lines.expect_word(keyword, what);
-  const auto value = lines.integer(10, what);
-  if (value > most) lines.refuse(what + " of at most " + std::to_string(most));
-  // Each item takes at least a line or a number, so the rest of the file bounds their count.
-  if (value > lines.left()) lines.refuse(what + " that the rest of the file holds");
-  lines.end_of_line(what);
-  return value;
-}
-
 std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
   const auto value = lines.integer(10, what);
   if (value >= size) lines.refuse(what + " below " + std::to_string(size));
@@ -71,8 +59,8 @@ void read_half_widths(Lines& lines, LimitCertificate& certificate) {
 }
 
 void read_truss(Lines& lines, LimitCertificate& certificate) {
-  certificate.displacements = count(lines, "displacements");
-  const auto members = count(lines, "members");
+  certificate.displacements = lines.count("displacements", 0, most);
+  const auto members = lines.count("members", 0, most);
   if (members < certificate.displacements) {
     lines.refuse("as many members as displacements at least: a truss of fewer is a mechanism");
   }
@@ -90,7 +78,7 @@ void read_truss(Lines& lines, LimitCertificate& certificate) {
 }
 
 void read_columns(Lines& lines, LimitCertificate& certificate) {
-  const auto uncertain = count(lines, "uncertain");
+  const auto uncertain = lines.count("uncertain", 0, most);
   for (std::size_t j = 0; j < uncertain; ++j) {
     lines.next();
     const std::string what = "'column', and displacements with a number that is not 0";
@@ -108,7 +96,7 @@ void read_columns(Lines& lines, LimitCertificate& certificate) {
 void read_names(Lines& lines, LimitCertificate& certificate) {
   const std::string what = "'name', a column that has none yet, and its name";
   const auto m = certificate.uncertain.size();
-  const auto named = count(lines, "names");
+  const auto named = lines.count("names", 0, most);
   certificate.names.resize(m);
   for (std::size_t k = 0; k < named; ++k) {
     lines.next();
@@ -175,12 +163,12 @@ LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size
 void read_evidence(Lines& lines, LimitCertificate& certificate) {
   certificate.load = vector(lines, "load", certificate.uncertain.size());
   certificate.motion = vector(lines, "motion", certificate.displacements);
-  const auto cuts = count(lines, "cuts");
+  const auto cuts = lines.count("cuts", 0, most);
   for (std::size_t c = 0; c < cuts; ++c) {
     lines.next();
     certificate.cuts.push_back(read_cut(lines, certificate));
   }
-  const auto nodes = count(lines, "nodes");
+  const auto nodes = lines.count("nodes", 0, most);
   for (std::size_t n = 0; n < nodes; ++n) {
     lines.next();
     certificate.nodes.push_back(read_node(lines, certificate, nodes));

@@ -80,9 +80,6 @@ struct LimitStatement {
   LimitCertificate evidence;
 };
 
-/// A name on one line, as in the file: control characters as \x0a.
-std::string in_one_line(std::string_view name);
-
 /// The keyword of a claim in a file.
 std::string_view claim_word(LimitClaim claim);
 

@@ -8,6 +8,7 @@
 
 #include "support/sha1.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -62,7 +63,7 @@ void put_truss(std::string& text, const LimitCertificate& truss) {
 void put_loads(std::string& text, const LimitStatement& statement) {
   const auto& loads = statement.evidence;
   text += "\ncase";
-  if (!statement.load_case.empty()) text += ' ' + in_one_line(statement.load_case);
+  if (!statement.load_case.empty()) text += ' ' + on_one_line(statement.load_case);
   text += "\ndead";
   put(text, loads.dead);
   text += "\nreference";
@@ -82,7 +83,7 @@ void put_loads(std::string& text, const LimitStatement& statement) {
     if (loads.names[j].empty()) continue;
     text += "\nname";
     put(text, j);
-    text += ' ' + in_one_line(loads.names[j]);
+    text += ' ' + on_one_line(loads.names[j]);
   }
   text += "\nalpha";
   put_half_widths(text, loads.alpha);
@@ -119,20 +120,6 @@ void put_evidence(std::string& text, const LimitCertificate& evidence) {
 }
 
 }  // namespace
-
-std::string in_one_line(std::string_view name) {
-  constexpr std::string_view hex = "0123456789abcdef";
-  std::string text;
-  for (const char each : name) {
-    const auto code = static_cast<unsigned char>(each);
-    if (code >= 0x20 && code != 0x7f) {
-      text += each;
-    } else {
-      text += {'\\', 'x', hex[code / 16], hex[code % 16]};
-    }
-  }
-  return text;
-}
 
 std::string limit_certificate_text(std::span<const LimitStatement> statements) {
   std::string text(limit_first_words);

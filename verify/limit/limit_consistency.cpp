@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "verify/structure/assembly.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -145,7 +146,7 @@ std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom&
 std::variant<std::vector<double>, std::string> half_widths_of(const LimitCertificate& certificate,
                                                               const Structure& structure,
                                                               const std::vector<Sparse>& columns) {
-  const std::string others = "its uncertain loads are not those of the truss";
+  const std::string others = "the recorded uncertain loads are not those of the truss";
   auto recorded = columns_of(certificate);
   const auto in_file = [&](std::size_t j) {
     return structure.half_widths.empty() ? std::nullopt : structure.half_widths[j];
@@ -154,13 +155,13 @@ std::variant<std::vector<double>, std::string> half_widths_of(const LimitCertifi
   for (const bool said : {true, false}) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
       if (in_file(j).has_value() != said) continue;
-      const auto name = in_one_line(load_name(structure, j));
+      const auto name = on_one_line(load_name(structure, j));
       if (const auto taken = take(recorded, columns[j], name, in_file(j))) {
         half_widths[j] = *taken;
         continue;
       }
       return said && take(recorded, columns[j], name, {})
-                 ? "its half-width of an uncertain load is not that of the truss"
+                 ? "the recorded half-width of an uncertain load is not that of the truss"
                  : others;
     }
   }
@@ -174,12 +175,13 @@ std::optional<std::string> other_bars(const LimitCertificate& certificate,
   for (std::size_t i = 0; i < structure.bars.size(); ++i) {
     const auto& bar = structure.bars[i];
     if (certificate.tension[i] != bar.tension || certificate.compression[i] != bar.compression) {
-      return "its yield forces of member " + bar_name(structure, bar) +
+      return "the recorded yield forces of member " + bar_name(structure, bar) +
              " are not those of the truss";
     }
     auto column = true_column(certificate.columns[i], structure, freedom, bar);
     if (!column) {
-      return "its direction of member " + bar_name(structure, bar) + " is not that of the truss";
+      return "the recorded direction of member " + bar_name(structure, bar) +
+             " is not that of the truss";
     }
     truss.columns.push_back(*std::move(column));
   }
@@ -192,12 +194,14 @@ std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& 
                                                         const Structure& structure) {
   const Freedom freedom(structure);
   if (!freedom.others.empty() || !structure.ties.empty())
-    return "the structure has ties, inclined supports or pairs of bodies, which limit loads do not";
+    return "the structure has multi-point constraints, inclined supports or contact pairs; "
+           "limit analysis does not support these";
   if (certificate.displacements != freedom.count ||
       certificate.members() != structure.bars.size()) {
-    return "it has " + std::to_string(certificate.displacements) + " displacements and " +
-           std::to_string(certificate.members()) + " members, the truss has " +
-           std::to_string(freedom.count) + " and " + std::to_string(structure.bars.size());
+    return "the certificate has " + std::to_string(certificate.displacements) +
+           " displacements and " + std::to_string(certificate.members()) +
+           " members, the truss has " + std::to_string(freedom.count) + " and " +
+           std::to_string(structure.bars.size());
   }
   LimitTruss truss;
   if (auto why = other_bars(certificate, structure, freedom, truss)) return *why;
@@ -205,8 +209,8 @@ std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& 
   const auto reference = sum_of(structure.reference, structure, freedom);
   auto true_dead = true_load(certificate.dead, dead);
   auto true_reference = true_load(certificate.reference, reference);
-  if (!true_dead) return "its dead load is not that of the truss";
-  if (!true_reference) return "its reference load is not that of the truss";
+  if (!true_dead) return "the recorded dead load is not that of the truss";
+  if (!true_reference) return "the recorded reference load is not that of the truss";
   truss.dead = *std::move(true_dead);
   truss.reference = *std::move(true_reference);
   auto half_widths = half_widths_of(certificate, structure,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -89,10 +90,10 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
 // |load + factor f_R - B forces|, by displacement, with the errors of f_R and B.
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
-  std::vector<Dyadic> doubt(load.size());
+  std::vector<Dyadic> errors(load.size());
   const auto add = [&](std::size_t e, const Near& number, double times) {
     load[e] = load[e] + product(number.value, times);
-    doubt[e] = doubt[e] + product(number.error, std::abs(times));
+    errors[e] = errors[e] + product(number.error, std::abs(times));
   };
   if (factor != 0) {
     for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
@@ -101,87 +102,50 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
     if (force == 0) continue;
     for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
   }
-  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + doubt[e];
+  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + errors[e];
   return load;
 }
 
 namespace {
 
-/// A member is rigid in the intended motion if its elongation is below this share of the largest.
-/// Its elongation is made exactly zero if rounding of the motion may change the dissipation by more
-/// than `is_dear` of it. (In a redundant body with rounded bar directions not all elongations can
-/// be zero.)
+/// A member is rigid in the intended motion if its elongation is below this share of the largest
+/// displacement.
 constexpr double is_still = 1e-9;
-constexpr double is_dear = 1e-14;
+
+/// The elongation of a rigid member is made exactly zero if rounding of the motion may change the
+/// dissipation by more than this share. Not all can be zero: directions of bars are rounded, so a
+/// redundant body has no exact rigid motion.
+constexpr double significant_cost = 1e-14;
 constexpr double rounding = 0x1p-53;
 
 /// Each step reduces the elongations by about ten digits, by fewer for trusses close to mechanisms.
 constexpr int steps = 12;
 constexpr double shift = 1e-10;
 
-}  // namespace
-
-// The recorded motion, corrected such that members that are rigid in the intended motion are rigid
-// exactly and, if requested, the reference load does no work. A large yield force, which stands for
-// an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
-// is computed exactly.
-std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
-  std::vector<Dyadic> motion;
-  double largest = 0;
-  for (const double u : certificate_.motion) {
-    motion.emplace_back(u);
-    largest = std::max(largest, std::abs(u));
-  }
-  // Upper bound of the cost, since the sign of a rounding error is unknown.
-  const auto cost_of = [this](std::size_t i, double stretch) {
-    return std::abs(stretch) * std::max(certificate_.tension[i], certificate_.compression[i]);
-  };
-  std::vector<std::size_t> may_be_still;
-  double dissipated = 0;
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
-    if (std::abs(stretch) <= is_still * largest) {
-      may_be_still.push_back(i);
-    } else {
-      dissipated +=
-          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
-    }
-  }
-  std::vector<const Column*> still;
+// Changes a motion such that the elongations of some columns are zero up to rounding far below that
+// of doubles, by projections with rows scaled to one.
+std::vector<Dyadic> without_elongations(std::vector<Dyadic> motion,
+                                        const std::vector<const Column*>& still) {
   std::vector<Sparse> roughly;
-  const auto keep_still = [&](const Column& column) {
-    still.push_back(&column);
-    auto& rough = roughly.emplace_back();
-    for (const auto& [e, entry] : column) rough.emplace_back(e, entry.value.nearest());
-  };
-  for (const auto i : may_be_still) {
-    if (cost_of(i, rounding * largest) > is_dear * dissipated) keep_still(truss_.columns[i]);
-  }
-  Column reference;
-  if (without_work) {
-    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
-      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
-    }
-    keep_still(reference);
-  }
-  if (still.empty()) return motion;
-  std::vector<bool> touched(certificate_.displacements);
-  std::vector<std::size_t> all;
+  std::vector<bool> touched(motion.size());
   std::vector<double> weight;  // scales each row to one
-  for (const auto& rough : roughly) {
+  for (const auto* column : still) {
+    auto& rough = roughly.emplace_back();
     double square = 0;
-    for (const auto& [e, entry] : rough) {
+    for (const auto& [e, entry] : *column) {
+      rough.emplace_back(e, entry.value.nearest());
+      square += rough.back().second * rough.back().second;
       touched[e] = true;
-      square += entry * entry;
     }
-    all.push_back(all.size());
     weight.push_back(1 / square);
   }
   std::vector<std::size_t> displacements;
   for (std::size_t e = 0; e < touched.size(); ++e) {
     if (touched[e]) displacements.push_back(e);
   }
-  const Gram gram(roughly, all, weight, displacements, certificate_.displacements, shift);
+  std::vector<std::size_t> all(still.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Gram gram(roughly, all, weight, displacements, motion.size(), shift);
   if (!gram.definite()) return motion;
   std::vector<double> change(displacements.size());
   for (int step = 0; step < steps; ++step) {
@@ -209,6 +173,47 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   return motion;
 }
 
+}  // namespace
+
+// The recorded motion, corrected such that members that are rigid in the intended motion are rigid
+// exactly and, if requested, the reference load does no work. A large yield force, which stands for
+// an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
+// is computed exactly.
+std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
+  std::vector<Dyadic> motion;
+  double largest = 0;
+  for (const double u : certificate_.motion) {
+    motion.emplace_back(u);
+    largest = std::max(largest, std::abs(u));
+  }
+  std::vector<std::size_t> rigid;
+  double dissipated = 0;
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
+    if (std::abs(stretch) <= is_still * largest) {
+      rigid.push_back(i);
+    } else {
+      dissipated +=
+          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
+    }
+  }
+  std::vector<const Column*> still;
+  for (const auto i : rigid) {
+    // Upper bound of the cost, since the sign of a rounding error is unknown.
+    const double cost =
+        rounding * largest * std::max(certificate_.tension[i], certificate_.compression[i]);
+    if (cost > significant_cost * dissipated) still.push_back(&truss_.columns[i]);
+  }
+  Column reference;
+  if (without_work) {
+    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
+      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
+    }
+    still.push_back(&reference);
+  }
+  return still.empty() ? motion : without_elongations(std::move(motion), still);
+}
+
 bool LimitProof::load_is_admissible() const {
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) return false;
@@ -219,16 +224,16 @@ bool LimitProof::load_is_admissible() const {
 std::variant<mpq_class, std::string> LimitProof::upper() const {
   if (!load_is_admissible()) return "the load is outside of its bounds";
   const auto u = still_motion(false);
-  Dyadic work;   // of f_R
-  Dyadic doubt;  // of the work
+  Dyadic work;        // of f_R
+  Dyadic work_error;  // of the work
   Dyadic value;
   for (std::size_t e = 0; e < u.size(); ++e) {
     const auto size = absolute(u[e]);
     work = work + truss_.reference[e].value * u[e];
-    doubt = doubt + truss_.reference[e].error * size;
+    work_error = work_error + truss_.reference[e].error * size;
     value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
   }
-  if (!(work > doubt)) return "the reference load does no work on the motion";
+  if (!(work > work_error)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     for (const auto& [e, each] : certificate_.uncertain[j]) {
       value = value - product(product(u[e], each), certificate_.load[j]);
@@ -243,7 +248,7 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
       value = value + product(entry.error * absolute(u[e]), std::max(tension, compression));
     }
   }
-  const auto divisor = value.sign() < 0 ? work + doubt : work - doubt;
+  const auto divisor = value.sign() < 0 ? work + work_error : work - work_error;
   return mpq_class(value.rational() / divisor.rational());
 }
 
@@ -380,7 +385,7 @@ std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<b
   };
   // A node that decides no further sign covers the whole subtree.
   if (std::ranges::any_of(nodes, whole)) return {};
-  return "the nodes do not come from a tree: no sign is decided in all of some";
+  return "the nodes do not form a tree: some of them have no decided sign in common";
 }
 
 double towards(const mpq_class& value, double limit) {

@@ -34,14 +34,6 @@ void begin(Lines& lines, std::string_view keyword, const std::string& what) {
   lines.expect_word(keyword, what);
 }
 
-std::size_t counted_lines(Lines& lines, const std::string& keyword) {
-  const auto what = "'" + keyword + "' and a number";
-  begin(lines, keyword, what);
-  const auto value = count(lines, lines.left(), what);
-  lines.end_of_line(what);
-  return value;
-}
-
 // Ascending numbers of members.
 std::vector<std::size_t> members(Lines& lines, const Structure& truss, const std::string& what) {
   std::vector<std::size_t> numbers(count(lines, lines.remainder().size(), what));
@@ -57,7 +49,7 @@ Structure read_truss(Lines& lines) {
   begin(lines, "dimension", "'dimension' and 2 or 3");
   truss.dimension = lines.integer(10, "2 or 3");
   if (truss.dimension != 2 && truss.dimension != 3) lines.refuse("2 or 3");
-  const auto nodes = counted_lines(lines, "nodes");
+  const auto nodes = lines.count("nodes");
   const std::string of_node = "'node', and for each axis a coordinate and 'fixed' or 'free'";
   for (std::size_t k = 0; k < nodes; ++k) {
     begin(lines, "node", of_node);
@@ -72,7 +64,7 @@ Structure read_truss(Lines& lines) {
     lines.end_of_line(of_node);
     truss.names.push_back(std::to_string(k));
   }
-  const auto bars = counted_lines(lines, "members");
+  const auto bars = lines.count("members");
   const std::string of_bar = "'member', two nodes and its yield forces, not negative";
   for (std::size_t k = 0; k < bars; ++k) {
     begin(lines, "member", of_bar);
@@ -91,7 +83,7 @@ Structure read_truss(Lines& lines) {
 std::vector<Force> read_forces(Lines& lines, const Structure& truss, const std::string& keyword) {
   std::vector<Force> forces;
   const std::string what = "'force', a node and its components";
-  for (auto left = counted_lines(lines, keyword); left > 0; --left) {
+  for (auto left = lines.count(keyword); left > 0; --left) {
     begin(lines, "force", what);
     auto& force = forces.emplace_back();
     force.node = below(lines, truss.places.size(), what);
@@ -107,7 +99,7 @@ void read_loads(Lines& lines, Structure& truss) {
   truss.reference = read_forces(lines, truss, "reference");
   auto& uncertain = truss.uncertain.emplace();
   const std::string what = "'column', a half-width, and components";
-  for (auto left = counted_lines(lines, "uncertain"); left > 0; --left) {
+  for (auto left = lines.count("uncertain"); left > 0; --left) {
     begin(lines, "column", what);
     truss.half_widths.emplace_back(not_negative(lines, what));
     auto& column = uncertain.emplace_back();
@@ -177,7 +169,7 @@ void read_claim(Lines& lines, LossStatement& statement) {
   begin(lines, "lower", "'lower' and a number or nothing");
   if (!lines.remainder().empty()) statement.lower = lines.number("a number");
   if (statement.fatal && statement.lower) lines.refuse("no lower bound of a fatal loss");
-  for (auto left = counted_lines(lines, "states"); left > 0; --left) {
+  for (auto left = lines.count("states"); left > 0; --left) {
     auto& state = statement.states.emplace_back();
     begin(lines, "state", "'state' and its members");
     state.support = members(lines, truss, "ascending members of a state");

@@ -116,15 +116,15 @@ std::vector<std::string> LossClaim::check_loss(double& upper) const {
   if (const auto& flaw = cover.flaw()) {
     std::string why = "no state is left after the loss of";
     for (const int member : *flaw) why += ' ' + names_[static_cast<std::size_t>(member)];
-    refusals.push_back(flaw->empty() ? "it has no states" : why);
+    refusals.push_back(flaw->empty() ? "the certificate has no states" : why);
   }
   return refusals;
 }
 
 std::optional<std::string> LossClaim::refusal_of_state(std::size_t number) const {
   const auto carried = carried_factor(exact_, statement_.states[number]);
-  if (!carried) return "its forces are not in equilibrium within the yield forces";
-  if (carried->factor < *statement_.lower) return "it carries less than the claimed factor";
+  if (!carried) return "the forces of the state are not in equilibrium within the yield forces";
+  if (carried->factor < *statement_.lower) return "the state carries less than the claimed factor";
   return {};
 }
 

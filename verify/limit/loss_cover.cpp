@@ -1,5 +1,4 @@
-// Recursion over the members of one support: a loss with a member of every support has one of
-// these.
+// Recursion over the members of one support: a loss that meets every support contains one of them.
 #include "verify/limit/loss_cover.hpp"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ std::vector<std::size_t> LossCover::needed() const {
   return numbers;
 }
 
-// One further loss: no member may be in all supports.
+// For one further loss: true if no member is in all supports.
 bool LossCover::covers_one(const IndexSet& lost, const IndexSet& kept, const Numbers& states) {
   auto common = supports_[states.front()] - kept;
   needed_[states.front()] = true;
@@ -38,7 +37,7 @@ bool LossCover::covers_one(const IndexSet& lost, const IndexSet& kept, const Num
   return false;
 }
 
-// More disjoint supports than further losses.
+// True if more supports than further losses are disjoint: then one of them is not met.
 bool LossCover::is_packed(const IndexSet& kept, int left, const Numbers& states) {
   Numbers packed;
   IndexSet all;

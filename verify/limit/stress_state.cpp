@@ -24,7 +24,7 @@ class ExactColumns {
  public:
   ExactColumns(const ExactTruss& truss, const StressState& state);
 
-  // Removes the equilibrium error of all columns. @return whether that is possible
+  // Removes the equilibrium error of all columns. @return false if that is impossible
   bool balance();
   [[nodiscard]] bool within_yield_forces() const;
   [[nodiscard]] CarriedFactor carried() const;

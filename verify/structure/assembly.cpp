@@ -163,13 +163,13 @@ Connected connected(const Structure& structure, const Freedom& freedom) {
     }
   }
   std::vector<std::size_t> own;  // one displacement of each candidate
-  const auto corner = corners(structure);
+  const auto shared = shared_nodes(structure);
   for (const auto& point : structure.contact) {
     std::vector<std::size_t> moving;
     for (const auto number : freedom.number[point.node]) {
       if (number != Freedom::none) moving.push_back(number);
     }
-    for (std::size_t axis = 0; axis < structure.dimension && corner.contains(point.node); ++axis) {
+    for (std::size_t axis = 0; axis < structure.dimension && shared.contains(point.node); ++axis) {
       for (const auto& [leader, weight] : point.against) {
         for (const auto number : freedom.parts(leader, axis)) moving.push_back(number);
       }

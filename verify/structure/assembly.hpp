@@ -37,7 +37,7 @@ Frame frame(const ContactPoint& point, std::size_t dimension);
 /// of a given stiffness or one candidate.
 std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom);
 
-/// By candidate: whether a load acts on the connected component that contains it.
+/// By candidate: true if a load acts on the connected component that contains it.
 std::vector<bool> touched(const Structure& structure, const Freedom& freedom,
                           const std::vector<Force>& load);
 

@@ -22,9 +22,8 @@ constexpr long stiffness_grid = -300;
 constexpr long displacement_grid = -160;
 constexpr long kept_bits = 160;  // of K
 constexpr const char* too_ill =
-    "its stiffness is not proved to be positive definite: it is a mechanism, or too "
-    "ill-conditioned for a "
-    "factor in double precision";
+    "the stiffness is not proved to be positive definite: the structure is a mechanism, or too "
+    "ill-conditioned for a factor in double precision";
 
 struct Entry {
   std::size_t column;
@@ -60,13 +59,13 @@ class Condensation {
   void add_loads(SparseEnclosure& stiffness);
   void release_rollers(const ContactPoint& point, SparseEnclosure& stiffness);
   void number_candidates(SparseEnclosure& stiffness);
-  std::optional<std::string> cut();
+  std::optional<std::string> partition();
   void order_unknowns(const SparseEnclosure& stiffness);
   std::optional<std::string> factorise();
-  void follow();
+  void solve_dependent();
   void refine(std::size_t column);
   void complement();
-  EnclosedMatrix turned();
+  EnclosedMatrix in_contact_frames();
   LoadedStiffness separated(EnclosedMatrix whole) const;
 
   [[nodiscard]] Dyadic entry(std::size_t i, std::size_t j) const {
@@ -81,16 +80,16 @@ class Condensation {
   std::vector<std::vector<std::size_t>> seen_;  // d displacements of each candidate
   std::vector<std::size_t> load_numbers_;       // rows of the loads, d or none
   std::vector<long> load_scales_;               // forces are multiplied by 2^this
-  CandidateNumbers corners_;  // displacements of candidates at nodes with several contact normals,
-                              // already in their frames
-  std::vector<std::size_t> place_;  // position of each free displacement in C or N
+  CandidateNumbers shared_numbers_;  // displacements of candidates at nodes with several contact
+                                     // normals, already in their frames
+  std::vector<std::size_t> place_;   // position of each free displacement in C or N
   std::vector<bool> is_contact_;
   std::vector<std::size_t> displacement_;  // displacement at each position in N
   Parts parts_;
   Profile profile_;
-  std::optional<Cholesky> factor_;                // of K_NN
-  Dyadic least_;                                  // lower bound of its eigenvalues
-  std::vector<std::vector<mpz_class>> follows_;   // X, by columns, on the displacement grid
+  std::optional<Cholesky> factor_;                 // of K_NN
+  Dyadic least_;                                   // lower bound of its eigenvalues
+  std::vector<std::vector<mpz_class>> dependent_;  // X, by columns, on the displacement grid
   std::vector<std::vector<mpz_class>> residual_;  // R = K_NC - K_NN X, on the product of both grids
   std::vector<mpz_class> complement_;             // S, c x c, on the stiffness grid
   Dyadic radius_;
@@ -175,7 +174,7 @@ void Condensation::add_loads(SparseEnclosure& stiffness) {
 // normals.
 void Condensation::number_candidates(SparseEnclosure& stiffness) {
   if (!loads_.empty()) add_loads(stiffness);
-  const auto corner = corners(structure_);
+  const auto shared = shared_nodes(structure_);
   const auto add_springs = [&](const auto& numbers) {
     for (const auto number : numbers) {
       if (springs_ != 0 && number != Freedom::none)
@@ -183,26 +182,26 @@ void Condensation::number_candidates(SparseEnclosure& stiffness) {
     }
   };
   for (const auto& point : structure_.contact) {
-    if (corner.contains(point.node)) continue;
+    if (shared.contains(point.node)) continue;
     add_springs(freedom_.number[point.node]);
   }
   for (const auto& point : structure_.contact) {
-    if (!corner.contains(point.node)) release_rollers(point, stiffness);
+    if (!shared.contains(point.node)) release_rollers(point, stiffness);
   }
-  corners_ = use_normal_coordinates(structure_, freedom_, stiffness);
-  for (const auto& [candidate, numbers] : corners_) add_springs(numbers);
+  shared_numbers_ = use_normal_coordinates(structure_, freedom_, stiffness);
+  for (const auto& [candidate, numbers] : shared_numbers_) add_springs(numbers);
   const auto d = static_cast<std::ptrdiff_t>(structure_.dimension);
   for (std::size_t i = 0; i < structure_.contact.size(); ++i) {
-    const auto turned = corners_.find(i);
+    const auto found = shared_numbers_.find(i);
     const auto& numbers = freedom_.number[structure_.contact[i].node];
-    seen_.push_back(turned != corners_.end()
-                        ? turned->second
+    seen_.push_back(found != shared_numbers_.end()
+                        ? found->second
                         : std::vector<std::size_t>(numbers.begin(), numbers.begin() + d));
   }
   if (!load_numbers_.empty()) seen_.push_back(load_numbers_);
 }
 
-std::optional<std::string> Condensation::cut() {
+std::optional<std::string> Condensation::partition() {
   auto stiffness = enclosed_stiffness(structure_, freedom_);
   number_candidates(stiffness);
   for (std::size_t row = 0; row < stiffness.size(); ++row) {
@@ -254,7 +253,7 @@ std::optional<std::string> Condensation::factorise() {
     for (const auto& entry : parts_.rest_rest[row]) first[row] = std::min(first[row], entry.column);
   }
   profile_ = Profile(std::move(first));
-  if (profile_.entries() > largest_profile) return "it is too large for a proof";
+  if (profile_.entries() > largest_profile) return "the structure is too large for a proof";
   DyadicList entries(profile_.entries());
   entries.exponent = stiffness_grid;
   std::vector<double> rounded(profile_.entries(), 0.0);
@@ -276,8 +275,8 @@ std::optional<std::string> Condensation::factorise() {
 
 // X, a column for each displacement of C, by iterative refinement with double-precision solutions
 // until the square of the residual is negligible.
-void Condensation::follow() {
-  follows_.assign(parts_.contact, std::vector<mpz_class>(parts_.rest));
+void Condensation::solve_dependent() {
+  dependent_.assign(parts_.contact, std::vector<mpz_class>(parts_.rest));
   residual_.assign(parts_.contact, std::vector<mpz_class>(parts_.rest));
   for (std::size_t row = 0; row < parts_.rest; ++row) {
     for (const auto& entry : parts_.rest_contact[row]) {
@@ -313,7 +312,7 @@ void Condensation::refine(std::size_t column) {
     for (std::size_t row = 0; row < parts_.rest; ++row) {
       if (!std::isfinite(step[row])) return;
       added[row] = Dyadic(step[row]).multiples(displacement_grid);
-      follows_[column][row] += added[row];
+      dependent_[column][row] += added[row];
     }
     for (std::size_t row = 0; row < parts_.rest; ++row) {
       for (const auto& entry : parts_.rest_rest[row]) {
@@ -343,7 +342,7 @@ void Condensation::complement() {
     for (const auto& entry : parts_.rest_contact[row]) {
       for (std::size_t j = 0; j <= entry.column; ++j) {
         mpz_addmul(sums[c * entry.column + j].get_mpz_t(), entry.value.get_mpz_t(),
-                   follows_[j][row].get_mpz_t());
+                   dependent_[j][row].get_mpz_t());
       }
     }
   }
@@ -362,7 +361,7 @@ void Condensation::complement() {
       auto* const sum = sums[c * i + j].get_mpz_t();
       for (std::size_t row = 0; row < parts_.rest; ++row) {
         if (sgn(residual_[j][row]) == 0) continue;
-        mpz_addmul(sum, follows_[i][row].get_mpz_t(), residual_[j][row].get_mpz_t());
+        mpz_addmul(sum, dependent_[i][row].get_mpz_t(), residual_[j][row].get_mpz_t());
       }
       mpz_class rounded;
       mpz_fdiv_q_2exp(rounded.get_mpz_t(), sum, static_cast<mp_bitcnt_t>(-2 * displacement_grid));
@@ -374,7 +373,7 @@ void Condensation::complement() {
   // entry
   const Dyadic count(static_cast<double>(c));
   const auto delta = sqrt_above(parts_.error_square);
-  const auto size_square = count + square_sum(follows_, displacement_grid);
+  const auto size_square = count + square_sum(dependent_, displacement_grid);
   radius_ = delta * size_square + count.scaled(stiffness_grid);
   if (parts_.rest > 0) {
     const auto left = sqrt_above(square_sum(residual_, grid)) + delta * sqrt_above(size_square);
@@ -390,15 +389,15 @@ Frame unit_frame(std::size_t d) {
 }
 
 // Q'S Q with the frames Q of the candidates, without the scaling.
-EnclosedMatrix Condensation::turned() {
+EnclosedMatrix Condensation::in_contact_frames() {
   const auto d = structure_.dimension;
   const auto c = parts_.contact;
   std::vector<std::vector<mpz_class>> frames;  // of each candidate, by columns
   Dyadic error_square;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     auto& own = frames.emplace_back();
-    const bool turns = i < structure_.contact.size() && !corners_.contains(i);
-    for (const auto& column : turns ? frame(structure_.contact[i], d) : unit_frame(d)) {
+    const bool rotates = i < structure_.contact.size() && !shared_numbers_.contains(i);
+    for (const auto& column : rotates ? frame(structure_.contact[i], d) : unit_frame(d)) {
       for (const auto& component : column) {
         own.push_back(component.lower().multiples(stiffness_grid));
         error_square =
@@ -470,12 +469,12 @@ LoadedStiffness Condensation::separated(EnclosedMatrix whole) const {
 }
 
 std::variant<LoadedStiffness, std::string> Condensation::result() {
-  if (auto why = cut()) return *why;
+  if (auto why = partition()) return *why;
   if (auto why = factorise()) return *why;
   if (parts_.rest > 0 && !(least_ > sqrt_above(parts_.error_square))) return too_ill;
-  follow();
+  solve_dependent();
   complement();
-  return separated(turned());
+  return separated(in_contact_frames());
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 struct Body {
   std::vector<std::size_t> nodes;
   std::vector<std::size_t> ground;
-  bool hangs_on_given = false;  // depends on a stiffness of another program
+  bool has_given_stiffness = false;  // depends on a stiffness of another program
 };
 
 bool is_ground(const Structure& structure, std::size_t node) {
@@ -75,7 +75,7 @@ std::vector<Body> bodies_of(const Structure& structure) {
   for (const auto& stiffness : structure.given) {
     for (const auto& row : stiffness.rows) {
       if (row.node && !is_ground(structure, *row.node))
-        bodies[number[sets.of(*row.node)]].hangs_on_given = true;
+        bodies[number[sets.of(*row.node)]].has_given_stiffness = true;
     }
   }
   return bodies;
@@ -110,7 +110,7 @@ Rationals lever(const Structure& structure, const Vector& centre, std::size_t no
 
 // Conditions of inclined supports and multi-point constraints on the rigid-body modes of a body.
 void demand_conditions(const Structure& structure, const Body& body, const Vector& centre,
-                       Elimination& held) {
+                       Elimination& free) {
   const auto d = structure.dimension;
   const auto is_own = [&](std::size_t node) {
     return std::binary_search(body.nodes.begin(), body.nodes.end(), node);
@@ -125,7 +125,7 @@ void demand_conditions(const Structure& structure, const Body& body, const Vecto
     if (!is_own(node)) continue;
     Rationals row;
     for (std::size_t axis = 0; axis < d; ++axis) add(row, mpq_class(direction[axis]), node, axis);
-    held.demand(row);
+    free.demand(row);
   }
   for (const auto& tie : structure.ties) {
     for (std::size_t axis = 0; axis < d && is_own(tie.node); ++axis) {
@@ -134,7 +134,7 @@ void demand_conditions(const Structure& structure, const Body& body, const Vecto
       for (const auto& [node, weight] : tie.to) {
         if (!is_ground(structure, node)) add(row, mpq_class(-weight), node, axis);
       }
-      held.demand(row);
+      free.demand(row);
     }
   }
 }
@@ -143,21 +143,21 @@ void demand_conditions(const Structure& structure, const Body& body, const Vecto
 std::vector<Rationals> motions_of(const Structure& structure, const Body& body,
                                   const Vector& centre) {
   const auto d = structure.dimension;
-  Elimination held(d == 2 ? 3 : 6);
+  Elimination free(d == 2 ? 3 : 6);
   for (const auto* nodes : {&body.nodes, &body.ground}) {
     for (const auto node : *nodes) {
-      for (std::size_t axis = 0; axis < d && !held.left().empty(); ++axis) {
-        if (structure.fixed[node][axis]) held.demand(lever(structure, centre, node, axis));
+      for (std::size_t axis = 0; axis < d && !free.left().empty(); ++axis) {
+        if (structure.fixed[node][axis]) free.demand(lever(structure, centre, node, axis));
       }
     }
   }
   for (const auto& spring : structure.springs) {
-    if (held.left().empty()) break;
+    if (free.left().empty()) break;
     if (std::binary_search(body.nodes.begin(), body.nodes.end(), spring.node))
-      held.demand(lever(structure, centre, spring.node, spring.axis));
+      free.demand(lever(structure, centre, spring.node, spring.axis));
   }
-  demand_conditions(structure, body, centre, held);
-  Elimination moving(held.left());
+  demand_conditions(structure, body, centre, free);
+  Elimination moving(free.left());
   for (const auto node : body.nodes) {
     for (std::size_t axis = 0; axis < d && !moving.left().empty(); ++axis)
       moving.demand(lever(structure, centre, node, axis));
@@ -180,7 +180,7 @@ class UnconstrainedBodies {
 
   /// Grounding springs for modes that displace no candidate, each where the first remaining mode is
   /// largest.
-  [[nodiscard]] std::vector<GroundSpring> holding(Elimination unseen) const;
+  [[nodiscard]] std::vector<GroundSpring> grounding_springs(Elimination unseen) const;
 
  private:
   struct Placed {
@@ -203,7 +203,7 @@ UnconstrainedBodies::UnconstrainedBodies(const Structure& structure)
   for (const auto& body : bodies_of(structure)) {
     // Stiffness matrices of other programs have rigid-body modes only up to rounding. K must
     // therefore be definite for such a body, which is proved with the rest.
-    if (body.hangs_on_given) continue;
+    if (body.has_given_stiffness) continue;
     const auto centre = structure.places[body.nodes.front()];
     const auto own = motions_of(structure, body, centre);
     if (own.empty()) continue;
@@ -241,7 +241,7 @@ Rationals UnconstrainedBodies::at(const ContactPoint& point, std::size_t axis) c
   return row;
 }
 
-std::vector<GroundSpring> UnconstrainedBodies::holding(Elimination unseen) const {
+std::vector<GroundSpring> UnconstrainedBodies::grounding_springs(Elimination unseen) const {
   std::vector<GroundSpring> springs;
   while (!unseen.left().empty()) {
     GroundSpring best{};
@@ -435,7 +435,7 @@ UnconstrainedModes unconstrained_modes(const Structure& structure) {
   if (bodies.motions().empty()) return result;
   std::vector<Rationals> seen_rows;
   const auto [columns, unseen] = split_modes(structure, bodies, seen_rows);
-  result.unseen = bodies.holding(Elimination(unseen));
+  result.unseen = bodies.grounding_springs(Elimination(unseen));
   seen.count = columns.size();
   for (auto& row : seen.rows) row.resize(seen.count);
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {

@@ -18,7 +18,8 @@ struct ContactMotions {
   std::vector<Rationals> rows;  ///< l_k times row k of G, exactly; dm rows of p numbers
   std::vector<Dyadic> lengths;  ///< l_k > 0, rounded; dm
   Dyadic spread;                ///< bound of the relative error of each l_k
-  std::vector<int> shifts{};    ///< p: column k was multiplied by 2^shifts[k]; of structures only
+  std::vector<int>
+      shifts{};  ///< p: column k was multiplied by 2^shifts[k]; empty for recorded_motions()
 
   /// G rounded to doubles, for approximate solutions: dm x p, by rows.
   [[nodiscard]] std::vector<double> nearest() const;

@@ -44,26 +44,26 @@ namespace {
 std::variant<LoadedEnclosure, std::string> enclosed(const Structure& structure,
                                                     const std::vector<ForceList>& loads,
                                                     const support::LongWork& work) {
-  auto loose = unconstrained_modes(structure);
-  const bool all_held = loose.seen.count == 0 && loose.unseen.empty();
-  auto sprung = structure;
+  auto modes = unconstrained_modes(structure);
+  const bool constrained = modes.seen.count == 0 && modes.unseen.empty();
+  auto grounded = structure;
   const double stiffness = typical_stiffness(structure);
-  if (!all_held) {
-    for (auto spring : loose.unseen) {
+  if (!constrained) {
+    for (auto spring : modes.unseen) {
       spring.stiffness = stiffness;
-      sprung.springs.push_back(spring);
+      grounded.springs.push_back(spring);
     }
   }
-  auto found = loaded_stiffness(sprung, loads, all_held ? 0 : stiffness, work);
+  auto found = loaded_stiffness(grounded, loads, constrained ? 0 : stiffness, work);
   if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
   auto& [matrix, condensed] = std::get<LoadedStiffness>(found);
-  if (!all_held) {
+  if (!constrained) {
     const auto size = matrix.middle.size;
     std::vector<double> springs(size * size, 0);
     for (std::size_t k = 0; k < size; ++k) springs[size * k + k] = -stiffness;
     matrix.middle.entries += DyadicList(springs);
   }
-  LoadedEnclosure result{{std::move(matrix), std::move(loose.seen)}, {}};
+  LoadedEnclosure result{{std::move(matrix), std::move(modes.seen)}, {}};
   if (loads.empty()) return result;
   auto works = works_of(structure, result.problem.motions, loads);
   const Freedom freedom(structure);

@@ -18,9 +18,9 @@ struct EnclosedProblem {
   ContactMotions motions;    ///< G with K G = 0
 };
 
-/// `condensed_stiffness` with grounding springs at the candidates, which are subtracted exactly
-/// afterwards, and with grounding springs for rigid-body modes that displace no candidate, in which
-/// no force acts.
+/// `condensed_stiffness` with two kinds of grounding springs: those at the candidates are
+/// subtracted exactly afterwards; those for rigid-body modes that displace no candidate carry no
+/// force.
 std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
                                                             const support::LongWork& work = {});
 
@@ -28,7 +28,7 @@ std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& str
 struct EnclosedLoad {
   CondensedLoad condensed;
   LoadWork work;
-  /// By candidate: whether the load acts on the structure connected with it.
+  /// By candidate: true if the load acts on its connected component.
   std::vector<bool> acts;
 };
 
@@ -37,8 +37,8 @@ struct LoadedEnclosure {
   std::vector<EnclosedLoad> loads;  ///< dead, reference
 };
 
-/// The same with the dead and the reference load of the structure. If a load does work on a mode
-/// that displaces no candidate, it is in no equilibrium, and its condensed forces mean nothing.
+/// The same with the dead and the reference load of the structure. A load that does work on a mode
+/// that displaces no candidate is balanced by no reaction; its condensed forces are undefined.
 std::variant<LoadedEnclosure, std::string> enclosed_loads(const Structure& structure,
                                                           const support::LongWork& work = {});
 

@@ -37,25 +37,26 @@ Freedom::Freedom(const Structure& structure) {
           number[node][axis], -(Enclosure(direction[axis]) / Enclosure(direction[solved])));
     }
   }
-  const auto follow = [&](std::size_t node, std::size_t axis, const std::vector<Part>& place) {
+  const auto set_dependent = [&](std::size_t node, std::size_t axis,
+                                 const std::vector<Part>& place) {
     std::vector<std::pair<std::size_t, Enclosure>> sum;
-    for (const auto& [leader, weight] : place) {
-      if (number[leader][axis] != none) sum.emplace_back(number[leader][axis], Enclosure(weight));
-      const auto farther = others.find({leader, axis});
-      if (farther == others.end()) continue;
-      for (const auto& [at, share] : farther->second)
+    for (const auto& [master, weight] : place) {
+      if (number[master][axis] != none) sum.emplace_back(number[master][axis], Enclosure(weight));
+      const auto indirect = others.find({master, axis});
+      if (indirect == others.end()) continue;
+      for (const auto& [at, share] : indirect->second)
         sum.emplace_back(at, Enclosure(weight) * share);
     }
     if (!sum.empty()) others[{node, axis}] = std::move(sum);
   };
-  const auto corner = corners(structure);
+  const auto shared = shared_nodes(structure);
   for (std::size_t axis = 0; axis < d; ++axis) {
-    for (const auto& tie : structure.ties) follow(tie.node, axis, tie.to);
+    for (const auto& tie : structure.ties) set_dependent(tie.node, axis, tie.to);
     // A candidate supported together with its opposite place has no displacement relative to it
     // (problems/structure/checks/constraint_check.hpp).
     for (const auto& point : structure.contact) {
-      if (!structure.fixed[point.node][axis] && !corner.contains(point.node))
-        follow(point.node, axis, point.against);
+      if (!structure.fixed[point.node][axis] && !shared.contains(point.node))
+        set_dependent(point.node, axis, point.against);
     }
   }
 }

@@ -18,18 +18,16 @@ namespace {
 constexpr int refined_bits = 64;
 constexpr int first_bits = 9;
 
-bool all_finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-}
+// Maximum size of a K that is factorised in intervals, which takes a tenth of a second for it.
+constexpr std::size_t most_enclosed = 100;
 
-// The lower triangle of a matrix, by rows.
-DyadicList lower_triangle(const DyadicMatrix& matrix) {
+// The lower triangle of some rows and columns of a matrix, by rows.
+DyadicList lower_triangle(const DyadicMatrix& matrix, std::span<const std::size_t> numbers) {
   DyadicList result;
   result.exponent = matrix.entries.exponent;
-  for (std::size_t i = 0; i < matrix.size; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      result.mantissas.push_back(matrix.entries.mantissas[matrix.size * i + j]);
-    }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j)
+      result.mantissas.push_back(matrix.entries.mantissas[matrix.size * numbers[i] + numbers[j]]);
   }
   return result;
 }
@@ -76,9 +74,15 @@ RegularisedStiffness::RegularisedStiffness(EnclosedMatrix stiffness,
     rounded_.push_back(middle.entries[i].nearest());
   }
   size_ = norm_above(middle.entries) + radius;
-  whole_ = factor(first_numbers(middle.size));
-  const auto least = verify::least_eigenvalue(Profile::full(middle.size), lower_triangle(middle));
-  if (whole_ && least && *least > radius) least_ = *least - radius;
+  const auto all = first_numbers(middle.size);
+  const auto lower = lower_triangle(middle, all);
+  whole_ = factor(all);
+  auto least = verify::least_eigenvalue(Profile::full(middle.size), lower);
+  if (!(whole_ && least) && middle.size <= most_enclosed) {
+    enclosed_ = EnclosedFactor::of(middle.size, lower);
+    if (enclosed_) least = enclosed_->least_eigenvalue();
+  }
+  if ((whole_ || enclosed_) && least && *least > radius) least_ = *least - radius;
 }
 
 Dyadic RegularisedStiffness::spread(const Dyadic& radius, const DyadicList& x) {
@@ -98,6 +102,7 @@ std::optional<Cholesky> RegularisedStiffness::factor(std::span<const std::size_t
 std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size_t> unknowns,
                                                        const DyadicList& right,
                                                        const Check& check) const {
+  if (enclosed_) return solve_enclosed(unknowns, right, check);
   constexpr int most_rounds = 10;
   const auto& middle = stiffness_.middle;
   const bool all = unknowns.size() == middle.size;
@@ -128,6 +133,26 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
     if (!refusal) break;
   }
   return refusal;
+}
+
+std::optional<std::string> RegularisedStiffness::solve_enclosed(
+    std::span<const std::size_t> unknowns, const DyadicList& right, const Check& check) const {
+  const auto& middle = stiffness_.middle;
+  const bool all = unknowns.size() == middle.size;
+  const auto own = all ? std::optional<EnclosedFactor>{}
+                       : EnclosedFactor::of(unknowns.size(), lower_triangle(middle, unknowns));
+  const auto& solver = all ? enclosed_ : own;
+  if (!solver) return "K is too ill-conditioned to compute its displacements";
+  std::vector<Enclosure> loads;
+  for (const auto row : unknowns) loads.emplace_back(right[row]);
+  const auto enclosures = solver->solve(std::move(loads));
+  std::vector<Dyadic> numbers(middle.size);
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    if (!enclosures[k].finite()) return "its numbers are too large to compute with";
+    numbers[unknowns[k]] = enclosures[k].lower();
+  }
+  const DyadicList x(numbers);
+  return check(x, middle * x, spread(stiffness_.radius, x));
 }
 
 // With R = N - K X, the error is K^-1 N - X = K^-1 R.

@@ -1,5 +1,6 @@
 // Stiffness regularised by grounding springs and proved to be positive definite, with approximate
-// solutions in double precision that are refined by exact residuals.
+// solutions in double precision that are refined by exact residuals. A small K for which doubles
+// prove nothing is factorised in intervals.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,7 @@
 
 #include "verify/arithmetic/cholesky.hpp"
 #include "verify/arithmetic/coarse_matrix.hpp"
+#include "verify/arithmetic/enclosed_factor.hpp"
 #include "verify/arithmetic/exact.hpp"
 
 namespace kusabi::verify {
@@ -60,6 +62,10 @@ class RegularisedStiffness {
   // Bound of the error of K x caused by the radius of the enclosure of K.
   [[nodiscard]] static Dyadic spread(const Dyadic& radius, const DyadicList& x);
   [[nodiscard]] std::optional<Cholesky> factor(std::span<const std::size_t> unknowns) const;
+  // solve() by interval arithmetic.
+  [[nodiscard]] std::optional<std::string> solve_enclosed(std::span<const std::size_t> unknowns,
+                                                          const DyadicList& right,
+                                                          const Check& check) const;
 
   EnclosedMatrix stiffness_;
   CoarseMatrix coarse_;
@@ -67,7 +73,8 @@ class RegularisedStiffness {
   std::vector<double> rounded_;  // the middle of the enclosure, for approximate solutions
   std::optional<Dyadic> least_;
   Dyadic size_;
-  std::optional<Cholesky> whole_;  // of all unknowns, which most solutions have
+  std::optional<Cholesky> whole_;           // of all unknowns, which most solutions have
+  std::optional<EnclosedFactor> enclosed_;  // the same, if doubles do not prove that K is definite
 };
 
 /// Upper bound of the Euclidean norm of a list.

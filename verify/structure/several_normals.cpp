@@ -166,13 +166,13 @@ class Corner {
 CandidateNumbers use_normal_coordinates(const Structure& structure, Freedom& freedom,
                                         SparseEnclosure& stiffness) {
   std::vector<Corner> all;
-  for (const auto& [node, candidates] : corners(structure))
+  for (const auto& [node, candidates] : shared_nodes(structure))
     all.emplace_back(structure, freedom, node, candidates);
-  for (auto& corner : all) corner.read_spring(stiffness);
+  for (auto& shared : all) shared.read_spring(stiffness);
   CandidateNumbers numbers;
   for (const bool follows : {true, false}) {
-    for (const auto& corner : all) {
-      if (corner.follows() == follows) corner.turn(stiffness, numbers);
+    for (const auto& shared : all) {
+      if (shared.follows() == follows) shared.turn(stiffness, numbers);
     }
   }
   freedom.count = stiffness.size();

@@ -5,7 +5,7 @@
 
 namespace kusabi::verify {
 
-std::map<std::size_t, std::vector<std::size_t>> corners(const Structure& structure) {
+std::map<std::size_t, std::vector<std::size_t>> shared_nodes(const Structure& structure) {
   std::map<std::size_t, std::vector<std::size_t>> at_node;
   for (std::size_t i = 0; i < structure.contact.size(); ++i)
     at_node[structure.contact[i].node].push_back(i);

@@ -132,6 +132,6 @@ struct Structure {
 std::string name_of(const Structure& structure, std::size_t candidate);
 
 /// The candidates at each node with more than one, by node.
-std::map<std::size_t, std::vector<std::size_t>> corners(const Structure& structure);
+std::map<std::size_t, std::vector<std::size_t>> shared_nodes(const Structure& structure);
 
 }  // namespace kusabi::verify

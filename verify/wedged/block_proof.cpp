@@ -97,7 +97,7 @@ const RegularisedStiffness& BlockProof::held(const std::vector<std::size_t>& spr
 }
 
 // The springs act on normal displacements of U: no rigid-body mode leaves all of these zero.
-const RegularisedStiffness* BlockProof::held_at_normals(const IndexSet& contact) const {
+const RegularisedStiffness* BlockProof::regularised_at_normals(const IndexSet& contact) const {
   const auto d = block_.dimension;
   for (const auto& each : held_) {
     const bool all = std::all_of(each.springs().begin(), each.springs().end(),

@@ -56,7 +56,7 @@ struct ContactBlock {
 
 /// A configuration *moves far* if its displacements exceed their part without rigid-body modes by
 /// this factor: |u| > farthest_motion min_a |u - G a|. Directions in files have sixteen digits, so
-/// over such a distance it is not known whether two walls are parallel.
+/// over such distances nearly parallel walls cannot be distinguished from parallel ones.
 inline constexpr double farthest_motion = 0x1p20;
 
 /// The result of the check of a claim.
@@ -102,9 +102,9 @@ class BlockProof {
   ///        side
   /// @param numbers those of judge_cut(), and with `most` the multiplier of its opposite
   /// @pre least_eigenvalue()
-  [[nodiscard]] std::optional<std::string> take_up(std::size_t candidate, Side side,
-                                                   const std::optional<double>& most,
-                                                   std::span<const double> numbers);
+  [[nodiscard]] std::optional<std::string> add_bound(std::size_t candidate, Side side,
+                                                     const std::optional<double>& most,
+                                                     std::span<const double> numbers);
 
   /// True if equilibrium makes the reaction of a contact of U zero in all configurations below the
   /// node (U, R).
@@ -118,8 +118,8 @@ class BlockProof {
       const support::IndexSet& contact, const support::IndexSet& separated,
       std::span<const double> numbers) const;
 
-  /// Proves that there is no state below the node (U, R) under a combination of the loads of which
-  /// none has a negative amount and not all are zero, and no wedged configuration.
+  /// Proves that below the node (U, R) there is no wedged configuration, and no state under any
+  /// combination of the loads with amounts >= 0 of which one is positive.
   /// @param numbers those of judge_infeasible()
   /// @param grip a restriction of the states; nothing: all states
   /// @pre least_eigenvalue(), loads
@@ -171,7 +171,8 @@ class BlockProof {
   void demand_largest(const std::vector<std::size_t>& rows, double negligible, Elimination& rest,
                       std::vector<std::size_t>& chosen) const;
   [[nodiscard]] const RegularisedStiffness& held(const std::vector<std::size_t>& springs) const;
-  [[nodiscard]] const RegularisedStiffness* held_at_normals(const support::IndexSet& contact) const;
+  [[nodiscard]] const RegularisedStiffness* regularised_at_normals(
+      const support::IndexSet& contact) const;
 
   // A leaf and its conditions.
   struct Leaf {
@@ -180,8 +181,8 @@ class BlockProof {
     DyadicList right;                   // r at the unknowns, given for the tangents of U
     Dyadic right_error;                 // bound of the error of r, as a vector
     std::vector<Rationals> sliding;
-    Dyadic lift;               // norm of their normal displacements on U, as a matrix
-    Dyadic correction;         // and of tangential reactions with unit work on each of them
+    Dyadic lift;               // norm of the matrix of their normal displacements on U
+    Dyadic correction;         // the same for tangential reactions with unit work on each mode
     std::vector<double> mean;  // the recorded mean motion, in coefficients of the block's modes
     DyadicList tangential{};   // r of the tangents of U
     DyadicList forces{};       // of the load, with those that close the gaps of U; dm or none
@@ -195,6 +196,11 @@ class BlockProof {
   // Makes the tangential reactions of a leaf orthogonal to the sliding modes.
   [[nodiscard]] std::optional<std::string> balance_sliding(const std::vector<double>& room,
                                                            Leaf& leaf) const;
+  // Adds the norms `lift` and `correction` of sliding modes that displace tangents of U.
+  // @param rows products of the rows of G with these modes @return false if they are dependent
+  [[nodiscard]] bool add_corrections(const std::vector<Rationals>& rows,
+                                     const std::vector<std::size_t>& tangents,
+                                     const std::vector<Rationals>& modes, Leaf& leaf) const;
   // Adds the load to the forces of a leaf, and the forces that would close the gaps of U.
   void add_load(const ActingLoad& load, LoadShare share, Leaf& leaf) const;
   [[nodiscard]] std::optional<std::string> refusal_of_leaf(Leaf leaf,
@@ -240,10 +246,12 @@ class BlockProof {
   // Coefficients of u_nk besides the multipliers, and of r besides w.
   [[nodiscard]] Dyadic displacement_share(const Combination& combination, std::size_t k) const;
   [[nodiscard]] DyadicList reaction_shares(const Combination& combination) const;
-  [[nodiscard]] std::optional<std::string> refusal_of_held(const Combination& combination) const;
-  [[nodiscard]] std::optional<std::string> check_held(const Combination& combination,
-                                                      const DyadicList& w, const DyadicList& nu,
-                                                      const Dyadic& off) const;
+  [[nodiscard]] std::optional<std::string> refusal_of_constrained(
+      const Combination& combination) const;
+  [[nodiscard]] std::optional<std::string> check_constrained(const Combination& combination,
+                                                             const DyadicList& w,
+                                                             const DyadicList& nu,
+                                                             const Dyadic& off) const;
 
   // Recorded multipliers divided by the lengths of normals, the rows of the normals, lower bounds
   // of the multipliers, and the unit of change of each.
@@ -271,12 +279,10 @@ class BlockProof {
   [[nodiscard]] std::optional<Dyadic> carried_by_springs(const std::vector<Rationals>& rows,
                                                          const Rationals& forces) const;
   [[nodiscard]] NearList along_normals(const Rationals& forces) const;
-  [[nodiscard]] Judgement judge_loose(const Combination& combination) const;
-  [[nodiscard]] std::optional<std::string> check_loose(const Combination& combination,
-                                                       const Multipliers& y,
-                                                       const std::vector<double>& mean,
-                                                       const DyadicList& w, const DyadicList& nu,
-                                                       const Dyadic& off) const;
+  [[nodiscard]] Judgement judge_unconstrained(const Combination& combination) const;
+  [[nodiscard]] std::optional<std::string> check_unconstrained(
+      const Combination& combination, const Multipliers& y, const std::vector<double>& mean,
+      const DyadicList& w, const DyadicList& nu, const Dyadic& off) const;
   // @param works upper bounds, by load
   [[nodiscard]] std::optional<std::string> check_margins(const Combination& combination,
                                                          const DyadicList& w, const Dyadic& error,

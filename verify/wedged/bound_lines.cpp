@@ -60,14 +60,8 @@ void refuse_negative(const Lines& lines, std::span<const double> multipliers) {
 }
 
 void read_bounds(Lines& lines, Certificate& certificate) {
-  lines.next();
-  const std::string bounds = "'bounds' and how many there are";
-  lines.expect_word("bounds", bounds);
-  const auto count = lines.integer(10, bounds);
-  lines.end_of_line(bounds);
-  for (std::uint64_t k = 0; k < count; ++k) {
+  for (auto left = lines.count("bounds"); left > 0; --left)
     certificate.bounds.push_back(read_bound(lines, certificate));
-  }
 }
 
 }  // namespace kusabi::verify

@@ -25,7 +25,7 @@ void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
     const auto name = lines.remainder();
     if (name.empty()) lines.refuse("a name that is not empty");
     const auto [same, is_new] = lines_of.emplace(name, lines.number());
-    if (!is_new) lines.refuse("a name that line " + std::to_string(same->second) + " has not");
+    if (!is_new) lines.refuse("a name other than that of line " + std::to_string(same->second));
     certificate.names.emplace_back(name);
   }
 }
@@ -70,13 +70,7 @@ void read_header(Lines& lines, Certificate& certificate) {
   certificate.dimension = lines.integer(10, dimension);
   if (certificate.dimension != 2 && certificate.dimension != 3) lines.refuse(dimension);
   lines.end_of_line(dimension);
-  lines.next();
-  const std::string candidates =
-      "'candidates' and a number from 1 to " + std::to_string(most_candidates);
-  lines.expect_word("candidates", candidates);
-  const auto m = lines.integer(10, candidates);
-  if (m < 1 || m > most_candidates) lines.refuse(candidates);
-  lines.end_of_line(candidates);
+  const auto m = lines.count("candidates", 1, most_candidates);
   read_names(lines, m, certificate);
   lines.next();
   lines.expect_word("friction", "'friction' and a coefficient for each contact candidate");
@@ -87,12 +81,7 @@ void read_header(Lines& lines, Certificate& certificate) {
 }
 
 void read_blocks(Lines& lines, Certificate& certificate) {
-  lines.next();
-  const std::string blocks = "'blocks' and how many there are, from 1 to the number of candidates";
-  lines.expect_word("blocks", blocks);
-  const auto count = lines.integer(10, blocks);
-  if (count < 1 || count > certificate.candidates()) lines.refuse(blocks);
-  lines.end_of_line(blocks);
+  const auto count = lines.count("blocks", 1, certificate.candidates());
   auto left = certificate.all_candidates();
   for (std::uint64_t b = 0; b < count; ++b) {
     lines.next();
@@ -116,13 +105,7 @@ void read_blocks(Lines& lines, Certificate& certificate) {
 }
 
 void read_motions(Lines& lines, Certificate& certificate) {
-  lines.next();
-  const std::string motions =
-      "'motions' and how many there are, from 0 to " + std::to_string(certificate.displacements());
-  lines.expect_word("motions", motions);
-  const auto count = lines.integer(10, motions);
-  if (count > certificate.displacements()) lines.refuse(motions);
-  lines.end_of_line(motions);
+  const auto count = lines.count("motions", 0, certificate.displacements());
   certificate.motions = count;
   if (count == 0) return;
   const auto numbers = block_numbers(certificate);
@@ -137,7 +120,8 @@ void read_motions(Lines& lines, Certificate& certificate) {
       if (row[k] == 0) continue;
       if (block_of[k] == certificate.blocks.size()) block_of[k] = own;
       if (block_of[k] != own)
-        lines.refuse("0x0p+0 as entry " + std::to_string(k + 1) + ", a motion of another block");
+        lines.refuse("0x0p+0 as entry " + std::to_string(k + 1) +
+                     ", since the mode belongs to another block");
     }
     certificate.motion_values.insert(certificate.motion_values.end(), row.begin(), row.end());
   }

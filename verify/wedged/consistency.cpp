@@ -27,18 +27,18 @@ std::string text_of(double value) {
 std::optional<std::string> other_candidates(const Certificate& certificate,
                                             const Structure& structure) {
   if (certificate.dimension != structure.dimension) {
-    return "it is about dimension " + std::to_string(certificate.dimension) +
-           ", the structure has dimension " + std::to_string(structure.dimension);
+    return "the certificate has dimension " + std::to_string(certificate.dimension) +
+           ", the structure " + std::to_string(structure.dimension);
   }
   if (certificate.candidates() != structure.contact.size()) {
-    return "it has " + std::to_string(certificate.candidates()) +
+    return "the certificate has " + std::to_string(certificate.candidates()) +
            " contact candidates, the structure has " + std::to_string(structure.contact.size());
   }
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const auto name = on_one_line(name_of(structure, i));
     if (name != certificate.names[i]) {
-      return "its contact candidate " + std::to_string(i + 1) + " is " + certificate.names[i] +
-             ", that of the structure " + name;
+      return "contact candidate " + std::to_string(i + 1) + " of the certificate is " +
+             certificate.names[i] + ", that of the structure " + name;
     }
   }
   return {};
@@ -88,7 +88,7 @@ std::optional<std::string> other_bodies(const Certificate& certificate,
     for (const auto& block : certificate.blocks) {
       if (block.meets(moving) && !block.includes(moving)) {
         return certificate.names_of(moving) +
-               " are not in one block, but on one unconstrained body";
+               " are in different blocks, but on one unconstrained body";
       }
     }
   }
@@ -101,7 +101,7 @@ std::optional<std::string> other_motions(const Certificate& certificate,
                                          const ContactMotions& motions) {
   const auto p = motions.count;
   if (certificate.motions != p) {
-    return "it has " + std::to_string(certificate.motions) +
+    return "the certificate has " + std::to_string(certificate.motions) +
            " rigid-body modes of unconstrained bodies, the structure has " + std::to_string(p);
   }
   const auto own = motions.nearest();
@@ -164,9 +164,9 @@ std::optional<std::string> other_stiffness(const Certificate& certificate,
       const double own = certificate.stiffness[size * i + j];
       // The condition is false for NaN.
       if (!(std::abs(own - true_one) <= stiffness_tolerance * scale[i / d] * scale[j / d])) {
-        return "its K is not that of the structure: between " + direction_name(certificate, i) +
-               " and " + direction_name(certificate, j) + " it is " + text_of(own) + ", expected " +
-               text_of(true_one);
+        return "K of the certificate is not that of the structure: between " +
+               direction_name(certificate, i) + " and " + direction_name(certificate, j) +
+               " it is " + text_of(own) + ", expected " + text_of(true_one);
       }
     }
   }
@@ -174,22 +174,6 @@ std::optional<std::string> other_stiffness(const Certificate& certificate,
 }
 
 }  // namespace
-
-std::string on_one_line(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < ' ' || c == '\x7f') {
-      constexpr std::string_view digits = "0123456789abcdef";
-      text += "\\x";
-      text += digits[byte / 16];
-      text += digits[byte % 16];
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
 
 std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
                                                            const Structure& structure) {
@@ -199,7 +183,7 @@ std::variant<ConsistentStructure, std::string> consistency(const Certificate& ce
   if (auto why = other_blocks(certificate, structure)) return *why;
   auto problem = enclosed_problem(structure);
   if (auto* why = std::get_if<std::string>(&problem)) {
-    return "K of the structure was not enclosed: " + *why;
+    return "K of the structure is not enclosed: " + *why;
   }
   auto& [enclosed, motions] = std::get<EnclosedProblem>(problem);
   if (auto why = other_bodies(certificate, motions)) return *why;
@@ -217,7 +201,7 @@ std::variant<ConsistentLoads, std::string> consistency_under_load(const Certific
   if (auto why = other_blocks(header, structure)) return *why;
   auto found = enclosed_loads(structure);
   if (auto* why = std::get_if<std::string>(&found))
-    return "K of the structure was not enclosed: " + *why;
+    return "K of the structure is not enclosed: " + *why;
   auto& enclosure = std::get<LoadedEnclosure>(found);
   if (auto why = other_bodies(header, enclosure.problem.motions)) return *why;
   if (auto why = other_motions(header, enclosure.problem.motions)) return *why;

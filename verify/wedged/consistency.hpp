@@ -9,6 +9,7 @@
 #include "verify/structure/enclosed_problem.hpp"
 #include "verify/structure/structure.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 
@@ -41,8 +42,5 @@ struct ConsistentLoads {
 /// under load do not have.
 std::variant<ConsistentLoads, std::string> consistency_under_load(const Certificate& header,
                                                                   const Structure& structure);
-
-/// A name on one line, as in the file: control characters as \x0a.
-std::string on_one_line(const std::string& name);
 
 }  // namespace kusabi::verify

@@ -49,16 +49,17 @@ class Cover {
     const auto first = std::find_if(records.begin(), records.end(), whole);
     if (first == records.end()) {
       return "the nodes below " + node_name(contact, separated) +
-             " do not come from a tree: no candidate is decided in all of them";
+             " do not form a tree: they have no decided candidate in common";
     }
     if (records.size() == 1) return {};
     const auto* const other = records[first == records.begin() ? 1 : 0];
-    const bool same = whole(other);
-    return "line " + std::to_string((*first)->line) + " and line " + std::to_string(other->line) +
-           (same ? ": one says " + std::string(claim_name((*first)->claim)) + ", the other " +
-                       claim_name(other->claim) + ", of "
-                 : ": both cover patterns below ") +
-           node_name(contact, separated);
+    const auto line = "line " + std::to_string((*first)->line);
+    const auto other_line = "line " + std::to_string(other->line);
+    if (!whole(other))
+      return line + " and " + other_line + " both cover patterns below " +
+             node_name(contact, separated);
+    return line + " says " + claim_name((*first)->claim) + " and " + other_line + " says " +
+           claim_name(other->claim) + " of " + node_name(contact, separated);
   }
 
   [[nodiscard]] std::string node_name(const IndexSet& contact, const IndexSet& separated) const {

@@ -10,14 +10,6 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-namespace {
-
-bool all_finite(std::span<const double> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-}
-
-}  // namespace
-
 Judgement BlockProof::judge_cut(const IndexSet& contact, const IndexSet& separated,
                                 std::span<const double> numbers) const {
   return judge_with_bounds({.contact = contact,
@@ -28,9 +20,9 @@ Judgement BlockProof::judge_cut(const IndexSet& contact, const IndexSet& separat
                             .opposite = {}});
 }
 
-std::optional<std::string> BlockProof::take_up(std::size_t candidate, Side side,
-                                               const std::optional<double>& most,
-                                               std::span<const double> numbers) {
+std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side side,
+                                                 const std::optional<double>& most,
+                                                 std::span<const double> numbers) {
   Combination combination{.contact = {},
                           .separated = {},
                           .multipliers = numbers.first(candidates()),

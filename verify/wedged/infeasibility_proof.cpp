@@ -45,17 +45,18 @@ Judgement BlockProof::judge_infeasible(const IndexSet& contact, const IndexSet& 
 Judgement BlockProof::judge(const Combination& combination) const {
   const bool unloaded = combination.separated == IndexSet::below(static_cast<int>(candidates()));
   if (unloaded && combination.loads.empty()) return {};  // r = 0 is the only solution
-  return motions() == 0 ? Judgement{refusal_of_held(combination)} : judge_loose(combination);
+  return motions() == 0 ? Judgement{refusal_of_constrained(combination)}
+                        : judge_unconstrained(combination);
 }
 
-Judgement BlockProof::judge_loose(const Combination& combination) const {
+Judgement BlockProof::judge_unconstrained(const Combination& combination) const {
   const auto mean = own_coefficients(combination.mean);
   const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
     if (!y) return not_in_equilibrium;
     const auto all = first_numbers(block_.dimension * candidates());
     return held_.front().solve(all, y->near.values,
                                [&](const auto& w, const auto& nu, const auto& off) {
-                                 return check_loose(combination, *y, mean, w, nu, off);
+                                 return check_unconstrained(combination, *y, mean, w, nu, off);
                                });
   };
   std::optional<std::string> first;
@@ -73,7 +74,8 @@ Judgement BlockProof::judge_loose(const Combination& combination) const {
   return {first};
 }
 
-std::optional<std::string> BlockProof::refusal_of_held(const Combination& combination) const {
+std::optional<std::string> BlockProof::refusal_of_constrained(
+    const Combination& combination) const {
   const auto all = first_numbers(block_.dimension * candidates());
   std::vector<double> y(all.size(), 0);
   for (std::size_t k = 0; k < candidates(); ++k) {
@@ -87,7 +89,7 @@ std::optional<std::string> BlockProof::refusal_of_held(const Combination& combin
   }
   return held_.front().solve(all, DyadicList(y),
                              [&](const auto& w, const auto& nu, const auto& off) {
-                               return check_held(combination, w, nu, off);
+                               return check_constrained(combination, w, nu, off);
                              });
 }
 
@@ -186,11 +188,9 @@ NearList BlockProof::along_normals(const Rationals& forces) const {
 }
 
 // w with K w = nu close to y, plus a rigid-body mode, which does no work in equilibrium.
-std::optional<std::string> BlockProof::check_loose(const Combination& combination,
-                                                   const Multipliers& y,
-                                                   const std::vector<double>& mean,
-                                                   const DyadicList& w, const DyadicList& nu,
-                                                   const Dyadic& off) const {
+std::optional<std::string> BlockProof::check_unconstrained(
+    const Combination& combination, const Multipliers& y, const std::vector<double>& mean,
+    const DyadicList& w, const DyadicList& nu, const Dyadic& off) const {
   std::vector<Rationals> motions_of_block = Elimination(motions()).left();
   const auto shift = seen_of(block_.motions, missing(mean, w, motions_of_block));
   auto moved = w;
@@ -210,9 +210,9 @@ std::optional<std::string> BlockProof::check_loose(const Combination& combinatio
 }
 
 // sum_k w~_k'r_k >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk + nu_t'u_t.
-std::optional<std::string> BlockProof::check_held(const Combination& combination,
-                                                  const DyadicList& w, const DyadicList& nu,
-                                                  const Dyadic& off) const {
+std::optional<std::string> BlockProof::check_constrained(const Combination& combination,
+                                                         const DyadicList& w, const DyadicList& nu,
+                                                         const Dyadic& off) const {
   Dyadic epsilon_squared;
   std::vector<Dyadic> forces;
   for (std::size_t k = 0; k < candidates(); ++k) {
@@ -243,8 +243,7 @@ std::optional<std::string> BlockProof::check_margins(const Combination& combinat
                                                      const Dyadic& epsilon,
                                                      const std::vector<Dyadic>& works) const {
   const auto d = block_.dimension;
-  constexpr auto too_little =
-      "its multipliers exclude too little, or exceed the coefficients of u_n >= 0";
+  constexpr auto too_little = "the margin of its multipliers is within the rounding errors";
   std::optional<Dyadic> delta;
   for (std::size_t i = 0; i < candidates(); ++i) {
     if (holds(combination.separated, i)) continue;

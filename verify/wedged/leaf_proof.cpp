@@ -12,14 +12,14 @@ using support::IndexSet;
 std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& contact,
                                                            const IndexSet& /*separated*/,
                                                            std::span<const double> numbers) const {
-  if (contact.empty()) return "no candidate is in contact";
+  if (contact.empty()) return "the leaf has no candidate in contact";
   return refusal_of_leaf({contact, {}, {}, {}, {}, {}, {}, {}}, numbers);
 }
 
 std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
                                                        std::span<const double> numbers) const {
   const auto& contact = leaf.contact;
-  const auto* stiffness = held_at_normals(contact);
+  const auto* stiffness = regularised_at_normals(contact);
   if (stiffness == nullptr) {
     auto [springs, sliding] = hold(contact);
     leaf.sliding = std::move(sliding);
@@ -27,7 +27,7 @@ std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
   }
   if (auto why = read_leaf(numbers, leaf)) return why;
   if (!stiffness->least_eigenvalue())
-    return "K is not proved to be definite with its contacts fixed";
+    return "K is not proved to be positive definite if its contacts are fixed along their normals";
   return stiffness->solve(leaf.unknowns, leaf.right,
                           [&](const auto& u, const auto& r, const auto& off) {
                             return check_feasible(*stiffness, leaf, u, r, off);
@@ -70,7 +70,6 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
                                                        Leaf& leaf) const {
   constexpr auto not_balanced = "its tangential reactions are not in equilibrium";
   const auto size = room.size();
-  const Dyadic entries(static_cast<double>(size));
   // Modes that displace tangents of U. The other sliding modes must displace nothing on U.
   Elimination unseen(leaf.sliding);
   std::vector<std::size_t> tangents;
@@ -85,10 +84,9 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   }
   for (const auto& motion : unseen.left()) {  // no reaction of U does work on it
     if (!leaf.work.empty() && sgn(dot(leaf.work, motion)) != 0)
-      return "its load does work on a motion that no contact resists";
+      return "its load does work on a rigid-body mode that no contact resists";
   }
   const auto& seen = unseen.taken();
-  const auto motions = seen.size();
   std::vector<Rationals> rows;
   Rationals forces;
   for (std::size_t row = 0; row < size; ++row) {
@@ -96,21 +94,29 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     for (const auto& motion : seen) own.push_back(dot(block_.motions.rows[row], motion));
     forces.emplace_back(leaf.right[row].nearest() / block_.motions.lengths[row].nearest());
   }
-  auto own_rows = rows;
   auto own_room = room;
   if (!leaf.work.empty()) {  // the load is one more force, which is not changed
-    auto& own = own_rows.emplace_back();
+    auto& own = rows.emplace_back();
     for (const auto& motion : seen) own.push_back(dot(leaf.work, motion));
     forces.emplace_back(1);
     own_room.push_back(0);
   }
-  auto exact = balanced(own_rows, std::move(forces), own_room);
+  auto exact = balanced(rows, std::move(forces), own_room);
   if (!exact) return not_balanced;
   exact->resize(size);
+  rows.resize(size);
   auto near = times_lengths(block_.motions, *exact);
   leaf.right = std::move(near.values);
-  leaf.right_error = near.error * entries;
-  // Tangential reactions with unit work on each of the sliding modes.
+  leaf.right_error = near.error * Dyadic(static_cast<double>(size));
+  if (!add_corrections(rows, tangents, seen, leaf)) return not_balanced;
+  return {};
+}
+
+bool BlockProof::add_corrections(const std::vector<Rationals>& rows,
+                                 const std::vector<std::size_t>& tangents,
+                                 const std::vector<Rationals>& modes, Leaf& leaf) const {
+  const auto size = rows.size();
+  const auto motions = modes.size();
   std::vector<Rationals> products(motions, Rationals(motions));
   for (const auto row : tangents) {
     for (std::size_t i = 0; i < motions; ++i) {
@@ -118,17 +124,18 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
     }
   }
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    leaf.lift = leaf.lift + normal_size(seen_of(block_.motions, seen[motion]), leaf.contact);
+    leaf.lift = leaf.lift + normal_size(seen_of(block_.motions, modes[motion]), leaf.contact);
     Rationals unit(motions);
     unit[motion] = 1;
     const auto shares = solution(products, unit);
-    if (!shares) return not_balanced;
+    if (!shares) return false;
     Rationals carrying(size);
     for (const auto row : tangents) carrying[row] = dot(rows[row], *shares);
     const auto correction = times_lengths(block_.motions, carrying);
-    leaf.correction = leaf.correction + norm_above(correction.values) + correction.error * entries;
+    leaf.correction = leaf.correction + norm_above(correction.values) +
+                      correction.error * Dyadic(static_cast<double>(size));
   }
-  return {};
+  return true;
 }
 
 Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& contact) const {
@@ -140,29 +147,29 @@ Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& co
   return sum;
 }
 
-std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& held, const Leaf& leaf,
-                                                const NearList& shift,
+std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& stiffness,
+                                                const Leaf& leaf, const NearList& shift,
                                                 const Dyadic& pressures) const {
-  const auto& s = *held.least_eigenvalue();
+  const auto& s = *stiffness.least_eigenvalue();
   const auto change = (leaf.lift * leaf.correction).scaled(1);
-  if (!(s > change * held.size())) return {};
-  const auto gap = held.size() * normal_size(shift, leaf.contact).scaled(1);
-  return gap + change * (pressures + quotient_above(held.size() * gap, s));
+  if (!(s > change * stiffness.size())) return {};
+  const auto gap = stiffness.size() * normal_size(shift, leaf.contact).scaled(1);
+  return gap + change * (pressures + quotient_above(stiffness.size() * gap, s));
 }
 
-std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness& held,
+std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness& stiffness,
                                                       const Leaf& leaf, const DyadicList& u,
                                                       const DyadicList& r,
                                                       const Dyadic& unknown) const {
   const auto d = block_.dimension;
-  const auto& s = *held.least_eigenvalue();
+  const auto& s = *stiffness.least_eigenvalue();
   Dyadic rest_squared;
   for (const auto row : leaf.unknowns) {
     rest_squared = rest_squared + square(r[row] - leaf.right[row]);
   }
   auto right_error = leaf.right_error;
   auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times the error of u
-  auto error = held.size() * rest + s * unknown;                 // s times the error of K u
+  auto error = stiffness.size() * rest + s * unknown;            // s times the error of K u
   auto reaction = r;                                             // K u minus the load
   if (leaf.forces.size() > 0) {
     auto forces = leaf.forces;
@@ -175,11 +182,11 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
   if (!leaf.sliding.empty()) {
     auto shift = seen_of(block_.motions, missing(leaf.mean, u, leaf.sliding));
     const auto pressures = normal_size({reaction, quotient_above(error, s)}, leaf.contact);
-    const auto lifted = error_of_lift(held, leaf, shift, pressures);
+    const auto lifted = error_of_lift(stiffness, leaf, shift, pressures);
     if (!lifted) return "its sliding modes displace the contacts along their normals by too much";
     right_error = right_error + *lifted;
     rest = rest + *lifted;
-    error = error + held.size() * *lifted;
+    error = error + stiffness.size() * *lifted;
     off = s * shift.error;
     moved += std::move(shift.values);
   }
@@ -189,7 +196,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     const auto& name = block_.names[i];
     if (!holds(leaf.contact, i)) {
       const auto gap = leaf.gaps.size() > 0 ? moved[d * i] + leaf.gaps[i] : moved[d * i];
-      if (!(s * gap > rest + off)) return name + " does not separate";
+      if (!(s * gap > rest + off)) return name + " is not proved to separate";
       continue;
     }
     sum = sum + s * reaction[d * i];
@@ -198,7 +205,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
     if (friction_[i].sign() == 0) continue;  // r_t = 0 is required
     const auto shear = s * (sqrt_above(tangential_square(leaf.tangential, i)) + right_error);
-    if (!(friction_[i] * pressure > shear)) return name + " slips, or is about to";
+    if (!(friction_[i] * pressure > shear)) return name + " slips, or is at the limit of friction";
   }
   if (leaf.grip != nullptr) {
     *leaf.grip = {(sum - spread).rational() / s.rational(),

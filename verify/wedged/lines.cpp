@@ -35,6 +35,20 @@ std::string shown(std::string_view text) {
   return part;
 }
 
+std::string on_one_line(std::string_view name) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= ' ' && c != '\x7f') {
+      text += c;
+    } else {
+      text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+    }
+  }
+  return text;
+}
+
 void Lines::refuse(const std::string& expected) const {
   const std::string what = ended_ ? "the file ends here" : shown(line_);
   throw CertificateError(file_ + ":" + std::to_string(number_) + ": " + what + ", expected " +
@@ -71,6 +85,18 @@ std::uint64_t Lines::integer(int base, const std::string& what) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (text.empty() || error != std::errc{} || end != text.data() + text.size()) refuse(what);
   return value;
+}
+
+std::size_t Lines::count(const std::string& keyword, std::size_t least, std::size_t most) {
+  const auto what = "'" + keyword + "' and a number";
+  next();
+  expect_word(keyword, what);
+  const auto number = integer(10, what);
+  if (number < least || number > most)
+    refuse(what + " from " + std::to_string(least) + " to " + std::to_string(most));
+  if (number > left()) refuse(what + " that the rest of the file holds");
+  end_of_line(what);
+  return number;
 }
 
 support::IndexSet Lines::set(const std::string& what) {

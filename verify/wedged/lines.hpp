@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ namespace kusabi::verify {
 
 /// The beginning of a faulty line for messages, without control characters.
 std::string shown(std::string_view text);
+
+/// A name on one line, as in the file: control characters as \x0a.
+std::string on_one_line(std::string_view name);
 
 /// The lines of a text and their words.
 class Lines {
@@ -40,6 +44,11 @@ class Lines {
   void expect(std::string_view text);
   void expect_word(std::string_view text, const std::string& what);
   std::uint64_t integer(int base, const std::string& what);
+
+  /// Reads the next line, 'keyword N' with N items of at least one character in the rest of the
+  /// file. @param least, most of N
+  std::size_t count(const std::string& keyword, std::size_t least = 0,
+                    std::size_t most = std::numeric_limits<std::size_t>::max());
   /// A set of candidates as a hexadecimal number whose binary ones are the candidates' numbers.
   support::IndexSet set(const std::string& what);
 

@@ -90,12 +90,12 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
   }
 }
 
-std::optional<std::string> Proof::take_up(const CandidateBound& bound) {
+std::optional<std::string> Proof::add_bound(const CandidateBound& bound) {
   const auto& block = certificate_.blocks[bound.block];
-  if (!block.contains(bound.candidate)) return "its candidate is not one of its block";
+  if (!block.contains(bound.candidate)) return "its candidate is not in its block";
   const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();
-  return blocks_[bound.block].take_up(static_cast<std::size_t>(own), bound.side, bound.most,
-                                      bound.numbers);
+  return blocks_[bound.block].add_bound(static_cast<std::size_t>(own), bound.side, bound.most,
+                                        bound.numbers);
 }
 
 Judgement Proof::judgement(const Record& record) const {

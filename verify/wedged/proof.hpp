@@ -36,7 +36,7 @@ class Proof {
   /// reason if it is not proved
   /// @param bound with as many numbers as its claim requires, its candidate in its block
   /// @pre least_eigenvalue()
-  [[nodiscard]] std::optional<std::string> take_up(const CandidateBound& bound);
+  [[nodiscard]] std::optional<std::string> add_bound(const CandidateBound& bound);
 
   /// Checks the claim on a node. A node without a claim is not refused.
   /// @pre least_eigenvalue()

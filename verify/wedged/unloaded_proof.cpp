@@ -16,15 +16,15 @@ bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
     if (!holds(separated, i)) carrying.push_back(i);
   }
   if (motions() == 0 || carrying.size() > most_carrying) return false;
-  const auto held_at = [&](std::size_t candidate, Elimination motions) {
+  const auto fixed_at = [&](std::size_t candidate, Elimination motions) {
     for (std::size_t k = 0; k < block_.dimension; ++k)
       motions.demand(block_.motions.rows[block_.dimension * candidate + k]);
     return motions;
   };
   for (std::size_t a = 0; a < carrying.size(); ++a) {
-    const auto one = held_at(carrying[a], Elimination(motions()));
+    const auto one = fixed_at(carrying[a], Elimination(motions()));
     for (std::size_t b = a + 1; b < carrying.size(); ++b) {
-      const auto both = held_at(carrying[b], one);
+      const auto both = fixed_at(carrying[b], one);
       if (both.left().size() == 1 && all_work_against(both.left().front(), carrying, contact))
         return true;
     }

@@ -104,12 +104,12 @@ bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const
 // Prices columns in the order of their violation until some cut is violated; if none is, with
 // smaller costs of members that do not move. @return whether any
 bool Rounds::cut_off(const Relaxed& point) {
-  const Eigen::VectorXd loose = looseness(model_, point);
+  const Eigen::VectorXd violations = violations_at(model_, point);
   std::vector<int> columns;
   for (int j = 0; j < model_.uncertain_count(); ++j) {
-    if (loose(j) > violated) columns.push_back(j);
+    if (violations(j) > violated) columns.push_back(j);
   }
-  std::ranges::stable_sort(columns, std::greater<>(), [&](int j) { return loose(j); });
+  std::ranges::stable_sort(columns, std::greater<>(), [&](int j) { return violations(j); });
   const auto blocks = model_.uncertain.size() / (static_cast<std::size_t>(batches) * pricing_block);
   const auto batch = std::max<std::size_t>(1, blocks) * pricing_block;
   while (!columns.empty()) {
@@ -277,13 +277,13 @@ std::vector<StaticCut> price_alone(StaticPricing& pricing, const Eigen::VectorXd
   return cuts;
 }
 
-Eigen::VectorXd looseness(const LimitModel& model, const Relaxed& point) {
-  Eigen::VectorXd loose(model.uncertain_count());
+Eigen::VectorXd violations_at(const LimitModel& model, const Relaxed& point) {
+  Eigen::VectorXd violations(model.uncertain_count());
   for (int j = 0; j < model.uncertain_count(); ++j) {
     const auto& column = model.uncertain[static_cast<std::size_t>(j)];
-    loose(j) = column.weight * (point.gamma(j) - std::abs(column.along(point.motion)));
+    violations(j) = column.weight * (point.gamma(j) - std::abs(column.along(point.motion)));
   }
-  return loose;
+  return violations;
 }
 
 Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share) {

@@ -98,7 +98,7 @@ std::optional<StaticProof> proof_with_room(const problems::LimitModel& model, do
 inline constexpr double first_room = 1e-11;
 
 /// Difference of gamma_j and |d_j'u| at the point, for each column of T, times its weight.
-Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& point);
+Eigen::VectorXd violations_at(const problems::LimitModel& model, const Relaxed& point);
 
 /// Weights of the pricing programs: z plus `share` of its mean, such that the forces of members
 /// that do not move are determined in the cuts.

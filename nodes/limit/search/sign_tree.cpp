@@ -15,11 +15,11 @@ constexpr int rounds_at_a_node = 4;
 
 /// A cut is made where the violation of the point exceeds this, and kept if the cut is violated by
 /// more.
-constexpr double loose_enough = 1e-7;
+constexpr double least_violation = 1e-7;
 
 /// Signs are not branched on where the violation is below this: the bound is then exact up to less
 /// than the gap that closes a node.
-constexpr double tight_enough = 1e-10;
+constexpr double negligible_violation = 1e-10;
 
 std::vector<double> numbers(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
@@ -70,15 +70,15 @@ std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
     result.bound = master_.objective();
     result.point = master_.relaxed();
     if (round == rounds_at_a_node) return result;
-    const Eigen::VectorXd loose = looseness(model_, result.point);
+    const Eigen::VectorXd violations = violations_at(model_, result.point);
     std::vector<int> columns;
     for (int j = 0; j < model_.uncertain_count(); ++j) {
-      if (loose(j) > loose_enough) columns.push_back(j);
+      if (violations(j) > least_violation) columns.push_back(j);
     }
     bool any = false;
     tally_.counts.pricings += columns.size();
     for (auto& cut : price_alone(pricing_, pricing_aim(result.point.z, 0), columns)) {
-      if (result.point.gamma(cut.column) - cut.bound(result.point.z) < loose_enough) continue;
+      if (result.point.gamma(cut.column) - cut.bound(result.point.z) < least_violation) continue;
       master_.add(cut);
       own_cuts_.push_back(std::move(cut));
       any = true;
@@ -152,10 +152,10 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   }
   const Bounded& here = *found;
   const double known = descend_from(here, out);
-  const Eigen::VectorXd loose = looseness(model_, here.point);
+  const Eigen::VectorXd violations = violations_at(model_, here.point);
   Eigen::Index widest = 0;
-  const double most = loose.size() == 0 ? 0 : loose.maxCoeff(&widest);
-  if (here.bound >= known - closed_gap || most <= tight_enough) {
+  const double most = violations.size() == 0 ? 0 : violations.maxCoeff(&widest);
+  if (here.bound >= known - closed_gap || most <= negligible_violation) {
     close(node.signs);
     return;
   }

@@ -47,16 +47,16 @@ class CriticalDescent {
       while (coarse_ < few_digits * start) coarse_ *= 2;
       infeasible_ = std::max(infeasible_, coarse_ * std::floor(known_infeasible_ / coarse_));
       // A search does not decide coefficients beyond the last point of its grid.
-      const double reach = coarse_ == grid_.width ? start : coarse_ * std::floor(start / coarse_);
-      dive(reach);
+      const double top = coarse_ == grid_.width ? start : coarse_ * std::floor(start / coarse_);
+      dive(top);
       if (!narrow()) return;
-      if (feasible_ || infeasible_ < reach) {  // a leaf is feasible, or numerically undecided
+      if (feasible_ || infeasible_ < top) {  // a leaf is feasible, or numerically undecided
         if (coarse_ != grid_.width)
           search(CriticalPhase::fine, grid_.width, feasible_.value_or(most));
         return;
       }
       if (start >= most) {
-        if (reach != most) search(CriticalPhase::fine, grid_.width, most);
+        if (top != most) search(CriticalPhase::fine, grid_.width, most);
         return;
       }
     }
@@ -65,11 +65,11 @@ class CriticalDescent {
  private:
   // Dives at a share of the least feasible coefficient, then at the middle between it and the
   // largest coefficient that is infeasible or undecided by a dive.
-  void dive(double reach) {
-    from_ = reach;
+  void dive(double top) {
+    from_ = top;
     bounds_ = {};
-    double untold = 0;
-    if (feasible_ && !goes_on(untold)) return;
+    double undecided = 0;
+    if (feasible_ && !goes_on(undecided)) return;
     for (;;) {
       const CriticalGrid coarse{.width = coarse_, .most = grid_.most, .precision = grid_.precision};
       const auto found =
@@ -79,22 +79,22 @@ class CriticalDescent {
       bounds_.programs = 0;  // counted once
       if (std::isfinite(found.feasible)) {
         feasible_ = found.feasible;
-        bracket_.sink(found.feasible, found.leaf);
+        bracket_.reduce_upper(found.feasible, found.leaf);
       } else {
-        (found.all_infeasible ? infeasible_ : untold) = from_;
-        if (found.all_infeasible) bracket_.raise(from_);
+        (found.all_infeasible ? infeasible_ : undecided) = from_;
+        if (found.all_infeasible) bracket_.raise_lower(from_);
       }
       bracket_.show();
       if (analysis_.ended()) return;
-      if (!feasible_ || !goes_on(untold)) return;
+      if (!feasible_ || !goes_on(undecided)) return;
     }
   }
 
   // Chooses the next coefficient below the feasible one. @return true: by a dive
-  bool goes_on(double untold) {
+  bool goes_on(double undecided) {
     const double last = coarse_ * static_cast<double>(std::llround(*feasible_ / coarse_) - 1);
     if (last <= infeasible_) return false;
-    const double least = std::max(infeasible_, untold);
+    const double least = std::max(infeasible_, undecided);
     const bool near = least > near_enough * *feasible_;
     const double next = least > 0 ? std::sqrt(least * *feasible_) : share_of_last * *feasible_;
     const double below = std::max(coarse_ * std::floor(next / coarse_), infeasible_ + coarse_);

@@ -69,9 +69,9 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
                            FrictionGrid(grid.width).at(multiple), result.opened);
       });
       if (fate.leaf) {
-        const bool lives =
+        const bool is_feasible =
             fate.leaf->state == LeafState::feasible || fate.leaf->state == LeafState::flat;
-        if (lives) locate(problem, *fate.leaf, multiple, grid, stop, result);
+        if (is_feasible) locate(problem, *fate.leaf, multiple, grid, stop, result);
         if (std::isfinite(result.feasible)) return;
         doubtful = true;
       }

@@ -113,7 +113,7 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
     });
     infeasible = std::min(infeasible, start.infeasible);
     programs += start.programs;
-    if (std::isfinite(start.feasible)) bracket.sink(start.feasible, {number, start.leaf});
+    if (std::isfinite(start.feasible)) bracket.reduce_upper(start.feasible, {number, start.leaf});
     if (analysis.ended()) return programs;  // the other blocks have no bounds
   }
   Smallest found;

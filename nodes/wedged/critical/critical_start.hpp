@@ -21,13 +21,14 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
                             const CriticalGrid& grid, NarrowingBracket& bracket);
 
 /// Leaf with a single candidate i in contact. If all others separate, its critical coefficient has
-/// the closed form mu_i = F_nn,ii / |F_nt,ii|; `factor` is this in units of the candidate's own
-/// coefficient.
-/// @param block a problem of one block  @return sorted by factor; empty for unconstrained bodies
+/// the closed form mu_i = F_nn,ii / |F_nt,ii|.
 struct SingleContact {
-  double factor = 0;
+  double factor = 0;  ///< this coefficient in units of the candidate's own
   int candidate = 0;
 };
+
+/// The leaves of all candidates. @param block a problem of one block
+/// @return sorted by factor; empty for unconstrained bodies
 std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block);
 
 /// The leaf of a block of this many candidates with the given ones in contact.

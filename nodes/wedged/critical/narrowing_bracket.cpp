@@ -25,14 +25,14 @@ bool NarrowingBracket::is_one_cell(double width) const {
   return upper_or_infinity() - lower_ <= width * (1 + rounding_of_ends);
 }
 
-void NarrowingBracket::raise(double lower) {
+void NarrowingBracket::raise_lower(double lower) {
   if (!(lower > lower_)) return;
   lower_ = lower;
   lower_proved_ = false;
   changed_ = true;
 }
 
-void NarrowingBracket::sink(double upper, const PatternNode& leaf) {
+void NarrowingBracket::reduce_upper(double upper, const PatternNode& leaf) {
   if (!(upper < upper_or_infinity())) return;
   upper_ = upper;
   leaf_ = leaf;

@@ -26,10 +26,10 @@ class NarrowingBracket {
   [[nodiscard]] bool is_one_cell(double width) const;
 
   /// Raises the lower bound; without effect if a better one is known.
-  void raise(double lower);
+  void raise_lower(double lower);
   /// Decreases the upper bound, at which the leaf is feasible; without effect if a better one is
   /// known.
-  void sink(double upper, const PatternNode& leaf);
+  void reduce_upper(double upper, const PatternNode& leaf);
 
   /// Records that the lower bound was verified, possibly at a smaller coefficient.
   void prove_lower(double lower);

@@ -15,7 +15,7 @@ std::int64_t multiples(double most, double width) {
 // If the tree is infeasible up to the upper bound of the known leaf, the lower bound is the grid
 // point before it. The bound of a stopped search lies between two points.
 void Smallest::narrow(NarrowingBracket& bracket, double width) const {
-  if (std::isfinite(upper)) bracket.sink(upper, leaf);
+  if (std::isfinite(upper)) bracket.reduce_upper(upper, leaf);
   const FrictionGrid grid(width);
   double known = lower;
   if (status != engine::Status::solved) {
@@ -23,7 +23,7 @@ void Smallest::narrow(NarrowingBracket& bracket, double width) const {
     known = grid.at(grid.at(below) <= lower ? below : below - 1);
   }
   const double above = bracket.upper_or_infinity();
-  bracket.raise(known < above ? known : grid.at(multiples(above, width) - 1));
+  bracket.raise_lower(known < above ? known : grid.at(multiples(above, width) - 1));
 }
 
 Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const CriticalGrid& grid,

@@ -40,7 +40,7 @@ void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& 
     return;
   }
   const bool undivided = node.claimed && node.cell == CriticalCell{0, start_};
-  if (patterns_[node.first].lives && method_ == CriticalMethod::bisection && sections_ > 1 &&
+  if (patterns_[node.first].feasible && method_ == CriticalMethod::bisection && sections_ > 1 &&
       undivided)
     return begin(node, out);
   const auto work = pollable_.within(out, node, [&] { return locate(node); });
@@ -53,10 +53,10 @@ void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& 
 }
 
 std::optional<PatternBisection::Located> PatternBisection::locate(Node node) {
-  const auto& [leaf, lives] = patterns_[node.first];
+  const auto& [leaf, feasible] = patterns_[node.first];
   const auto& pattern = leaf.pattern;
   auto& critical = critical_[leaf.block];
-  if (!lives) {
+  if (!feasible) {
     const CriticalCell unknown{0, CriticalCell::nowhere};
     return Located{critical.locate(pattern, unknown, CriticalMethod::newton, start_), true};
   }

@@ -58,7 +58,7 @@ class PatternBisection {
   /// A leaf of a block's tree at the coefficient `start` x width.
   struct Pattern {
     PatternNode leaf;
-    bool lives = true;  ///< feasible there; otherwise undecided
+    bool feasible = true;  ///< feasible there; otherwise undecided
   };
 
   /// @param sections number of cells into which the first cell of a pattern is divided

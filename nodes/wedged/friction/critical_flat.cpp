@@ -19,13 +19,14 @@ bool CriticalFriction::feasible_alone(const support::IndexSet& contact,
                                       const support::IndexSet& separated) {
   ++programs_;
   const auto both = contact | separated;
-  if (!loose_) {
+  if (!unconstrained_) {
     const auto others = support::IndexSet::below(static_cast<int>(own_.size())) - both;
     return solver_.solve(contact, separated, {}, others).sign == conic::Sign::feasible;
   }
   std::vector<double> friction;
   for (const int i : both) friction.push_back(friction_[static_cast<std::size_t>(i)]);
-  ContactSolver alone(problems::problem_without_others(*loose_, both), friction, tolerances);
+  ContactSolver alone(problems::problem_without_others(*unconstrained_, both), friction,
+                      tolerances);
   alone.end_when(stop_);
   return alone.solve(problems::in_block(contact, both), problems::in_block(separated, both), {})
              .sign == conic::Sign::feasible;
@@ -38,9 +39,10 @@ bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
 }
 
 // At the end of its range, where it becomes solid, a flat cone is degenerate on one side only.
-bool CriticalFriction::lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie) {
-  return is_tie(leaf, factor * (1 + beside), tie) ||
-         is_tie(leaf, std::max(range_.least, factor * (1 - beside)), tie);
+bool CriticalFriction::lasts(const SignPattern& leaf, double factor,
+                             const conic::Tolerances& zero) {
+  return is_degenerate(leaf, factor * (1 + beside), zero) ||
+         is_degenerate(leaf, std::max(range_.least, factor * (1 - beside)), zero);
 }
 
 // True if some candidates of the leaf are inactive, and the others are feasible without them.
@@ -51,16 +53,16 @@ bool CriticalFriction::feasible_at_rest(const SignPattern& leaf,
   return (loaded | moved) != (leaf.contact | leaf.separated) && feasible_alone(loaded, moved);
 }
 
-bool CriticalFriction::is_tie(const SignPattern& leaf, double factor,
-                              const conic::Tolerances& tie) {
+bool CriticalFriction::is_degenerate(const SignPattern& leaf, double factor,
+                                     const conic::Tolerances& zero) {
   ++programs_;
   set_friction(factor);
-  return conic::is_tie(solver_.solve(leaf.contact, leaf.separated, {}), tie);
+  return conic::is_tie(solver_.solve(leaf.contact, leaf.separated, {}), zero);
 }
 
 LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
-  constexpr conic::Tolerances of_ties;  // the tolerances of the tree of sign patterns
+  constexpr conic::Tolerances of_tree;  // the tolerances of the tree of sign patterns
   const double factor = at(point);
   if (factor < range_.least) return {point == 0 ? Kind::infeasible : Kind::open, {}, {}};
   ++programs_;
@@ -69,11 +71,11 @@ LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   if (answer.sign == conic::Sign::infeasible) return {Kind::infeasible, {}, {}};
   if (answer.sign == conic::Sign::feasible) return {Kind::solid, {}, {}};
   const LeafStage open{Kind::open, {}, {}};
-  if (!conic::is_tie(answer, of_ties)) return open;
+  if (!conic::is_tie(answer, of_tree)) return open;
   const auto inside = solver_.relative_interior(leaf.contact, leaf.separated);
   if (!inside) return open;
   if (inside->loaded.empty()) return {Kind::infeasible, {}, {}};  // by less than the tolerance
-  return feasible_at_rest(leaf, *inside) && lasts(leaf, factor, of_ties)
+  return feasible_at_rest(leaf, *inside) && lasts(leaf, factor, of_tree)
              ? LeafStage{Kind::flat, inside->loaded, inside->moved}
              : open;
 }

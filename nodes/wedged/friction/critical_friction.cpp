@@ -59,7 +59,7 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
         problem.compliance.matrix.row(problem.dimension * i) / solver_.unit();
   if (problem.modes.matrix.cols() > 0) {
     normal_compliance_.bottomRows(problem.modes.matrix.cols()) = problem.modes.matrix.transpose();
-    loose_ = problem;
+    unconstrained_ = problem;
   }
   largest_ = normal_compliance_.cwiseAbs().maxCoeff();
 }
@@ -70,7 +70,8 @@ void CriticalFriction::set_friction(double factor) {
   solver_.set_friction(friction_);
 }
 
-double CriticalFriction::reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const {
+double CriticalFriction::least_coefficient(const Eigen::VectorXd& pull,
+                                           const SignPattern& node) const {
   const double noise = rounding * largest_ * solver_.multipliers().lpNorm<1>();
   double least = infinity;
   for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -91,8 +92,8 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
   FrictionProbe probe{
       .sign = answer.sign,
-      .tie = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
-      .infeasible_below = reach_of(pull_, node),
+      .degenerate = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
+      .infeasible_below = least_coefficient(pull_, node),
       .feasible_from = 0,
       .newton = infinity,
       .level = 0.5 * (answer.lower + answer.upper)};
@@ -159,7 +160,7 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
       cell.feasible = point;
       return true;
     case conic::Sign::marginal:
-      if (!said.tie || !is_flat(pattern, at(point))) return false;
+      if (!said.degenerate || !is_flat(pattern, at(point))) return false;
       cell.feasible = point;
       return true;
   }
@@ -186,13 +187,13 @@ CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell ce
   const auto middle = std::midpoint(cell.infeasible, cell.feasible);
   if (cell.feasible - cell.infeasible < 2 || at(middle) < range_.least) return cell;
   if (decide(pattern, cell, middle)) return cell;
-  surround(pattern, cell, middle);
+  decide_around(pattern, cell, middle);
   return cell;
 }
 
 // The nearest decided points on both sides of an undecided one, at increasing distances.
-void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
-                                std::int64_t marginal) {
+void CriticalFriction::decide_around(const SignPattern& pattern, CriticalCell& cell,
+                                     std::int64_t marginal) {
   for (std::int64_t step = 1; cell.infeasible < marginal - step; step *= 2) {
     if (at(marginal - step) < range_.least || decide(pattern, cell, marginal - step)) break;
   }
@@ -215,8 +216,8 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
   const auto ask = [&](double factor) {
     const auto said = probe(pattern, factor);
     narrow(cell, said, most);
-    if (said.tie)
-      curve.take_tie(factor);
+    if (said.degenerate)
+      curve.take_degenerate(factor);
     else
       curve.take(factor, said.level, said.newton);
     return said;
@@ -227,7 +228,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     if (at(point) < range_.least) return false;
     const auto said = ask(at(point));
     if (said.sign != conic::Sign::marginal) return true;
-    if (!said.tie || !is_flat(pattern, at(point))) return false;
+    if (!said.degenerate || !is_flat(pattern, at(point))) return false;
     cell.feasible = point;
     return true;
   };
@@ -235,15 +236,16 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
   // Range in which t* may become zero.
   const auto floor = [&] { return std::max(at(cell.infeasible), range_.least); };
   const auto top = [&] {
-    return cell.feasible == CriticalCell::nowhere ? curve.least_tie()
-                                                  : std::min(curve.least_tie(), at(cell.feasible));
+    return cell.feasible == CriticalCell::nowhere
+               ? curve.least_degenerate()
+               : std::min(curve.least_degenerate(), at(cell.feasible));
   };
 
   double factor = cell.feasible == CriticalCell::nowhere ? floor() : at(cell.feasible);
   for (int step = 1; step <= most_steps; ++step) {
     const auto said = ask(factor);
     const bool open = cell.feasible == CriticalCell::nowhere;
-    const bool to_the_end = cell.infeasible >= most || (factor >= at(most) && !said.tie);
+    const bool to_the_end = cell.infeasible >= most || (factor >= at(most) && !said.degenerate);
     if (cell.feasible - cell.infeasible <= 1 || (open && to_the_end)) return cell;
 
     // Degenerate points are tested for flat cones only here: if one is a flat cone, so are those
@@ -261,7 +263,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       if (!decided(below + 1) || !decided(below)) {
         if (cell.feasible != CriticalCell::nowhere && below > cell.infeasible &&
             below < cell.feasible)
-          surround(pattern, cell, below);
+          decide_around(pattern, cell, below);
         break;
       }
       if (cell.feasible - cell.infeasible <= 1) return cell;
@@ -312,8 +314,8 @@ std::optional<double> CriticalFriction::infeasible_below_with_cuts(const SignPat
   const auto cuts = cuts_of(free, bounds_);
   const auto sign = solver_.solve_with(cuts, node.contact, node.separated, {}).sign;
   if (sign == conic::Sign::marginal) return {};
-  const double reach = reach_of(solver_.pull(), node);
-  return sign == conic::Sign::infeasible ? std::max(reach, factor) : reach;
+  const double below = least_coefficient(solver_.pull(), node);
+  return sign == conic::Sign::infeasible ? std::max(below, factor) : below;
 }
 
 double CriticalFriction::infeasible_below(const SignPattern& node, double factor) {

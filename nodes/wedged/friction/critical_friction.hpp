@@ -24,7 +24,7 @@ namespace kusabi::wedged {
 /// Result of one cone program.
 struct FrictionProbe {
   conic::Sign sign = conic::Sign::marginal;  ///< at the requested coefficient
-  bool tie = false;  ///< if undecided: the bracket of t* is within the tolerance
+  bool degenerate = false;  ///< if undecided: the bracket of t* is within the tolerance
   double infeasible_below =
       0;  ///< infeasible for every smaller coefficient, by the multipliers; 0: none
   double feasible_from = 0;  ///< feasible from here on, by the configuration; infinity: nowhere
@@ -88,9 +88,9 @@ class CriticalFriction {
   };
   static Range range(const problems::WedgedProblem& problem);
 
-  /// t* near the critical coefficient is its distance from it times a slope, which may be as small
-  /// as 1e-6: a bracket of 1e-8 requires this many digits. Errors due to directions with sixteen
-  /// digits are smaller.
+  /// Near the critical coefficient t* is the distance from that coefficient times a slope, which
+  /// may be as small as 1e-6, so a bracket of 1e-8 requires these tolerances. Errors due to
+  /// directions with sixteen digits are smaller.
   static constexpr conic::Tolerances tolerances{.sign = 1e-14, .value = 1e-15, .iterations = 100};
 
   /// @param width of the grid, > 0
@@ -160,19 +160,20 @@ class CriticalFriction {
   bool is_flat(const SignPattern& pattern, double factor);
   bool feasible_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
   // True if a degenerate leaf is also degenerate at a coefficient beside this one.
-  bool lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
-  bool is_tie(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
+  bool lasts(const SignPattern& leaf, double factor, const conic::Tolerances& zero);
+  bool is_degenerate(const SignPattern& leaf, double factor, const conic::Tolerances& zero);
   // True if these are feasible as the only candidates. Rigid-body modes that do not displace them
   // are left out.
   bool feasible_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);
   // The least coefficient at which w_ni + mu_i |w_ti| is not negative for some i not in R.
-  [[nodiscard]] double reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const;
+  [[nodiscard]] double least_coefficient(const Eigen::VectorXd& pull,
+                                         const SignPattern& node) const;
   // The bound of the program with cuts, if it proves one.
   std::optional<double> infeasible_below_with_cuts(const SignPattern& node, double factor);
   // Moves a bound of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
-  void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
+  void decide_around(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
   void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
 
   FrictionGrid grid_;
@@ -182,9 +183,9 @@ class CriticalFriction {
   double largest_ = 0;                  // of its entries
   ContactSolver solver_;
   support::Stop stop_;
-  std::vector<CandidateBounds> bounds_;           // empty: no cuts
-  std::optional<problems::WedgedProblem> loose_;  // problem of an unconstrained body
-  Eigen::VectorXd pull_;                          // w of the multipliers, dm
+  std::vector<CandidateBounds> bounds_;                   // empty: no cuts
+  std::optional<problems::WedgedProblem> unconstrained_;  // problem of an unconstrained body
+  Eigen::VectorXd pull_;                                  // w of the multipliers, dm
   std::uint64_t programs_ = 0;
 };
 

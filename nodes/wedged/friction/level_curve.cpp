@@ -41,8 +41,8 @@ void LevelCurve::take(double factor, double level, double newton) {
   }
 }
 
-void LevelCurve::take_tie(double factor) {
-  least_tie_ = std::min(least_tie_, factor);
+void LevelCurve::take_degenerate(double factor) {
+  least_degenerate_ = std::min(least_degenerate_, factor);
   above_.reset();
 }
 

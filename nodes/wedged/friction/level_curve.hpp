@@ -24,10 +24,10 @@ class LevelCurve {
   /// Adds a solved point. @param newton zero of its tangent
   void take(double factor, double level, double newton);
   /// Adds a point at which t* is zero within the tolerance.
-  void take_tie(double factor);
+  void take_degenerate(double factor);
 
   /// The least coefficient of a degenerate point; infinity: none.
-  [[nodiscard]] double least_tie() const { return least_tie_; }
+  [[nodiscard]] double least_degenerate() const { return least_degenerate_; }
 
   /// The next estimate, in [floor, top). @param floor t* is negative there  @param top t* is not
   /// negative there; infinity: no such coefficient is known
@@ -48,7 +48,7 @@ class LevelCurve {
   double width_;
   // Of the points with t* < 0 the two with the largest coefficients; of those above the last.
   std::optional<Point> below_, further_below_, above_;
-  double least_tie_ = std::numeric_limits<double>::infinity();
+  double least_degenerate_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace kusabi::wedged

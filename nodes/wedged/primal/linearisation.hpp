@@ -1,8 +1,8 @@
 // Successive linearisation of complementarity at one friction coefficient. A point of the
 // relaxation is a wedged configuration exactly if the concave function sum_i min(u_ni / c_i, r_ni)
-// is zero there; from an estimate of the candidates in contact a few programs of the size of a root
-// lead to a local minimum, and the whole pattern changes at once
-// (docs/theory/wedged.md, "Primal heuristic").
+// is zero there. From an estimate of the candidates in contact a few programs of the size of a root
+// lead to a local minimum; each may change the states of all candidates (docs/theory/wedged.md,
+// "Primal heuristic").
 #pragma once
 
 #include <cstdint>

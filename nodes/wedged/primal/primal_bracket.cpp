@@ -58,7 +58,7 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
   bool better = false;
   const auto found = search_primal(analysis, block, question, [&](const PrimalPattern& pattern) {
     const auto multiple = static_cast<std::int64_t>(std::ceil(pattern.factor / grid.width));
-    bracket.sink(points.at(multiple), {number, leaf_with(pattern.contact, m)});
+    bracket.reduce_upper(points.at(multiple), {number, leaf_with(pattern.contact, m)});
     bracket.show();
     better = true;
   });
@@ -66,15 +66,15 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
   const auto leaf = *bracket.leaf();
   const auto begin =
       begin_of(analysis, block, leaf.pattern, multiples(*bracket.upper(), grid.width), grid);
-  bracket.sink(begin.factor, leaf);
+  bracket.reduce_upper(begin.factor, leaf);
   bracket.show();
   return found.programs + begin.programs;
 }
 
 }  // namespace
 
-std::uint64_t sink_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, NarrowingBracket& bracket) {
+std::uint64_t reduce_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                                 const CriticalGrid& grid, NarrowingBracket& bracket) {
   std::uint64_t programs = 0;
   const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem).size());
   for (std::uint32_t number = 0; number < blocks; ++number)

@@ -13,7 +13,7 @@ namespace kusabi::wedged {
 /// Decreases the upper bound with each better pattern, one block after another, and finally to the
 /// cell of the grid in which the best pattern becomes feasible. On all ranks.
 /// @return number of cone programs solved
-std::uint64_t sink_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, NarrowingBracket& bracket);
+std::uint64_t reduce_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                                 const CriticalGrid& grid, NarrowingBracket& bracket);
 
 }  // namespace kusabi::wedged

@@ -35,7 +35,7 @@ bool DividedRays::may_have_own(const Node& list) {
   return fate.leaf || !fate.children.empty();
 }
 
-DividedRays::Node DividedRays::gone_on(const Node& list) {
+DividedRays::Node DividedRays::continued(const Node& list) {
   auto next = list;
   const auto steps = rays::go_on(next, cone_, {.most_rays = longest_, .stop = pollable_.stop()});
   if (steps.stopped) throw support::Stopped();
@@ -47,7 +47,7 @@ DividedRays::Node DividedRays::gone_on(const Node& list) {
 void DividedRays::expand(Node&& node, engine::Expansion<DividedRays>& out) {
   patterns_before_ = tree_.tally();
   auto list =
-      pollable_.within(out, node, [&] { return may_have_own(node) ? gone_on(node) : Node(); });
+      pollable_.within(out, node, [&] { return may_have_own(node) ? continued(node) : Node(); });
   if (!list) return;
   patterns_before_.reset();
   node = {};  // releases the memory

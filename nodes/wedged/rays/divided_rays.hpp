@@ -49,7 +49,7 @@ class DividedRays {
   bool may_have_own(const Node& list);
 
   /// Continues double description. @throws support::Stopped soon after the run is to stop
-  Node gone_on(const Node& list);
+  Node continued(const Node& list);
 
   SignPatternTree tree_;
   rays::ReactionCone cone_;

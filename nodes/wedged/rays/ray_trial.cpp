@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t pairs_for_a_node = 150;
 
 /// Cost of a degenerate node, or of a node in higher precision: a millisecond.
-constexpr std::uint64_t pairs_for_a_tie = 8'000;
+constexpr std::uint64_t pairs_for_a_degenerate_node = 8'000;
 
 /// The cost of the nodes is limited to pairs / part_for_nodes; above pairs / part_for_first_nodes
 /// it must be below the pairs times the closed share of the tree.
@@ -36,9 +36,9 @@ double closed_before(const engine::Path& path) {
 }
 
 std::uint64_t cost(const SignPatternTally& nodes, std::uint64_t opened) {
-  const auto ties = nodes.flat + nodes.faces + nodes.marginal + nodes.undecided + nodes.doubtful +
-                    nodes.escalated;
-  return pairs_for_a_node * opened + pairs_for_a_tie * ties;
+  const auto degenerate = nodes.flat + nodes.faces + nodes.marginal + nodes.undecided +
+                          nodes.doubtful + nodes.escalated;
+  return pairs_for_a_node * opened + pairs_for_a_degenerate_node * degenerate;
 }
 
 /// Problem type of engine::search: RayTree without the rays.
@@ -93,7 +93,7 @@ bool RayTrial::succeeds(std::uint64_t pairs) {
 
 void RayTrial::look_for_leaves(std::uint64_t pairs) {
   next_search_ = 2 * pairs;
-  LeafTree tree(plant_(), pairs);
+  LeafTree tree(make_tree_(), pairs);
   engine::Options options;
   options.interrupt = [this] {
     return stop_ && stop_() ? engine::Interrupt::stop : engine::Interrupt::none;
@@ -110,7 +110,8 @@ void RayTrial::look_for_leaves(std::uint64_t pairs) {
                     .ranks = {{.statistics = outcome.ranks.front().statistics, .tally = {}}}};
 }
 
-// The first k of l leaves may use as much work as the tree is worth, and at most 4k/l of it.
+// The limit of costs for the first k of l leaves: `worth`, or first_leaf k / l times `worth` if
+// that is less.
 bool RayTrial::enumerates(std::uint64_t worth) {
   for (; done_ < leaves_.size(); ++done_) {
     const RayLeaf& leaf = leaves_[done_];

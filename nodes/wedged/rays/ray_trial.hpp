@@ -27,7 +27,7 @@ class RayTrial {
   /// @param stop polled for the end of the run, in which case the trial fails; empty: never
   RayTrial(std::function<SignPatternTree()> tree, const rays::ReactionCone& cone,
            std::function<bool()> stop)
-      : plant_(std::move(tree)), cone_(cone), stop_(std::move(stop)) {}
+      : make_tree_(std::move(tree)), cone_(cone), stop_(std::move(stop)) {}
 
   /// Continues the tree with the work allowed so far.
   /// @param pairs processed by double description in all; called after each of its steps
@@ -47,7 +47,7 @@ class RayTrial {
   void look_for_leaves(std::uint64_t pairs);
   bool enumerates(std::uint64_t worth);
 
-  std::function<SignPatternTree()> plant_;
+  std::function<SignPatternTree()> make_tree_;
   const rays::ReactionCone& cone_;
   std::function<bool()> stop_;
   std::uint64_t seen_ = 0;                    // pairs of double description

@@ -62,8 +62,8 @@ class Bisection {
   std::vector<LeafChange> changes_;
 };
 
-/// A leaf that is feasible remains so as friction grows: from a change to infeasible on its state
-/// is numerically undecided.
+/// A feasible leaf remains feasible as friction grows. From a change to infeasible on, its state is
+/// therefore numerically undecided.
 LeafHistory closed(std::vector<LeafChange> changes) {
   const auto back = std::ranges::find(changes, Kind::infeasible,
                                       [](const auto& change) { return change.to.kind; });

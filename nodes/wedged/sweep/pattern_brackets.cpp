@@ -19,7 +19,7 @@ constexpr std::int64_t cells_to_known = 100'000'000;
 PatternBisection::Pattern pattern_of(const Configuration& leaf,
                                      const std::vector<support::IndexSet>& blocks) {
   return {.leaf = {.block = leaf.block, .pattern = own_leaf(leaf, blocks[leaf.block])},
-          .lives = leaf.state == LeafState::feasible || leaf.state == LeafState::flat};
+          .feasible = leaf.state == LeafState::feasible || leaf.state == LeafState::flat};
 }
 
 }  // namespace

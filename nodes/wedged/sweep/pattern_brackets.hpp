@@ -30,7 +30,7 @@ struct PatternBracket {
   std::optional<double> upper;  ///< feasible here; nothing: at no known coefficient
 };
 
-/// Brackets of 1e-8 of the coefficient, equal to ConeLife::begins, since both follow from the
+/// Brackets of 1e-8 of the coefficient, equal to ConeRange::begins, since both follow from the
 /// history of the leaf. Every rank makes the same call.
 /// @param leaves on rank 0  @param coefficient at which they were found
 /// @returns on rank 0 one for each leaf, in their order; empty if the search was stopped, and on

@@ -11,22 +11,22 @@
 namespace kusabi::wedged {
 namespace {
 
-/// A change in terms of the whole problem.
-ConeLife life_of(const LeafOfSweep& leaf, const LeafChange& change,
-                 const support::IndexSet& candidates, const FrictionGrid& grid) {
-  ConeLife life{.block = leaf.block,
-                .pattern = {.contact = leaf.pattern.contact,
-                            .separated = candidates - leaf.pattern.contact,
-                            .at_rest = {}},
-                .begins = {grid.at(change.before), grid.at(change.after)},
-                .absorbed = {}};
+/// The range of a cone that begins with a change of its leaf, in terms of the whole problem.
+ConeRange range_of(const LeafOfSweep& leaf, const LeafChange& change,
+                   const support::IndexSet& candidates, const FrictionGrid& grid) {
+  ConeRange range{.block = leaf.block,
+                  .pattern = {.contact = leaf.pattern.contact,
+                              .separated = candidates - leaf.pattern.contact,
+                              .at_rest = {}},
+                  .begins = {grid.at(change.before), grid.at(change.after)},
+                  .absorbed = {}};
   if (change.to.kind == LeafStage::Kind::flat) {
     const auto& [kind, loaded, moved] = change.to;
-    life.pattern.contact = problems::in_whole(loaded, candidates);
-    life.pattern.separated = problems::in_whole(moved, candidates);
-    life.pattern.at_rest = candidates - (life.pattern.contact | life.pattern.separated);
+    range.pattern.contact = problems::in_whole(loaded, candidates);
+    range.pattern.separated = problems::in_whole(moved, candidates);
+    range.pattern.at_rest = candidates - (range.pattern.contact | range.pattern.separated);
   }
-  return life;
+  return range;
 }
 
 /// The earlier of two brackets of the same event.
@@ -35,41 +35,42 @@ void take_earlier(FrictionBracket& bracket, const FrictionBracket& other) {
   bracket.upper = std::min(bracket.upper, other.upper);
 }
 
-bool by_cone(const ConeLife& a, const ConeLife& b) {
+bool by_cone(const ConeRange& a, const ConeRange& b) {
   if (a.block != b.block) return a.block < b.block;
   return comes_before(a.pattern, b.pattern);
 }
 
-bool same_cone(const ConeLife& a, const ConeLife& b) {
+bool same_cone(const ConeRange& a, const ConeRange& b) {
   return a.block == b.block && a.pattern == b.pattern;
 }
 
-/// Several leaves may have the same cone: it is kept once, from the smallest coefficient on.
-void unite(std::vector<ConeLife>& lives) {
-  std::sort(lives.begin(), lives.end(), by_cone);
-  std::vector<ConeLife> united;
-  for (auto& life : lives) {
-    if (!united.empty() && same_cone(united.back(), life))
-      take_earlier(united.back().begins, life.begins);
+/// Unites the ranges of equal cones, which several leaves may have, from the smallest coefficient
+/// on.
+void unite(std::vector<ConeRange>& ranges) {
+  std::sort(ranges.begin(), ranges.end(), by_cone);
+  std::vector<ConeRange> united;
+  for (auto& range : ranges) {
+    if (!united.empty() && same_cone(united.back(), range))
+      take_earlier(united.back().begins, range.begins);
     else
-      united.push_back(std::move(life));
+      united.push_back(std::move(range));
   }
-  lives = std::move(united);
+  ranges = std::move(united);
 }
 
-/// True if the first range is not empty after the others have begun.
-bool remains(ConeLife& life, const std::vector<ConeLife>& all) {
-  if (life.solid()) return true;
+/// Ends a range where the first larger cone begins. @return false if the range is then empty
+bool remains(ConeRange& range, const std::vector<ConeRange>& all) {
+  if (range.solid()) return true;
   for (const auto& other : all) {
-    if (other.block != life.block || same_cone(life, other)) continue;
-    if (!within(life.pattern, other.pattern)) continue;
-    if (!life.absorbed) life.absorbed = other.begins;
-    take_earlier(*life.absorbed, other.begins);
+    if (other.block != range.block || same_cone(range, other)) continue;
+    if (!within(range.pattern, other.pattern)) continue;
+    if (!range.absorbed) range.absorbed = other.begins;
+    take_earlier(*range.absorbed, other.begins);
   }
-  return !life.absorbed || life.absorbed->upper > life.begins.upper;
+  return !range.absorbed || range.absorbed->upper > range.begins.upper;
 }
 
-bool begins_before(const ConeLife& a, const ConeLife& b) {
+bool begins_before(const ConeRange& a, const ConeRange& b) {
   if (a.begins.upper != b.begins.upper) return a.begins.upper < b.begins.upper;
   return by_cone(a, b);
 }
@@ -102,7 +103,7 @@ class IncreasingCounts {
   }
 
   /// @param from no smaller than `to` of the last call
-  Tread between(double from, double to) {
+  CountRange between(double from, double to) {
     const double friction = std::midpoint(from, to);
     for (; begun_ < begins_.size() && begins_[begun_].at <= friction; ++begun_)
       ++of_block_[begins_[begun_].block];
@@ -127,7 +128,7 @@ class IncreasingCounts {
 
 void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
                     const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid) {
-  std::vector<ConeLife> lives;
+  std::vector<ConeRange> ranges;
   for (const auto& leaf : leaves) {
     const auto& own = candidates[leaf.block];
     if (!leaf.history || leaf.history->open_above != LeafHistory::never) {
@@ -136,12 +137,12 @@ void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& lea
     }
     if (!leaf.history) continue;
     for (const auto& change : leaf.history->changes)
-      lives.push_back(life_of(leaf, change, own, grid));
+      ranges.push_back(range_of(leaf, change, own, grid));
   }
-  unite(lives);
-  for (auto life : lives) {
-    if (life.begins.lower < findings.most && remains(life, lives))
-      findings.cones.push_back(std::move(life));
+  unite(ranges);
+  for (auto range : ranges) {
+    if (range.begins.lower < findings.most && remains(range, ranges))
+      findings.cones.push_back(std::move(range));
   }
   std::sort(findings.cones.begin(), findings.cones.end(), begins_before);
 }
@@ -163,19 +164,19 @@ ConeCount SweepFindings::count_at(double friction) const {
   return count;
 }
 
-std::vector<Tread> SweepFindings::staircase() const {
+std::vector<CountRange> SweepFindings::staircase() const {
   std::vector<FrictionBracket> brackets;
   for (const auto& cone : cones) {
     brackets.push_back(cone.begins);
     if (cone.absorbed) brackets.push_back(*cone.absorbed);
   }
   for (const auto& leaf : open) brackets.push_back({leaf.lower, leaf.lower});
-  std::vector<Tread> treads;
+  std::vector<CountRange> ranges;
   IncreasingCounts counts(*this);
   const auto add = [&](double from, double to) {
     to = std::min(to, most);
     if (!(from < to)) return;
-    treads.push_back(counts.between(from, to));
+    ranges.push_back(counts.between(from, to));
   };
   double from = 0;
   for (const auto& [lower, upper] : merged(std::move(brackets))) {
@@ -183,7 +184,7 @@ std::vector<Tread> SweepFindings::staircase() const {
     from = upper;
   }
   add(from, most);
-  return treads;
+  return ranges;
 }
 
 }  // namespace kusabi::wedged

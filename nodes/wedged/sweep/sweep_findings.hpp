@@ -30,7 +30,7 @@ struct FrictionBracket {
 };
 
 /// A cone, and the range of friction in which it is maximal.
-struct ConeLife {
+struct ConeRange {
   std::uint32_t block = 0;
   SignPattern pattern;     ///< of the whole problem's candidates
   FrictionBracket begins;  ///< infeasible at the lower bound, feasible at the upper one
@@ -56,7 +56,7 @@ struct ConeCount {
 };
 
 /// A range with constant count.
-struct Tread {
+struct CountRange {
   double from = 0, to = 0;
   support::ExactCount known;
   std::size_t open = 0;  ///< undecided leaves
@@ -67,7 +67,7 @@ struct SweepFindings {
   bool enumerated = false;  ///< true if the tree at the largest coefficient is complete
   double most = 0;          ///< the largest coefficient
   std::size_t blocks = 1;
-  std::vector<ConeLife> cones;  ///< in the order of their critical coefficients
+  std::vector<ConeRange> cones;  ///< in the order of their critical coefficients
   std::vector<OpenLeaf> open;
   /// Costs: the tree at the largest coefficient, then the histories of its leaves.
   std::vector<engine::RankReport<SignPatternTree>> tree_ranks;
@@ -76,8 +76,8 @@ struct SweepFindings {
   /// @pre enumerated
   [[nodiscard]] ConeCount count_at(double friction) const;
 
-  /// From zero to `most`; between two treads there is a change. @pre enumerated
-  [[nodiscard]] std::vector<Tread> staircase() const;
+  /// From zero to `most`; between two ranges there is a change. @pre enumerated
+  [[nodiscard]] std::vector<CountRange> staircase() const;
 
   [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }
 };

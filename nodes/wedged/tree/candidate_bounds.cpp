@@ -29,9 +29,9 @@ constexpr double room = 1e-6;
 /// Improvements of a bound below this share are not added.
 constexpr double hardly_better = 1e-2;
 
-/// The weight of t in the row of the bound, relative to the other rows, which are then relaxed by a
-/// correspondingly small part of its violation. Larger weights do not improve bounds and take more
-/// iterations.
+/// Weight of t in the row of the bound, relative to its weight in the other rows. Those are then
+/// relaxed by t, while the bound decreases by this multiple of t. Larger weights do not improve
+/// bounds and take more iterations.
 constexpr double level_of_bound = 30;
 
 /// Relative accuracy of a bound: better ones would not be added.
@@ -129,7 +129,7 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     std::vector<double> numbers(2 * friction.size() + 1);
     numbers[static_cast<std::size_t>(i)] = 1;
     numbers.back() = 1;
-    take_up({.candidate = i, .side = Side::separated, .most = most, .numbers = numbers});
+    add_bound({.candidate = i, .side = Side::separated, .most = most, .numbers = numbers});
   }
 }
 
@@ -142,7 +142,7 @@ double CandidateBounding::in_units(double scaled, Side side) const {
   return side == Side::contact ? scaled : solver_.unit() * scaled;
 }
 
-void CandidateBounding::take_up(ProvedBound bound) {
+void CandidateBounding::add_bound(ProvedBound bound) {
   known(bound.candidate, bound.side) =
       bound.most / (bound.side == Side::contact ? 1 : solver_.unit());
   proved_.push_back(std::move(bound));
@@ -155,9 +155,9 @@ std::vector<double> CandidateBounding::evidence(std::span<const conic::Cut> cuts
   return numbers;
 }
 
-// The program of the side with the cuts, and the row  r_ni - bound s >= weight t  or the same for
-// u_ni. Its multipliers prove a bound of the violation: the bound decreases by its possible
-// decrease.
+// The program of the side with the cuts and the row  r_ni - bound s >= weight t, or the same for
+// u_ni. Its multipliers prove an upper bound of r_ni - bound s; if this is negative, the bound is
+// improved by it.
 std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side) {
   const double bound = std::isinf(known(candidate, side)) ? largest_gap : known(candidate, side);
   if (!bounds_[static_cast<std::size_t>(candidate)].is_free()) return {};
@@ -202,7 +202,8 @@ double fall(double before, double after) {
   return std::log(before / after);
 }
 
-// Logarithm of the factor by which all bounds decrease, and whether sides were excluded.
+// Mean logarithm of the factors by which the bounds of a candidate decrease; an excluded side
+// counts as one.
 double progress(std::span<const CandidateBounds> before, std::span<const CandidateBounds> after) {
   double sum = 0;
   int count = 0;
@@ -267,7 +268,7 @@ RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedPr
         return own;
       });
       for (auto& each : found)
-        for (auto& one : each) bounding.take_up(std::move(one));
+        for (auto& one : each) bounding.add_bound(std::move(one));
       result.programs += pieces;
       analysis.say_now_and_then([&] {
         return in_short(bounding.bounds(), sweep + 1,

@@ -96,7 +96,7 @@ class CandidateBounding {
   /// than the present one.
   [[nodiscard]] std::optional<ProvedBound> improved(int candidate, Side side);
 
-  void take_up(ProvedBound bound);
+  void add_bound(ProvedBound bound);
 
   /// Makes improved() throw support::Stopped soon after the run is to stop.
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }

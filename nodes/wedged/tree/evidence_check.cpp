@@ -34,7 +34,7 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   if (!proof_->least_eigenvalue()) return;
   for (const auto& bound : bounds) {
     const std::optional most(bound.most);
-    const auto refusal = proof_->take_up(
+    const auto refusal = proof_->add_bound(
         {.line = 0,
          .block = bound.block,
          .candidate = bound.candidate,

@@ -27,10 +27,10 @@ bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
 std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
-  const bool is_loose = problem.modes.matrix.cols() > 0;
+  const bool is_unconstrained = problem.modes.matrix.cols() > 0;
   // The tree size is not estimated if an option decides on candidate bounds.
   const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
-                     : is_loose                                  ? fewest_of_loose_to_bound
+                     : is_unconstrained                          ? fewest_unconstrained_to_bound
                                                                  : fewest_to_bound;
   const auto trees = tried_trees(analysis, problem, friction, options, fewest);
   const auto blocks = problems::blocks_of(problem);
@@ -43,7 +43,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
     own.root = bound_candidates(analysis, problem, friction, block, options.tolerances);
     // With cuts the centre is a better criterion than the first point that proves a node feasible.
     if (options.branching == Branching::automatic && own.branching == Branching::relative &&
-        !is_loose)
+        !is_unconstrained)
       own.branching = Branching::weighed;
   }
   return result;

@@ -16,9 +16,9 @@ namespace kusabi::wedged {
 inline constexpr int fewest_to_bound = 24;
 /// The same for unconstrained bodies, whose bounds cost more: a candidate opened by a rigid-body
 /// mode has no bound of its gap.
-inline constexpr int fewest_of_loose_to_bound = 56;
+inline constexpr int fewest_unconstrained_to_bound = 56;
 
-/// Of one block.
+/// Branching rule and candidate bounds of one block.
 struct Preparation {
   Branching branching = Branching::relative;
   RootBounds root;

@@ -60,7 +60,7 @@ class ConstraintCheck {
                                [&](const auto& support) { return support.node == node; });
   }
   void place_of(const Follower& follower, const std::set<int>& following) const;
-  void held_alike(const Follower& follower) const;
+  void supported_equally(const Follower& follower) const;
   [[noreturn]] void fail(support::SourcePosition position, std::string_view message) const {
     throw structure_error(structure_, position, message);
   }
@@ -148,10 +148,10 @@ void ConstraintCheck::place_of(const Follower& follower, const std::set<int>& fo
                        name(node), name(follower.node), weight, smallest_share, largest_share));
     }
   }
-  held_alike(follower);
+  supported_equally(follower);
 }
 
-void ConstraintCheck::held_alike(const Follower& follower) const {
+void ConstraintCheck::supported_equally(const Follower& follower) const {
   for (int axis = 0; axis < structure_.dimension; ++axis) {
     if (!is_fixed(follower.node, axis)) continue;
     for (const auto& [node, weight] : *follower.place) {

@@ -261,7 +261,7 @@ TEST(CandidateBounds, AreTheSameToTheBitHoweverManyRanksShareThePrograms) {
                   piece / 2, piece % 2 == 0 ? Side::separated : Side::contact);
         for (auto& rank : ranks)
           for (const auto& one : found)
-            if (one) rank.take_up(*one);
+            if (one) rank.add_bound(*one);
       }
       for (const auto& rank : ranks) {
         ASSERT_GT(rank.proved().size(), 2U * m);

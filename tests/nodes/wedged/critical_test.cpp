@@ -506,13 +506,13 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
   EXPECT_EQ(cell.feasible - cell.infeasible, 1);
   const double lives = critical.at(cell.feasible);
   EXPECT_NEAR(lives, 0.62661802, 1e-7);
-  int ties = 0;
+  int degenerate = 0;
   for (int k = 0; k < 1000; ++k) {
     const auto said = critical.probe(leaf, lives + (most - lives) * k / 1000);
     EXPECT_LE(said.infeasible_below, lives) << k;
-    if (said.tie) ++ties;
+    if (said.degenerate) ++degenerate;
   }
-  EXPECT_GT(ties, 100);
+  EXPECT_GT(degenerate, 100);
 }
 
 // About six programs for each pattern, also where a flat cone comes first, and where no feasible

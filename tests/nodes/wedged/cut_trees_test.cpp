@@ -374,14 +374,14 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
       } else if (most > 1e-9 * bound.most) {
         auto low = as_written(bound);
         low.most = most * (1 - 1e-9);
-        EXPECT_TRUE(proof.take_up(low)) << bound.candidate;
+        EXPECT_TRUE(proof.add_bound(low)) << bound.candidate;
         auto never = as_written(bound);
         never.most.reset();
         never.numbers.pop_back();
-        EXPECT_TRUE(proof.take_up(never)) << bound.candidate;
+        EXPECT_TRUE(proof.add_bound(never)) << bound.candidate;
         ++refused;
       }
-      EXPECT_FALSE(proof.take_up(as_written(bound))) << bound.candidate;
+      EXPECT_FALSE(proof.add_bound(as_written(bound))) << bound.candidate;
     }
     EXPECT_GT(refused, 20);
   }
@@ -406,13 +406,13 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
           ASSERT_FALSE(bound.never());
           auto low = as_written(bound);
           low.most = most * (1 - 1e-9);
-          EXPECT_TRUE(proof.take_up(low));
+          EXPECT_TRUE(proof.add_bound(low));
           low.most.reset();
           low.numbers.pop_back();
-          EXPECT_TRUE(proof.take_up(low));
+          EXPECT_TRUE(proof.add_bound(low));
           ++refused;
         }
-        EXPECT_EQ(proof.take_up(as_written(bound)), std::nullopt);
+        EXPECT_EQ(proof.add_bound(as_written(bound)), std::nullopt);
         ++bounds;
       }
     }

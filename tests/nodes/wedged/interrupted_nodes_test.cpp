@@ -71,7 +71,7 @@ PatternNode all_in_contact(int candidates) {
 TEST(InterruptedNodes, NewtonsMethodLeavesItsPatternOpen) {
   const auto problem = truss(8);
   expect_one_node_left_open([&] {
-    return PatternBisection(problem, cell_width, {{.leaf = all_in_contact(8), .lives = true}},
+    return PatternBisection(problem, cell_width, {{.leaf = all_in_contact(8), .feasible = true}},
                             2 * last_cell, CriticalMethod::newton, 1);
   });
 }

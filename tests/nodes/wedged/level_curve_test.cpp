@@ -63,8 +63,8 @@ TEST(LevelCurve, SettlesAfterAStepAsShortAsTheRootOfTheWidth) {
 TEST(LevelCurve, GoesDownFromATie) {
   LevelCurve curve(1e-8);
   curve.take(0.8, 0.1, 0.7);
-  curve.take_tie(0.7);
-  EXPECT_EQ(curve.least_tie(), 0.7);
+  curve.take_degenerate(0.7);
+  EXPECT_EQ(curve.least_degenerate(), 0.7);
   const auto estimate = curve.next(0.1, 0.7);
   EXPECT_LT(estimate.factor, 0.7);
   EXPECT_GE(estimate.factor, 0.1);

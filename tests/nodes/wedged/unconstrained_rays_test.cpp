@@ -32,7 +32,7 @@ RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod m
 }
 
 // A truss without supports, surrounded by obstacles.
-problems::Structure loose_truss(int candidates, std::mt19937_64& bits) {
+problems::Structure unconstrained_truss(int candidates, std::mt19937_64& bits) {
   auto truss = testing::random_truss(
       {.candidates = candidates, .free_nodes = candidates + 1, .density = 1}, bits);
   const auto free = static_cast<std::size_t>(candidates) + 1;
@@ -54,7 +54,7 @@ TEST(UnconstrainedRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
   std::size_t rays = 0;
   std::size_t cones = 0;
   for (int trial = 0; trial < 30; ++trial) {
-    const auto truss = loose_truss(3 + trial % 4, bits);
+    const auto truss = unconstrained_truss(3 + trial % 4, bits);
     const auto problem = problems::wedged_problem(checked(truss));
     ASSERT_EQ(problem.modes.matrix.cols(), 3);
     const double mu = trial % 2 == 0 ? 0.5 : 1.2;

@@ -230,7 +230,7 @@ TEST(StiffnessFile, RefusesACandidateWithoutARow) {
               HasSubstr("contact candidate \"m.5\" has no row in a [[stiffness]]"));
 }
 
-TEST(StiffnessFile, OfALooseBodyIsRefusedByItsNodes) {
+TEST(StiffnessFile, OfAnUnconstrainedBodyIsRefusedByItsNodes) {
   const auto all = [](auto, auto) { return true; };
   const auto structure =
       with_matrix("", lines(unconstrained_stiffness(), "array real general", all, false));

@@ -173,7 +173,7 @@ TEST(TiedMeshes, MoveAsMultipliersSay) {
 }
 
 // A dependent node at a distance from its place would prevent a rotation by the gap alone.
-TEST(TiedMeshes, OfALooseBodyAreInPlace) {
+TEST(TiedMeshes, OfAnUnconstrainedBodyAreInPlace) {
   Row row = row_of(ElementShape::triangle6, 2);
   tie_up(row, 0, 1);
   for (const int node : row.at(1, 1)) touch(row.structure, node, -Eigen::Vector2d::UnitX());
