@@ -23,3 +23,41 @@ function(kusabi_join target)
     endforeach()
   endforeach()
 endfunction()
+
+# kusabi_precompile(OWNER OPTIONS ... LIBRARIES ... HEADERS ...): compiles headers once for the targets
+# that kusabi_reuse_headers(TARGET OWNER) names later, which have equal compile options and at least
+# these libraries. Joined builds only: ccache does not reuse objects that were compiled with
+# precompiled headers, and a build without them finds missing includes.
+function(kusabi_precompile owner)
+  cmake_parse_arguments(ONCE "" "" "OPTIONS;LIBRARIES;HEADERS" ${ARGN})
+  if(NOT KUSABI_JOINED)
+    return()
+  endif()
+  set(source ${PROJECT_BINARY_DIR}/headers/${owner}.cpp)
+  file(WRITE ${source}.new "// Empty: this source exists for the headers included before it.\n")
+  configure_file(${source}.new ${source} COPYONLY)
+  add_library(${owner} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_compile_options(${owner} PRIVATE ${ONCE_OPTIONS})
+  target_link_libraries(${owner} PRIVATE kusabi_build ${ONCE_LIBRARIES})
+  target_precompile_headers(${owner} PRIVATE ${ONCE_HEADERS})
+endfunction()
+
+function(kusabi_reuse_headers target owner)
+  if(NOT KUSABI_JOINED)
+    return()
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+  # GCC 12 warns about system headers that are precompiled, such as that of std::string.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
+endfunction()
+
+# Library headers that most sources of the program include.
+set(KUSABI_COMMON_HEADERS
+  LIBRARIES fmt::fmt Eigen3::Eigen Boost::serialization
+  HEADERS
+    <algorithm> <array> <charconv> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional>
+    <set> <span> <sstream> <string> <string_view> <tuple> <utility> <variant> <vector>
+    <fmt/format.h> <fmt/ranges.h> <Eigen/Core> <Eigen/SparseCore>
+    <boost/archive/binary_iarchive.hpp> <boost/archive/binary_oarchive.hpp> <boost/serialization/vector.hpp>)
+kusabi_precompile(kusabi_headers ${KUSABI_COMMON_HEADERS})

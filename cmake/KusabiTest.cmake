@@ -2,26 +2,11 @@
 # are optimised as in a release.
 set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O0>)
 
-# Precompiled headers for nearly all tests, with joined sources only: ccache does not reuse objects
-# that were compiled with precompiled headers.
-function(kusabi_share_headers name)
-  if(NOT KUSABI_JOINED)
-    return()
-  endif()
-  if(NOT TARGET kusabi_test_headers)
-    set(source ${PROJECT_BINARY_DIR}/tests/headers.cpp)
-    file(WRITE ${source}.new "// Holds nothing: it is there for the headers before it.\n")
-    configure_file(${source}.new ${source} COPYONLY)
-    add_library(kusabi_test_headers OBJECT ${source})
-    target_compile_options(kusabi_test_headers PRIVATE ${KUSABI_TEST_OPTIONS})
-    target_link_libraries(kusabi_test_headers PRIVATE kusabi_build GTest::gmock Eigen3::Eigen)
-    target_precompile_headers(kusabi_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core>)
-  endif()
-  target_precompile_headers(${name} REUSE_FROM kusabi_test_headers)
-  # GCC 12 warns about system headers that are precompiled, such as that of std::string.
-  target_compile_options(${name} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
-endfunction()
+# Precompiled headers for nearly all tests.
+kusabi_precompile(kusabi_test_headers
+  OPTIONS ${KUSABI_TEST_OPTIONS}
+  LIBRARIES GTest::gmock Eigen3::Eigen
+  HEADERS <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core>)
 
 # kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y): one GoogleTest executable for a folder.
 # JOINED: patterns of the sources that are compiled together, as in kusabi_join; default: all.
@@ -36,9 +21,9 @@ function(kusabi_test name)
   endif()
   kusabi_join(${name} ${TEST_JOINED})
   target_compile_options(${name} PRIVATE ${KUSABI_TEST_OPTIONS})
-  target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} kusabi_build GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} kusabi_dense kusabi_build GTest::gmock GTest::gtest_main)
   if(NOT TEST_OWN_OPTIONS)
-    kusabi_share_headers(${name})
+    kusabi_reuse_headers(${name} kusabi_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE
     KUSABI_SOURCE_DIR="${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.." ${KUSABI_TEST_DEFINITIONS})

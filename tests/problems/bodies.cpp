@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include "dense.hpp"
 #include "problems/structure/assembly/contact_frame.hpp"
 #include "problems/structure/assembly/solid_element.hpp"
 #include "problems/structure/model/truss.hpp"
@@ -137,7 +136,7 @@ MultiplierSystem multiplier_system(const Structure& structure) {
 
 Eigen::MatrixXd compliance_by_multipliers(const Structure& structure) {
   const auto [system, loads] = multiplier_system(structure);
-  return loads.transpose() * Eigen::FullPivLU<Eigen::MatrixXd>(system).solve(loads);
+  return loads.transpose() * dense::solve(system, loads);
 }
 
 Structure with_a_matrix(Structure structure) {

@@ -4,9 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/SVD>
-
 #include "bodies.hpp"
+#include "dense.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems::test {
@@ -19,9 +18,11 @@ std::vector<Eigen::VectorXd> random_normals(int dimension, int count, std::mt199
       result.emplace_back(random_vector(dimension, bits).normalized());
       normals.col(k) = result.back();
     }
-    if ((normals.transpose() * normals).minCoeff() >= 0 &&
-        Eigen::JacobiSVD<Eigen::MatrixXd>(normals).singularValues().minCoeff() > 0.3)
-      return result;
+    const Eigen::MatrixXd cosines = normals.transpose() * normals;
+    // The least singular value of the normals is above 0.3.
+    const Eigen::MatrixXd gram =
+        count > dimension ? Eigen::MatrixXd(normals * normals.transpose()) : cosines;
+    if (cosines.minCoeff() >= 0 && dense::eigenvalues(gram)(0) > 0.09) return result;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "searched.hpp"
 #include "tests/nodes/wedged/random_problem.hpp"
 #include "verify/wedged/certificate.hpp"
@@ -39,7 +40,7 @@ problems::WedgedProblem lifting_each_other(int candidates) {
   for (int i = 0; i < candidates; ++i)
     for (int k = 0; k < candidates; ++k)
       problem.compliance.stiffness(2 * i, 2 * k) -= 1.0 / (2 * candidates);
-  const Eigen::MatrixXd inverse = problem.compliance.stiffness.inverse();
+  const Eigen::MatrixXd inverse = dense::inverse(problem.compliance.stiffness);
   problem.compliance.matrix = (inverse + inverse.transpose()) / 2;
   return problem;
 }

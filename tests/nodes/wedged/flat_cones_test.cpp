@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "engine/search.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/pattern_search.hpp"
@@ -89,7 +89,7 @@ TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   problem.contact_names = {"sticks", "rests"};
   problem.compliance.matrix = Eigen::MatrixXd::Identity(4, 4);
   problem.compliance.matrix(0, 1) = problem.compliance.matrix(1, 0) = -0.5;
-  problem.compliance.stiffness = problem.compliance.matrix.inverse();
+  problem.compliance.stiffness = dense::inverse(problem.compliance.matrix);
   SignPatternTree tree(problem, std::vector<double>{3.0, 3.0});
   const auto outcome = engine::search(tree);
   ASSERT_EQ(outcome.solutions.size(), 1U);
@@ -115,7 +115,7 @@ TEST(FlatCones, HaveNoCandidateAtRestThatHasASmallGap) {
   compliance(2, 0) = compliance(0, 2) = 0.9;
   compliance(2, 1) = compliance(1, 2) = -0.45 + e;
   compliance(2, 2) = 2;
-  problem.compliance.stiffness = compliance.inverse();
+  problem.compliance.stiffness = dense::inverse(compliance);
   problem.modes.matrix = Eigen::MatrixXd::Zero(6, 1);
   problem.modes.matrix(2, 0) = 1;
   problem.modes.matrix(4, 0) = -1;
@@ -137,7 +137,7 @@ TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
   problem.contact_names.resize(candidates);
   problem.compliance.matrix = Eigen::MatrixXd::Identity(2 * candidates, 2 * candidates);
   problem.compliance.matrix(0, 1) = problem.compliance.matrix(1, 0) = -0.5;
-  problem.compliance.stiffness = problem.compliance.matrix.inverse();
+  problem.compliance.stiffness = dense::inverse(problem.compliance.matrix);
   SignPatternTree tree(problem, std::vector<double>(candidates, 3.0));
   const auto outcome = engine::search(tree);
   ASSERT_EQ(outcome.solutions.size(), 1U);
@@ -155,7 +155,7 @@ TEST(FlatCones, ThatAreFacesOfAnotherAreLeftOut) {
                                               {-0.5, 1.0, -0.15, 0.0},
                                               {0.3, -0.15, 1.0, -0.5},
                                               {0.0, 0.0, -0.5, 1.0}};
-  problem.compliance.stiffness = problem.compliance.matrix.inverse();
+  problem.compliance.stiffness = dense::inverse(problem.compliance.matrix);
   SignPatternTree tree(problem, std::vector<double>{3.0, 3.0});
   EXPECT_EQ(engine::search(tree).solutions.size(), 3U);
   EXPECT_EQ(tree.tally().flat, 1U);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "nodes/wedged/tree/contact_solver.hpp"
 #include "tests/nodes/wedged/random_truss.hpp"
 
@@ -26,7 +27,7 @@ problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dim
   problems::WedgedProblem problem;
   problem.dimension = dimension;
   problem.compliance.matrix = compliance;
-  problem.compliance.stiffness = compliance.inverse();
+  problem.compliance.stiffness = dense::inverse(compliance);
   for (Eigen::Index i = 0; i < compliance.rows() / dimension; ++i) {
     problem.contact_names.push_back("c" + std::to_string(i));
     problem.friction.push_back(1);

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "nodes/wedged/critical/critical_start.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/quadratic/quadratic_optimiser.hpp"
@@ -142,7 +143,7 @@ TEST(QuadraticProof, HoldsUpToTheSpectralCoefficient) {
           .cwiseSqrt();
   sizes = (sizes + sizes.transpose()).eval() / 2;
   const Eigen::MatrixXd normal = normal_rows(problem).leftCols(m);
-  const double exact = 1 / (normal.inverse() * sizes).eigenvalues().real().maxCoeff();
+  const double exact = 1 / dense::eigenvalues(sizes, normal).maxCoeff();
   const auto infeasible = [&](double factor) {
     return quadratic_is_infeasible(problem, std::vector<double>(9, factor), multipliers);
   };

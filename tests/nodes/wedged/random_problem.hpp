@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <random>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "dense.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -24,7 +24,7 @@ inline problems::WedgedProblem random_problem(int dimension, int candidates, std
   const Eigen::MatrixXd product =
       factor * factor.transpose() + 0.1 * size * Eigen::MatrixXd::Identity(size, size);
   problem.compliance.stiffness = (product + product.transpose()) / 2;
-  const Eigen::MatrixXd inverse = problem.compliance.stiffness.inverse();
+  const Eigen::MatrixXd inverse = dense::inverse(problem.compliance.stiffness);
   problem.compliance.matrix = (inverse + inverse.transpose()) / 2;
   return problem;
 }

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "patches.hpp"
 #include "problems/structure/assembly/solid_element.hpp"
 
@@ -121,7 +120,7 @@ TEST_P(ElementStress, PullsAtTheNodesAsTheStiffnessDoes) {
       places.row(a) << 1,
           body.coordinates.col(element.nodes[static_cast<std::size_t>(a)]).transpose();
     const double volume = std::abs(places.determinant()) / (d == 2 ? 2 / element.thickness : 6);
-    const Eigen::MatrixXd gradients = places.inverse().bottomRows(d);
+    const Eigen::MatrixXd gradients = dense::inverse(places).bottomRows(d);
     const Eigen::MatrixXd stress =
         tensor_of(stresses.col(static_cast<Eigen::Index>(i))).topLeftCorner(d, d);
     for (int a = 0; a <= d; ++a)
@@ -141,8 +140,7 @@ TEST(VonMises, IsOfThePrincipalStresses) {
   EXPECT_NEAR(equivalent(0), 0, 1e-14);
   EXPECT_NEAR(equivalent(1), 3, 1e-14);
   for (Eigen::Index i = 0; i < stresses.cols(); ++i) {
-    const auto principal =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor_of(stresses.col(i))).eigenvalues();
+    const auto principal = dense::eigenvalues(tensor_of(stresses.col(i)));
     const double squares = std::pow(principal(0) - principal(1), 2) +
                            std::pow(principal(1) - principal(2), 2) +
                            std::pow(principal(2) - principal(0), 2);

@@ -1,9 +1,9 @@
 // The stiffness of a truss: hand calculations and rigid-body motions.
 #include "problems/structure/model/truss.hpp"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
@@ -93,7 +93,7 @@ TEST_P(RigidBody, MotionsOfAnUnsupportedTrussCostNoEnergyAndNoOtherMotionIsFree)
     }
   }
   EXPECT_LT((stiffness * rigid).cwiseAbs().maxCoeff(), rounding * stiffness.maxCoeff());
-  EXPECT_EQ(Eigen::FullPivLU<Eigen::MatrixXd>(stiffness).rank(), stiffness.rows() - rigid.cols());
+  EXPECT_EQ(dense::rank(stiffness), stiffness.rows() - rigid.cols());
 }
 
 INSTANTIATE_TEST_SUITE_P(PlaneAndSpace, RigidBody, testing::Values(2, 3));

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <tuple>
 
-#include <Eigen/Dense>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "problems/files/structure_file.hpp"
 #include "tests/problems/trusses.hpp"
 
@@ -67,7 +67,7 @@ TEST_P(WedgedExample, MatricesAreSymmetricDefiniteAndInverseToEachOther) {
   EXPECT_EQ(stiffness, Eigen::MatrixXd(stiffness.transpose()));
   EXPECT_EQ(compliance, Eigen::MatrixXd(compliance.transpose()));
   EXPECT_TRUE((stiffness * compliance).isIdentity(condensed_rounding));
-  EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(stiffness).info(), Eigen::Success);
+  EXPECT_GT(dense::eigenvalues(stiffness)(0), 0);
 }
 
 TEST_P(WedgedExample, ScalesWithTheAxialStiffness) {
@@ -106,9 +106,8 @@ TEST(WedgedProblem, EigenvaluesAndNormalPartsDoNotDependOnTheTangents) {
   const WedgedProblem turned = wedged_problem(checked(structure));
   ASSERT_FALSE(turned.compliance.stiffness.isApprox(problem.compliance.stiffness,
                                                     1e-3));  // the tangents differ
-  EXPECT_TRUE(turned.compliance.stiffness.selfadjointView<Eigen::Lower>().eigenvalues().isApprox(
-      problem.compliance.stiffness.selfadjointView<Eigen::Lower>().eigenvalues(),
-      condensed_rounding));
+  EXPECT_TRUE(dense::eigenvalues(turned.compliance.stiffness)
+                  .isApprox(dense::eigenvalues(problem.compliance.stiffness), condensed_rounding));
   const auto normals = Eigen::seq(0, Eigen::last, 3);
   EXPECT_TRUE(turned.compliance.stiffness(normals, normals)
                   .isApprox(problem.compliance.stiffness(normals, normals), condensed_rounding));
