@@ -131,7 +131,7 @@ struct Options {
   /// all ranks.
   std::size_t trace_events = 0;
 
-  /// Called after each node with its depth and the duration of its expansion, in seconds: a
+  /// Called after each node with its depth and the CPU time of its expansion, in seconds: a
   /// recording from which `kusabi bench scaling` predicts the search on many ranks. Requires one
   /// rank and depth-first order, in which the depths alone determine the tree.
   std::function<void(std::size_t depth, double seconds)> record;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/detail/cpu_clock.hpp"
 #include "engine/detail/expanded.hpp"
 #include "engine/detail/frontier.hpp"
 #include "engine/detail/heap.hpp"
@@ -322,10 +322,9 @@ class Explorer {
 
   void expand(Node&& node) {
     if (record_) [[unlikely]] {
-      const auto begun = std::chrono::steady_clock::now();
+      const double begun = cpu_seconds();
       expand_guarded(std::move(node));
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begun;
-      record_(frontier_.depth(), elapsed.count());
+      record_(frontier_.depth(), cpu_seconds() - begun);
     } else {
       expand_guarded(std::move(node));
     }
