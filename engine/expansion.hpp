@@ -9,6 +9,8 @@
 
 #include "engine/detail/frontier.hpp"
 #include "engine/detail/incumbent.hpp"
+#include "engine/detail/node_with_bound.hpp"
+#include "engine/detail/sense.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {
@@ -46,25 +48,27 @@ class Expansion {
   using Solution = typename P::Solution;
 
   /// @param open receives children @param report receives solutions @param serve see `poll`
-  Expansion(Frontier<Node, WorkOf<P>>& open, const Incumbent& incumbent,
+  Expansion(Frontier<StoredNode<P>, WorkOf<P>>& open, const Incumbent& incumbent,
             std::function<void(Solution&&)> report, std::function<bool()> serve)
       : open_(open), incumbent_(incumbent), report_(std::move(report)), serve_(std::move(serve)) {}
 
   /// Adds a child. The first child added is searched first.
-  void branch(Node child) { open_.branch(std::move(child)); }
+  void branch(Node child) { open_.branch(stored<P>(std::move(child))); }
 
-  /// Reports a solution. A node may report several solutions and have children as well.
+  /// Reports a solution below this node. A node may report several solutions and have children as
+  /// well.
   void solution(Solution solution) { report_(std::move(solution)); }
 
-  /// Objective of the incumbent on this rank; infinity if there is none. A child all of whose
-  /// solutions are worse (greater, not equal) need not be branched.
-  [[nodiscard]] double cutoff() const { return incumbent_.objective; }
+  /// Objective of the incumbent on this rank, with Options::pool that of the worst solution that is
+  /// still wanted; infinity if there is none, -infinity if the problem maximises. A child all of
+  /// whose solutions are worse (not equal) need not be branched.
+  [[nodiscard]] double cutoff() const { return oriented<P>(incumbent_.objective); }
 
   /// True if no further solution of this node can be the best; it need then not be branched. (Among
   /// equal objectives the first in depth-first order is best.)
-  /// @param bound lower bound of the objectives of these solutions
+  /// @param bound of the objectives of these solutions, as that of a node
   [[nodiscard]] bool ruled_out(double bound) const {
-    return incumbent_.rules_out_more(bound, open_.place());
+    return incumbent_.rules_out_more(oriented<P>(bound), open_.place());
   }
 
   /// Answers messages. An `expand` that takes longer than about a millisecond should call it now
@@ -85,7 +89,7 @@ class Expansion {
   [[nodiscard]] Path path() const { return open_.path(); }
 
  private:
-  Frontier<Node, WorkOf<P>>& open_;
+  Frontier<StoredNode<P>, WorkOf<P>>& open_;
   const Incumbent& incumbent_;
   std::function<void(Solution&&)> report_;
   std::function<bool()> serve_;

@@ -42,6 +42,17 @@ struct Limits {
   double gap = 0;
 };
 
+/// Solutions that Goal::best keeps: the `count` best ones, of equal objectives those first in
+/// depth-first order, as far as their objectives differ from the best one by at most both gaps.
+struct Pool {
+  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+
+  std::uint64_t count = 1;
+  double gap = std::numeric_limits<double>::infinity();
+  /// Relative to the size of the best objective; less than 1, or infinite.
+  double relative_gap = std::numeric_limits<double>::infinity();
+};
+
 /// Request from outside (a signal, a batch system) to a running search.
 enum class Interrupt { none, checkpoint, stop };
 
@@ -59,7 +70,8 @@ struct CheckpointOptions {
   std::optional<std::uint64_t> problem;
 };
 
-/// State of a running search, as of the last reduction.
+/// State of a running search, as of the last reduction. Objective and bound are infinite as long as
+/// there is none.
 struct Progress {
   double seconds = 0;                                          ///< since the search began
   std::uint64_t opened = 0;                                    ///< nodes opened, on all ranks
@@ -77,6 +89,10 @@ struct Options {
   Goal goal = Goal::all;             ///< Goal::best requires a minimising problem
   Order order = Order::depth_first;  ///< other orders require a bounded problem
   Limits limits;
+  Pool pool;
+  /// Objective of a solution known in advance: Goal::best keeps only solutions that are as good.
+  /// (A known solution itself is reported by `expand` at the root.)
+  std::optional<double> cutoff;
   CheckpointOptions checkpoint;
 
   /// Seconds between two reductions while all ranks are busy (idle ranks join at once).
@@ -92,6 +108,10 @@ struct Options {
   /// first below its best node, which adds at most depth x branching nodes.
   std::size_t heap_nodes = 100'000;
 
+  /// The same for the memory of the heap, in bytes, as the sum of the sizes of its nodes in
+  /// messages and of their paths.
+  std::size_t heap_bytes = std::numeric_limits<std::size_t>::max();
+
   /// Message size, in bytes, above which the engine splits its messages. A single node, solution or
   /// tally is not split.
   std::size_t message_bytes = std::size_t{64} * 1024;
@@ -102,9 +122,19 @@ struct Options {
   /// such as counts, happen twice.
   double check_expand = 0;
 
+  /// Amount, relative to the greater of 1 and the objective, by which a bound may contradict the
+  /// objective of a solution of its node (Goal::best). A greater difference ends the search with an
+  /// error, since the bound has the wrong sign or prunes too much.
+  double bound_tolerance = 1e-6;
+
   /// Number of events that each rank keeps for a trace (Outcome::traces); 0: no trace. The same on
   /// all ranks.
   std::size_t trace_events = 0;
+
+  /// Called after each node with its depth and the CPU time of its expansion, in seconds: a
+  /// recording from which `kusabi bench scaling` predicts the search on many ranks. Requires one
+  /// rank and depth-first order, in which the depths alone determine the tree.
+  std::function<void(std::size_t depth, double seconds)> record;
 
   /// Called on rank 0 after each reduction.
   std::function<void(const Progress&)> progress;

@@ -36,13 +36,13 @@ struct Outcome {
   /// True on rank 0 if the checkpoint of Options::checkpoint suffices to resume.
   bool saved = false;
 
-  /// For Goal::best: lower bound of the objective of all solutions. The objective of the best one
-  /// if solved; otherwise the least bound of the open nodes left, or the objective if that is
-  /// smaller.
+  /// For Goal::best: bound of the objective of all solutions. The objective of the best one if
+  /// solved (Options::cutoff if there is none as good); otherwise the best bound of the open nodes
+  /// left, or the objective if that is better.
   double bound = -std::numeric_limits<double>::infinity();
 
-  /// All solutions in depth-first order, for any number of ranks. For Goal::best and Goal::first,
-  /// at most one.
+  /// All solutions in depth-first order, for any number of ranks. For Goal::first at most one; for
+  /// Goal::best those of Options::pool, the best first and equal ones in depth-first order.
   std::vector<FoundSolution<P>> solutions;
 
   /// Reports in the order of the ranks.
@@ -61,10 +61,16 @@ struct Outcome {
     archive& status& open& saved& bound& solutions& ranks& earlier;
   }
 
-  /// Number of nodes opened on all ranks, earlier runs included.
-  [[nodiscard]] std::uint64_t opened() const {
-    return sum([](const RankStatistics& rank) { return rank.opened; });
+  /// Statistics of all ranks together, earlier runs included.
+  [[nodiscard]] RankStatistics total() const {
+    RankStatistics total;
+    for (const auto& report : earlier) total += report.statistics;
+    for (const auto& report : ranks) total += report.statistics;
+    return total;
   }
+
+  /// Number of nodes opened on all ranks, earlier runs included.
+  [[nodiscard]] std::uint64_t opened() const { return total().opened; }
 
   /// Sum of the tallies of all ranks, earlier runs included.
   [[nodiscard]] TallyOf<P> tally() const {
@@ -83,18 +89,7 @@ struct Outcome {
   /// Mark sum: the sum of the path marks of all opened nodes. Two searches of one tree have the
   /// same mark sum if and only if (but for a probability of 2^-64) both opened the same nodes, each
   /// once.
-  [[nodiscard]] std::uint64_t fingerprint() const {
-    return sum([](const RankStatistics& rank) { return rank.fingerprint; });
-  }
-
- private:
-  template <class Value>
-  [[nodiscard]] std::uint64_t sum(Value value) const {
-    std::uint64_t total = 0;
-    for (const auto& report : earlier) total += value(report.statistics);
-    for (const auto& report : ranks) total += value(report.statistics);
-    return total;
-  }
+  [[nodiscard]] std::uint64_t fingerprint() const { return total().fingerprint; }
 };
 
 }  // namespace kusabi::engine

@@ -24,19 +24,28 @@ concept Problem = requires(P& problem, const P& looked_at, typename P::Node node
   problem.expand(std::move(node), out);
 };
 
-/// A problem with an objective to be minimised, required by Goal::best.
+/// A problem with an objective, required by Goal::best. It is minimised unless the problem has
+/// `static constexpr bool maximises = true`.
 template <class P>
 concept Minimising = Problem<P> &&
     requires(const P& problem, const typename P::Solution& solution) {
   { problem.objective(solution) } -> std::convertible_to<double>;
 };
 
-/// A minimising problem with a lower bound of the objectives of all solutions below a node,
-/// computed without opening the node. Nodes whose bound exceeds the incumbent's objective are
-/// pruned.
+/// A problem with a bound of the objectives of all solutions below a node, a lower one if it
+/// minimises and an upper one if it maximises, computed without opening the node. Nodes whose bound
+/// is worse than the incumbent's objective are pruned.
 template <class P>
 concept Bounded = Minimising<P> && requires(const P& problem, const typename P::Node& node) {
   { problem.bound(node) } -> std::convertible_to<double>;
+};
+
+/// A problem that takes its solutions itself with Goal::all, on the rank that found them and with
+/// the path of their node; the engine counts but does not keep them.
+template <class P>
+concept Emitting = Problem<P> &&
+    requires(P& problem, const Path& path, typename P::Solution solution) {
+  problem.emit(path, std::move(solution));
 };
 
 /// A problem with counts of its own. The `tally()` of each rank (a Boost-serialisable value of type

@@ -5,7 +5,7 @@
 
 namespace kusabi::engine {
 
-/// Statistics of one rank.
+/// Statistics of one rank, or sums over ranks.
 struct RankStatistics {
   std::uint64_t opened = 0;              ///< nodes opened here
   std::uint64_t fingerprint = 0;         ///< mark sum of these nodes, modulo 2^64
@@ -22,6 +22,25 @@ struct RankStatistics {
   double ramp_up_seconds = 0;  ///< before the first node
   double tail_seconds = 0;     ///< after the last node
   double seconds = 0;          ///< duration of the search
+
+  /// Sums. (Of the peaks too: ranks need not have reached theirs at one time.)
+  RankStatistics& operator+=(const RankStatistics& other) {
+    opened += other.opened;
+    fingerprint += other.fingerprint;
+    pruned += other.pruned;
+    found += other.found;
+    peak_open += other.peak_open;
+    requests += other.requests;
+    transfers_received += other.transfers_received;
+    transfers_sent += other.transfers_sent;
+    nodes_given += other.nodes_given;
+    messages_sent += other.messages_sent;
+    idle_seconds += other.idle_seconds;
+    ramp_up_seconds += other.ramp_up_seconds;
+    tail_seconds += other.tail_seconds;
+    seconds += other.seconds;
+    return *this;
+  }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {

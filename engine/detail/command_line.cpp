@@ -20,11 +20,30 @@ void add_choice(CLI::App& app, const std::string& name, const std::map<std::stri
       ->check(CLI::IsMember(values));
 }
 
+// Solutions beside the best one. A gap alone has no limit of their number.
+void describe_pool(CLI::App& app, Options& options) {
+  const auto any_number = [&pool = options.pool] {
+    if (pool.count == Pool{}.count) pool.count = Pool::no_limit;
+  };
+  app.add_option("--solutions", options.pool.count, "number of best solutions")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--within", options.pool.gap,
+                 "all solutions whose objective differs from the best one by at most this")
+      ->check(CLI::NonNegativeNumber)
+      ->each([any_number](const std::string&) { any_number(); });
+  app.add_option("--within-share", options.pool.relative_gap,
+                 "the same, relative to the best objective")
+      ->check(CLI::Range(0.0, 1.0))
+      ->each([any_number](const std::string&) { any_number(); });
+  app.add_option("--cutoff", options.cutoff, "only solutions whose objective is as good as this");
+}
+
 void describe(CLI::App& app, ProblemKind kind, CommandLine& line) {
   auto& options = line.options;
   std::map<std::string, Goal> goals{{"all", Goal::all}, {"first", Goal::first}};
   if (kind.minimising) goals["best"] = Goal::best;
   add_choice(app, "--goal", goals, options.goal, "solutions that are requested");
+  if (kind.minimising) describe_pool(app, options);
   if (kind.bounded) {
     const std::map<std::string, Order> orders{
         {"depth", Order::depth_first}, {"best", Order::best_first}, {"hybrid", Order::hybrid}};
@@ -34,6 +53,9 @@ void describe(CLI::App& app, ProblemKind kind, CommandLine& line) {
         ->check(CLI::PositiveNumber);
     app.add_option("--heap-nodes", options.heap_nodes,
                    "open nodes of a rank above which it searches depth first");
+    app.add_option("--heap-bytes", options.heap_bytes,
+                   "memory of these nodes above which a rank searches depth first")
+        ->transform(CLI::AsSizeValue(false));
   }
   app.add_option("--time-limit", options.limits.seconds, "maximum time, in seconds")
       ->check(CLI::PositiveNumber);
@@ -43,6 +65,9 @@ void describe(CLI::App& app, ProblemKind kind, CommandLine& line) {
                  "file of the state: written during the search, read by a later call");
   app.add_option("--checkpoint-interval", options.checkpoint.interval, "seconds between two states")
       ->check(CLI::PositiveNumber);
+  app.add_option(
+      "--record", line.record,
+      "file that receives depth and time of each node, for kusabi bench scaling --trace");
   app.add_option("--check-expand", options.check_expand,
                  "share of the nodes that are expanded twice and compared")
       ->check(CLI::Range(0.0, 1.0));

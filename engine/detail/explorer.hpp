@@ -1,4 +1,4 @@
-// Explorer: the local search of one rank. It opens nodes, collects solutions and prunes by the
+// Explorer: the local search of one rank. It opens nodes, reports solutions and prunes by the
 // incumbent. It sends no messages and never waits.
 #pragma once
 
@@ -12,11 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "engine/detail/cpu_clock.hpp"
 #include "engine/detail/expanded.hpp"
 #include "engine/detail/frontier.hpp"
 #include "engine/detail/heap.hpp"
 #include "engine/detail/incumbent.hpp"
 #include "engine/detail/open_nodes.hpp"
+#include "engine/detail/sense.hpp"
+#include "engine/detail/solutions.hpp"
 #include "engine/expansion.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
@@ -43,7 +46,7 @@ class ExpansionDiffers : public std::logic_error {
 template <class P>
 class Explorer {
  public:
-  using Node = typename P::Node;
+  using Node = StoredNode<P>;
   using Solution = typename P::Solution;
 
   /// Local state that a checkpoint stores. When a search resumes on fewer ranks, a rank gets the
@@ -66,13 +69,18 @@ class Explorer {
       : problem_(problem),
         goal_(options.goal),
         order_(options.order),
-        heap_nodes_(options.heap_nodes),
         check_share_(options.check_expand),
+        record_(options.record),
+        heap_(options.heap_nodes, options.heap_bytes),
+        solutions_(problem, options),
         expansion_(
-            frontier_, incumbent_, [this](Solution&& solution) { report(std::move(solution)); },
-            std::move(serve)) {
+            frontier_, solutions_.incumbent(),
+            [this](Solution&& solution) { report(std::move(solution)); }, std::move(serve)) {
     if (goal_ == Goal::best && !Minimising<P>) {
       throw std::invalid_argument("Goal::best requires a problem with an objective()");
+    }
+    if (record_ && order_ != Order::depth_first) {
+      throw std::invalid_argument("Options::record requires depth-first order");
     }
     if (order_ != Order::depth_first && !Bounded<P>) {
       throw std::invalid_argument("orders other than depth first require a problem with a bound()");
@@ -82,7 +90,7 @@ class Explorer {
   Explorer(const Explorer&) = delete;
   Explorer& operator=(const Explorer&) = delete;
 
-  void plant() { frontier_.plant(std::as_const(problem_).root()); }
+  void plant() { frontier_.plant(stored<P>(std::as_const(problem_).root())); }
 
   // ---- opening nodes ----------------------------------------------------------------------------
 
@@ -154,41 +162,19 @@ class Explorer {
 
   void report(Solution&& solution) {
     if (expanded_ != nullptr) expanded_->solutions.push_back(pack(solution));
-    if (goal_ == Goal::all) {
-      found_.push_back({frontier_.path(), std::move(solution)});
-      ++statistics_.found;
-      return;
-    }
-    const Incumbent candidate{true, objective(solution), frontier_.path()};
-    if (std::isnan(candidate.objective)) throw std::domain_error("the objective is not a number");
-    if (!candidate.better_than(incumbent_)) return;
-    incumbent_ = candidate;
-    ++statistics_.found;
-    found_.clear();
-    found_.push_back({frontier_.path(), std::move(solution)});
-    improved_ = true;
+    if (solutions_.report(std::move(solution), frontier_.path(), bound_)) ++statistics_.found;
   }
 
-  /// Takes the incumbent of another rank. A worse solution kept here is dropped.
-  /// @return true if the incumbent of this rank improved
-  bool learn(const Incumbent& news) {
-    if (!news.better_than(incumbent_)) return false;
-    incumbent_ = news;
-    if (goal_ != Goal::all) found_.clear();
-    return true;
-  }
-
-  [[nodiscard]] const Incumbent& incumbent() const { return incumbent_; }
-
-  /// True if this rank improved the incumbent since the last call.
-  [[nodiscard]] bool just_improved() { return std::exchange(improved_, false); }
-
-  [[nodiscard]] std::vector<FoundSolution<P>>& found() { return found_; }
-  [[nodiscard]] const std::vector<FoundSolution<P>>& found() const { return found_; }
+  [[nodiscard]] Solutions<P>& solutions() { return solutions_; }
+  [[nodiscard]] const Solutions<P>& solutions() const { return solutions_; }
+  [[nodiscard]] Goal goal() const { return goal_; }
+  /// True if the problem takes its solutions itself.
+  [[nodiscard]] bool emits() const { return Emitting<P> && goal_ == Goal::all; }
   [[nodiscard]] double closed() const { return closed_; }
 
   /// Statistics of this rank: nodes opened, mark sum, solutions found, nodes pruned, peak number of
   /// open nodes.
+  [[nodiscard]] const RankStatistics& statistics() const { return statistics_; }
   [[nodiscard]] RankStatistics& statistics() {
     statistics_.peak_open = std::max<std::uint64_t>(statistics_.peak_open, frontier_.peak());
     return statistics_;
@@ -198,7 +184,7 @@ class Explorer {
 
   /// @pre no node is being expanded
   [[nodiscard]] State state() const {
-    State state{heap_.all(), found_, incumbent_, closed_};
+    State state{heap_.all(), solutions_.list(), solutions_.incumbent(), closed_};
     for (const auto& bundle : waiting_) {
       state.bundles.push_back({bundle.trail, {bundle.nodes.begin(), bundle.nodes.end()}});
     }
@@ -208,9 +194,8 @@ class Explorer {
 
   void restore(State&& state) {
     take(std::move(state.bundles));
-    std::move(state.found.begin(), state.found.end(), std::back_inserter(found_));
+    solutions_.add(std::move(state.found), state.incumbent);
     closed_ += state.closed;
-    if (state.incumbent.better_than(incumbent_)) incumbent_ = state.incumbent;
   }
 
  private:
@@ -220,18 +205,9 @@ class Explorer {
     NodeStack<Node> nodes;
   };
 
-  [[nodiscard]] double objective(const Solution& solution) const {
-    if constexpr (Minimising<P>) {
-      if (goal_ == Goal::best) return std::as_const(problem_).objective(solution);
-    }
-    return 0;  // Goal::first: all objectives are equal, the smaller path is better
-  }
-
+  // Bound by which a node is pruned.
   [[nodiscard]] double bound_of(const Node& node) const {
-    if constexpr (Bounded<P>) {
-      if (looks_at_bounds()) return std::as_const(problem_).bound(node);
-    }
-    return bound_of_any();
+    return looks_at_bounds() ? rank_of(node) : bound_of_any();
   }
 
   [[nodiscard]] bool looks_at_bounds() const { return Bounded<P> && goal_ == Goal::best; }
@@ -241,9 +217,14 @@ class Explorer {
     return goal_ == Goal::first ? 0 : -std::numeric_limits<double>::infinity();
   }
 
-  // Sort key of a node in the heap. It may be a bound even if the goal does not require one.
+  // Sort key of a node in the heap: its bound, even if the goal does not prune by it.
   [[nodiscard]] double rank_of(const Node& node) const {
-    if constexpr (Bounded<P>) return std::as_const(problem_).bound(node);
+    if constexpr (Bounded<P>) {
+      if (std::isnan(node.bound)) {
+        node.bound = oriented<P>(std::as_const(problem_).bound(node.node));
+      }
+      return node.bound;
+    }
     return 0;
   }
 
@@ -279,14 +260,15 @@ class Explorer {
   void rank_nodes() {
     statistics_.peak_open = std::max(statistics_.peak_open, open());
     const bool goes_on = order_ == Order::hybrid && frontier_.branches() > 0;
-    if (frontier_.empty() || goes_on || heap_.size() >= heap_nodes_) return;
+    if (frontier_.empty() || goes_on || heap_.full()) return;
     keep(frontier_.take_all());
   }
 
   // @return whether it was opened, or pruned: not put back
   bool open_node() {
     Node node = frontier_.open();
-    if (incumbent_.exists && incumbent_.rules_out(bound_of(node), frontier_.place())) {
+    bound_ = bound_of(node);
+    if (solutions_.incumbent().rules_out(bound_, frontier_.place())) {
       ++statistics_.pruned;
     } else {
       ++statistics_.opened;
@@ -299,7 +281,7 @@ class Explorer {
       if (auto unopened = expansion_.take_put_back()) [[unlikely]] {
         --statistics_.opened;
         statistics_.fingerprint -= frontier_.mark();
-        frontier_.put_back(*std::move(unopened));
+        frontier_.put_back(stored<P>(*std::move(unopened)));
         return false;
       }
     }
@@ -315,21 +297,12 @@ class Explorer {
 
   // Expands a node twice with the same incumbent; the first result is only compared.
   void expand_twice(Node&& node) {
-    const auto incumbent = incumbent_;
     const auto statistics = statistics_;
-    const bool improved = improved_;
-    const auto found_before = found_.size();
-    const auto best_before = goal_ == Goal::all ? std::vector<FoundSolution<P>>{} : found_;
+    solutions_.rehearse();
     const auto first = expanded_of(Node(node));
     frontier_.take_back();
-    incumbent_ = incumbent;
+    solutions_.undo();
     statistics_ = statistics;
-    improved_ = improved;
-    if (goal_ == Goal::all) {
-      found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(found_before), found_.end());
-    } else {
-      found_ = best_before;
-    }
     const auto second = expanded_of(std::move(node));
     if (const auto what = difference(first, second)) {
       throw ExpansionDiffers(frontier_.path(), *what);
@@ -342,15 +315,25 @@ class Explorer {
     expand(std::move(node));
     expanded_ = nullptr;
     frontier_.for_each_child([&](const Node& child) {
-      expanded.children.push_back({pack(child), rank_of(child)});
+      expanded.children.push_back({pack(node_of(child)), oriented<P>(rank_of(child))});
     });
     return expanded;
   }
 
   void expand(Node&& node) {
+    if (record_) [[unlikely]] {
+      const double begun = cpu_seconds();
+      expand_guarded(std::move(node));
+      record_(frontier_.depth(), cpu_seconds() - begun);
+    } else {
+      expand_guarded(std::move(node));
+    }
+  }
+
+  void expand_guarded(Node&& node) {
     expanding_ = true;
     try {
-      problem_.expand(std::move(node), expansion_);
+      problem_.expand(std::move(node_of(node)), expansion_);
     } catch (const std::exception& error) {
       std::throw_with_nested(ExpansionFailed(frontier_.path(), error.what()));
     } catch (...) {
@@ -362,18 +345,17 @@ class Explorer {
   P& problem_;
   Goal goal_;
   Order order_;
-  std::size_t heap_nodes_;
-  double check_share_;                  // share of the nodes that are expanded twice
+  double check_share_;  // share of the nodes that are expanded twice
+  const std::function<void(std::size_t, double)>& record_;
   Expanded* expanded_ = nullptr;        // of the node that is being expanded twice
   Frontier<Node, WorkOf<P>> frontier_;  // the part searched depth first
   // bundles that follow the frontier; used with depth-first order only
   std::vector<Waiting> waiting_;
   Heap<Node> heap_;  // used with all other orders
+  Solutions<P> solutions_;
   Expansion<P> expansion_;
   bool expanding_ = false;
-  bool improved_ = false;
-  std::vector<FoundSolution<P>> found_;
-  Incumbent incumbent_;
+  double bound_ = 0;  // of the node opened last, if the goal looks at bounds
   double closed_ = 0;
   RankStatistics statistics_;
 };

@@ -128,6 +128,9 @@ class Frontier {
   /// Contribution of the node opened last to the mark sum of the search.
   [[nodiscard]] std::uint64_t mark() const { return mark_; }
 
+  /// Depth of the node opened last; 0 for the root.
+  [[nodiscard]] std::size_t depth() const { return depth_; }
+
   /// Number of children so far of the node opened last.
   [[nodiscard]] std::uint32_t branches() const { return branches_; }
 

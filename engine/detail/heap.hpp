@@ -1,20 +1,23 @@
 // Heap: the open nodes of one rank in the order of their bounds, least first.
 //
 // The nodes come from all over the tree, so each needs the trail above it. Nodes inserted together,
-// in particular the children of one node, share one trail.
+// in particular the children of one node, share one trail; it continues that of the node taken last
+// (engine/detail/shared_trail.hpp), so that memory grows with the number of nodes, not with their
+// depths.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "engine/detail/contract.hpp"
 #include "engine/detail/open_nodes.hpp"
+#include "engine/detail/shared_trail.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
@@ -24,8 +27,18 @@ namespace kusabi::engine {
 template <class Node>
 class Heap {
  public:
+  /// @param most_nodes and bytes in which it is full; it can exceed both
+  explicit Heap(std::size_t most_nodes = no_limit, std::size_t most_bytes = no_limit)
+      : most_nodes_(most_nodes), most_bytes_(most_bytes) {}
+  Heap(const Heap&) = delete;
+  Heap& operator=(const Heap&) = delete;
+
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+  /// Bytes of the trails and, if there is a limit of bytes, of the nodes.
+  [[nodiscard]] std::size_t bytes() const { return trail_bytes_ + node_bytes_; }
+  [[nodiscard]] bool full() const { return size() >= most_nodes_ || bytes() >= most_bytes_; }
 
   /// The next node: none has a smaller bound.
   /// @pre not empty()
@@ -36,17 +49,24 @@ class Heap {
   /// @throws std::domain_error if a bound is NaN
   template <class BoundOf>
   void put(Bundle<Node>&& bundle, BoundOf bound_of) {
-    const auto trail = std::make_shared<const std::vector<TrailStep>>(std::move(bundle.trail));
+    const auto trail =
+        SharedTrail::of(std::move(bundle.trail), taken_.trail, taken_.depth, trail_bytes_);
     for (auto& open : bundle.nodes) {
       const double bound = bound_of(std::as_const(open.node));
       if (std::isnan(bound)) throw std::domain_error("a bound is not a number");
-      insert({bound, ++puts_, trail, std::move(open)});
+      const auto bytes = most_bytes_ == no_limit ? 0 : sizeof(Entry) + packed_size_(open);
+      node_bytes_ += bytes;
+      insert({bound, ++puts_, trail, bytes, std::move(open)});
     }
   }
 
   /// Removes and returns the best node, with its trail.
   /// @pre not empty()
-  Bundle<Node> take() { return bundle_of(remove_best()); }
+  Bundle<Node> take() {
+    auto best = remove_best();
+    taken_ = {best.trail, best.open.depth};
+    return bundle_of(std::move(best));
+  }
 
   /// True if a node can be given away and one is left here.
   [[nodiscard]] bool can_give() const { return entries_.size() >= 2; }
@@ -67,7 +87,10 @@ class Heap {
       transfer.push_back(std::move(bundle));
       if (bytes >= limit) break;
     }
-    for (auto& entry : kept) insert(std::move(entry));
+    for (auto& entry : kept) {
+      node_bytes_ += entry.bytes;
+      insert(std::move(entry));
+    }
     return transfer;
   }
 
@@ -79,9 +102,10 @@ class Heap {
     std::sort(entries.begin(), entries.end(),
               [](const Entry* a, const Entry* b) { return a->age < b->age; });
     Transfer<Node> all;
-    const std::vector<TrailStep>* trail = nullptr;
+    const SharedTrail* trail = nullptr;
     for (const auto* entry : entries) {
-      if (entry->trail.get() != trail) all.push_back({*entry->trail, {}});
+      if (entry->trail.get() != trail)
+        all.push_back({entry->trail->first(entry->trail->size()), {}});
       trail = entry->trail.get();
       all.back().nodes.push_back(entry->open);
     }
@@ -92,9 +116,16 @@ class Heap {
   struct Entry {
     double bound;
     std::uint64_t age;
-    std::shared_ptr<const std::vector<TrailStep>> trail;  // down to the deepest node that shares it
+    SharedTrail::Pointer trail;  // down to the deepest node that shares it
+    std::size_t bytes;
     OpenNode<Node> open;
   };
+  // Trail above the node taken last, which has that depth.
+  struct Taken {
+    SharedTrail::Pointer trail;
+    std::size_t depth = 0;
+  };
+  static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
   // Comparison for std::push_heap, which keeps the greatest element in front; here that is the
   // best.
@@ -111,17 +142,22 @@ class Heap {
     std::pop_heap(entries_.begin(), entries_.end(), worse);
     Entry best = std::move(entries_.back());
     entries_.pop_back();
+    node_bytes_ -= best.bytes;
     return best;
   }
 
   static Bundle<Node> bundle_of(Entry&& entry) {
-    Bundle<Node> bundle;
-    const auto above = static_cast<std::ptrdiff_t>(entry.open.depth);
-    bundle.trail.assign(entry.trail->begin(), entry.trail->begin() + above);
+    Bundle<Node> bundle{entry.trail->first(entry.open.depth), {}};
     bundle.nodes.push_back(std::move(entry.open));
     return bundle;
   }
 
+  std::size_t most_nodes_;
+  std::size_t most_bytes_;
+  std::size_t trail_bytes_ = 0;
+  std::size_t node_bytes_ = 0;
+  PackedSize<OpenNode<Node>> packed_size_;
+  Taken taken_;
   std::vector<Entry> entries_;
   std::uint64_t puts_ = 0;
 };

@@ -51,6 +51,10 @@ class LocalSearch {
   // ---- solutions
   [[nodiscard]] virtual std::uint64_t found() const = 0;
   [[nodiscard]] virtual const Incumbent& incumbent() const = 0;
+  /// Least objective found on this rank.
+  [[nodiscard]] virtual double objective() const = 0;
+  /// An objective or bound in the user's sense.
+  [[nodiscard]] virtual double oriented(double value) const = 0;
   /// True if this rank improved the incumbent since the last call.
   [[nodiscard]] virtual bool just_improved() = 0;
   /// @return true if `news` is better than the incumbent of this rank
@@ -63,10 +67,12 @@ class LocalSearch {
   /// State for a checkpoint, and its restoration on this rank.
   [[nodiscard]] virtual Bytes state() = 0;
   virtual void restore(const Bytes& state) = 0;
-  /// Nodes opened in the resumed runs, as far as this rank restored them, and their mark sum.
+  /// Nodes opened in the resumed runs, as far as this rank restored them, their mark sum, and the
+  /// solutions found.
   struct Before {
     std::uint64_t opened = 0;
     std::uint64_t fingerprint = 0;
+    std::uint64_t found = 0;
   };
   [[nodiscard]] virtual Before before() const = 0;
 

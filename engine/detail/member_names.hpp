@@ -13,6 +13,8 @@ struct Bait {
   int objective;
   int bound;
   int tally;
+  int maximises;
+  int emit;
   int work_of_first_child;
   int seconds;
   int least_seconds;
@@ -57,6 +59,20 @@ concept NamesTally = (member_names::Inheritable<Class> &&
 }
 || requires {
   typename Class::Tally;
+};
+
+template <class Class>
+concept NamesMaximises = (member_names::Inheritable<Class> &&
+                          !requires { &member_names::Both<Class>::maximises; }) ||
+                         requires {
+  &Class::maximises;
+};
+
+template <class Class>
+concept NamesEmit = (member_names::Inheritable<Class> &&
+                     !requires { &member_names::Both<Class>::emit; }) ||
+                    requires {
+  &Class::emit;
 };
 
 template <class Class>

@@ -13,6 +13,7 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/detail/node_with_bound.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
@@ -52,7 +53,7 @@ struct OpenNode {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& node& depth& branch;
+    archive& node_of(node) & depth& branch;
   }
 };
 

@@ -31,6 +31,8 @@ enum class Fault {
   objective,
   bound,
   bound_without_objective,
+  maximises,
+  emit,
   tally,
   tally_not_a_value,
   tally_not_serializable,
@@ -68,6 +70,10 @@ consteval Fault fault_of() {
     return Fault::bound_without_objective;
   } else if constexpr (NamesBound<P> && !Bounded<P>) {
     return Fault::bound;
+  } else if constexpr (NamesMaximises<P> && !WithSense<P>) {
+    return Fault::maximises;
+  } else if constexpr (NamesEmit<P> && !Emitting<P>) {
+    return Fault::emit;
   } else if constexpr (NamesTally<P> && !Tallying<P>) {
     return Fault::tally;
   } else if constexpr (!PlainValue<TallyOf<P>>) {
@@ -110,6 +116,10 @@ struct CheckedProblem {
   static_assert(fault != Fault::bound, "bound must be `double bound(const Node& node) const`");
   static_assert(fault != Fault::bound_without_objective,
                 "a problem with a bound needs `double objective(const Solution& solution) const`");
+  static_assert(fault != Fault::maximises,
+                "maximises must be `static constexpr bool maximises = true`");
+  static_assert(fault != Fault::emit,
+                "emit must be `void emit(const kusabi::engine::Path& path, Solution&& solution)`");
   static_assert(fault != Fault::tally,
                 "tally must be `Tally tally() const`, and Tally a type of the problem");
   static_assert(fault != Fault::tally_not_a_value,

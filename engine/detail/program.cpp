@@ -83,12 +83,29 @@ void Program::prepare(const std::string& type, std::uint64_t instance) {
       return usable;
     });
   }
+  if (!line_.record.empty()) record_tree();
   heed_signals();
   if (!line_.options.interrupt) line_.options.interrupt = asked_by_signal;
   if (!line_.options.warn)
     line_.options.warn = [](const std::string& line) { std::cerr << "warning: " << line << '\n'; };
   if (!line_.quiet && !line_.options.progress)
     line_.options.progress = [this](const Progress& progress) { show(progress); };
+}
+
+void Program::record_tree() {
+  if (transport_->size() > 1) {
+    throw std::invalid_argument("--record: the search has " + std::to_string(transport_->size()) +
+                                " ranks; expected one process");
+  }
+  recording_.open(line_.record);
+  recording_ << "# depth, nanoseconds: the nodes in depth-first order\n";
+  if (!recording_) {
+    throw std::invalid_argument("--record: " + line_.record +
+                                " cannot be written; expected a file in an existing folder");
+  }
+  line_.options.record = [this](std::size_t depth, double seconds) {
+    recording_ << depth << ' ' << std::llround(1e9 * seconds) << '\n';
+  };
 }
 
 double Program::seconds() const {
@@ -114,6 +131,9 @@ void Program::show(const Progress& progress) {
 
 int Program::finish(const End& end) {
   const bool solved = end.status == Status::solved || end.status == Status::gap_limit;
+  if (recording_.is_open() && !recording_.flush()) {
+    throw std::runtime_error("--record: " + line_.record + " cannot be written; expected space");
+  }
   if (is_first()) {
     std::cout.flush();
     if (!line_.quiet) {

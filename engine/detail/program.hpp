@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ namespace kusabi::engine {
 struct CommandLine {
   Options options;
   std::string resume;  ///< file of --resume; empty: none
+  std::string record;  ///< file of --record; empty: none
   bool quiet = false;
   std::string help;                ///< text that --help requests; empty: not requested
   std::vector<std::string> words;  ///< all others, those of the program itself
@@ -71,11 +73,13 @@ class Program {
 
  private:
   void show(const Progress& progress);
+  void record_tree();
   [[nodiscard]] double seconds() const;
 
   std::optional<MpiEnvironment> mpi_;
   std::unique_ptr<Transport> transport_;
   CommandLine line_;
+  std::ofstream recording_;
   std::optional<int> exit_code_;
   double begun_ = 0;
   double shown_ = 0;

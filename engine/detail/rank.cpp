@@ -2,6 +2,7 @@
 #include "engine/detail/rank.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace kusabi::engine {
@@ -31,6 +32,9 @@ Rank::Rank(LocalSearch& local, Transport& transport, const Options& options)
       idle_since_(started_),
       quiet_since_(started_) {
   transport.begin_search();
+  if (options.record && transport.size() > 1) {
+    throw std::invalid_argument("Options::record requires one rank");
+  }
   expect_checkpoint_options();
   if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
   int with_nodes = 1;  // ranks from 0 on

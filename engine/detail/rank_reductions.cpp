@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,6 +13,23 @@
 #include "engine/detail/rank.hpp"
 
 namespace kusabi::engine {
+namespace {
+
+// The goal as a checkpoint names it, in one word: nodes that another pool or cutoff requires may be
+// pruned.
+std::string goal_of(const Options& options) {
+  std::ostringstream text;
+  text << name_of(options.goal) << std::setprecision(std::numeric_limits<double>::max_digits10);
+  if (options.goal != Goal::best) return text.str();
+  const auto& [count, gap, relative_gap] = options.pool;
+  if (count != Pool{}.count) text << ",count=" << count;
+  if (gap != Pool{}.gap) text << ",gap=" << gap;
+  if (relative_gap != Pool{}.relative_gap) text << ",relative_gap=" << relative_gap;
+  if (options.cutoff) text << ",cutoff=" << *options.cutoff;
+  return text.str();
+}
+
+}  // namespace
 
 void Rank::attend_reduction() {
   if (joined_) {
@@ -24,7 +44,7 @@ void Rank::attend_reduction() {
   }
   // A quiet rank joins at once: the wave is then complete as soon as the last other one joins.
   const bool due = now_ - last_reduction_ >= options_.reduction_interval || at_node_limit() ||
-                   is_worth_keeping(local_.incumbent().objective);
+                   is_worth_keeping(local_.objective());
   if (quiet() || due) join();
 }
 
@@ -48,9 +68,9 @@ void Rank::join() {
                 .fingerprint = statistics.fingerprint,
                 .wishes = wishes(),
                 .closed = local_.closed(),
-                .objective = local_.incumbent().objective,
+                .objective = local_.objective(),
                 .bound = local_.bound()};
-  const auto [opened, fingerprint] = local_.before();
+  const auto [opened, fingerprint, found] = local_.before();
   own.opened += opened;
   own.fingerprint += fingerprint;
   record(TraceEvent::Kind::reduction_joined);
@@ -152,8 +172,8 @@ void Rank::show(const Reduction& wave) const {
                      .closed = std::min(1.0, wave.closed),
                      .idle = wave.idle,
                      .ranks = wave.ranks,
-                     .objective = wave.objective,
-                     .bound = wave.bound});
+                     .objective = local_.oriented(wave.objective),
+                     .bound = local_.oriented(wave.bound)});
 }
 
 void Rank::expect_checkpoint_options() const {
@@ -177,7 +197,7 @@ Manifest Rank::manifest(const Reduction& wave) const {
           .opened = wave.opened,
           .fingerprint = wave.fingerprint,
           .open = wave.open,
-          .goal = name_of(options_.goal),
+          .goal = goal_of(options_),
           .node = local_.node_type(),
           .solution = local_.solution_type()};
 }

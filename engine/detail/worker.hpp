@@ -51,12 +51,19 @@ class LocalExplorer final : public LocalSearch {
     return nodes;
   }
 
-  [[nodiscard]] std::uint64_t found() const override { return explorer_.found().size(); }
-  [[nodiscard]] const Incumbent& incumbent() const override { return explorer_.incumbent(); }
-  [[nodiscard]] bool just_improved() override { return explorer_.just_improved(); }
-  bool learn(const Incumbent& news) override { return explorer_.learn(news); }
+  [[nodiscard]] std::uint64_t found() const override {
+    return explorer_.emits() ? explorer_.statistics().found + before().found
+                             : explorer_.solutions().size();
+  }
+  [[nodiscard]] const Incumbent& incumbent() const override {
+    return explorer_.solutions().incumbent();
+  }
+  [[nodiscard]] double objective() const override { return explorer_.solutions().objective(); }
+  [[nodiscard]] double oriented(double value) const override { return engine::oriented<P>(value); }
+  [[nodiscard]] bool just_improved() override { return explorer_.solutions().just_improved(); }
+  bool learn(const Incumbent& news) override { return explorer_.solutions().learn(news); }
 
-  [[nodiscard]] std::string node_type() const override { return typeid(Node).name(); }
+  [[nodiscard]] std::string node_type() const override { return typeid(typename P::Node).name(); }
   [[nodiscard]] std::string solution_type() const override {
     return typeid(typename P::Solution).name();
   }
@@ -75,6 +82,7 @@ class LocalExplorer final : public LocalSearch {
     for (const auto& report : earlier_) {
       before.opened += report.statistics.opened;
       before.fingerprint += report.statistics.fingerprint;
+      before.found += report.statistics.found;
     }
     return before;
   }
@@ -83,7 +91,7 @@ class LocalExplorer final : public LocalSearch {
     ReportPart part;
     PackedSize<FoundSolution<P>> packed_size;
     std::size_t bytes = 0;
-    for (auto& found : explorer_.found()) {
+    for (auto& found : explorer_.solutions().take()) {
       bytes += packed_size(found);
       if (bytes > limit && !part.found.empty()) {
         send(pack(part));
@@ -92,7 +100,6 @@ class LocalExplorer final : public LocalSearch {
       }
       part.found.push_back(std::move(found));
     }
-    explorer_.found().clear();
     part.last = true;
     part.rank = own_report();
     part.earlier = earlier_;
@@ -100,7 +107,7 @@ class LocalExplorer final : public LocalSearch {
   }
   void receive_report(int from, const Bytes& piece) override {
     auto part = unpack<ReportPart>(piece);
-    std::move(part.found.begin(), part.found.end(), std::back_inserter(explorer_.found()));
+    explorer_.solutions().add(std::move(part.found));
     if (!part.last) return;
     std::move(part.earlier.begin(), part.earlier.end(), std::back_inserter(earlier_));
     const auto place = static_cast<std::size_t>(from);
@@ -108,11 +115,13 @@ class LocalExplorer final : public LocalSearch {
     reports_[place] = std::move(part.rank);
   }
 
-  /// Moves solutions, in depth-first order, and reports into the outcome.
+  /// Moves solutions, in the order of the outcome, and reports into the outcome.
   void hand_over(Outcome<P>& outcome) {
-    outcome.solutions = std::move(explorer_.found());
-    std::stable_sort(outcome.solutions.begin(), outcome.solutions.end(),
-                     [](const auto& a, const auto& b) { return a.path < b.path; });
+    outcome.solutions = explorer_.solutions().take();
+    if (explorer_.goal() == Goal::all) {
+      std::stable_sort(outcome.solutions.begin(), outcome.solutions.end(),
+                       [](const auto& a, const auto& b) { return a.path < b.path; });
+    }
     outcome.earlier = std::move(earlier_);
     if (reports_.empty()) reports_.resize(1);
     reports_.front() = own_report();
@@ -120,7 +129,7 @@ class LocalExplorer final : public LocalSearch {
   }
 
  private:
-  using Node = typename P::Node;
+  using Node = StoredNode<P>;
 
   // A piece of a rank's report: solutions, and in the last piece the rest.
   struct ReportPart {
@@ -192,7 +201,7 @@ class Worker {
     outcome.status = ending.status;
     outcome.open = ending.open;
     outcome.saved = ending.saved;
-    outcome.bound = ending.bound;
+    outcome.bound = oriented<P>(std::min(ending.bound, local_.incumbent().objective));
     outcome.traces = std::move(ending.traces);
     local_.hand_over(outcome);
     return outcome;

@@ -1,6 +1,7 @@
 // A maximum clique of a graph in a DIMACS file (lines "e I J").
 //
 //   clique GRAPH                  mpirun -np 4 clique GRAPH --resume state
+//   clique GRAPH --within 0       all of them
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -57,9 +58,10 @@ struct Clique {
   }
 
   Node root() const { return coloured({{}, vertices, 0}); }
-  double objective(const Solution& clique) const { return -static_cast<double>(clique.size()); }
+  static constexpr bool maximises = true;
+  double objective(const Solution& clique) const { return static_cast<double>(clique.size()); }
   double bound(const Node& node) const {
-    return -static_cast<double>(node.clique.size()) - node.colours;
+    return static_cast<double>(node.clique.size()) + node.colours;
   }
 
   // The last candidate belongs to the clique or not.

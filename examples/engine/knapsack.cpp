@@ -3,6 +3,7 @@
 //
 //   knapsack 40                   40 items
 //   mpirun -np 2 knapsack 50 7    50 items, random seed 7
+//   knapsack 40 --solutions 5     the five best choices
 #include <algorithm>
 #include <iostream>
 #include <random>
@@ -34,8 +35,8 @@ struct Knapsack {
 
   Node root() const { return {{}, 0, capacity}; }
 
-  // The engine minimises.
-  double objective(const Solution& solution) const { return -solution.value; }
+  static constexpr bool maximises = true;
+  double objective(const Solution& solution) const { return solution.value; }
 
   // Value with the rest of the room filled by fractions of items (Dantzig's bound).
   double bound(const Node& node) const {
@@ -45,7 +46,7 @@ struct Knapsack {
       value += share * items[i].value;
       room -= share * items[i].weight;
     }
-    return -value;
+    return value;
   }
 
   void expand(Node&& node, engine::Expansion<Knapsack>& out) {
@@ -78,6 +79,6 @@ int main(int argc, char** argv) {
   return engine::run(argc, argv, problem, [](const auto& outcome) {
     for (const auto& found : outcome.solutions)
       std::cout << "value " << found.solution.value << '\n';
-    std::cout << "at most " << -outcome.bound << '\n';
+    std::cout << "at most " << outcome.bound << '\n';
   });
 }

@@ -1,8 +1,9 @@
-// The shortest round trip through random towns of the unit square.
+// The shortest round trip through random towns, at most 64, of the unit square.
 //
 //   salesman 12                   mpirun -np 4 salesman 14 7 --order best
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -20,19 +21,18 @@ struct Salesman {
 
   struct Node {
     std::vector<int> tour{0};
+    std::uint64_t visited = 1;  // a bit for each town
     double length = 0;
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& tour& length;
+      archive& tour& visited& length;
     }
   };
   using Solution = Node;
 
   Node root() const { return {}; }
 
-  bool visited(const Node& node, int town) const {
-    return std::find(node.tour.begin(), node.tour.end(), town) != node.tour.end();
-  }
+  bool visited(const Node& node, int town) const { return (node.visited >> town & 1U) != 0; }
 
   double objective(const Solution& solution) const {
     return solution.length + distance[solution.tour.back()][0];
@@ -62,6 +62,7 @@ struct Salesman {
       Node child = node;
       child.length += distance[node.tour.back()][town];
       child.tour.push_back(town);
+      child.visited |= std::uint64_t{1} << town;
       out.branch(std::move(child));
     }
   }

@@ -2,6 +2,7 @@
 #include "nodes/zero_one/mixed_search.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/together.hpp"
@@ -73,6 +74,9 @@ MixedAnswer search_tree(engine::Analysis& analysis, MixedRoot root, ZeroOneBranc
                         engine::Options options, const engine::ShownObjective& shown) {
   MixedAnswer answer{ZeroOneTree(std::move(root.root), branching), {}, root.unbounded};
   options.goal = engine::Goal::best;
+  // Points are feasible within tolerances only, so that their objective may be below a proved
+  // bound; the report compares both.
+  options.bound_tolerance = std::numeric_limits<double>::infinity();
   answer.outcome = root.stopped ? outcome_of_root(answer.tree, analysis.transport().size(),
                                                   analysis.budget().why())
                                 : analysis.search(answer.tree, std::move(options), shown);

@@ -37,11 +37,26 @@ class Bench : public Subcommand {
   bool agrees_ = true;
 };
 
+// Names of the standard trees, as values of an option.
+std::vector<std::pair<std::string, std::string>> standard_names() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const auto& tree : benchmark::standard_trees()) names.emplace_back(tree.name, tree.name);
+  return names;
+}
+
 class Scaling final : public Bench {
  public:
   void describe(OptionTable& table) override {
-    table.number("--nodes", &options_.nodes, above(0), "number of nodes of the tree");
-    table.number("--node-us", &options_.node_microseconds, above(0), "time to open a node")
+    table.file("--trace", options_.trace, Role::input,
+               "recorded tree, by option --record of a program of engine::run");
+    auto trees = standard_names();
+    trees.insert(trees.begin(), {"sized", "sized"});
+    table.choice("--tree", options_.tree, trees,
+                 "random tree of --nodes nodes, or a standard tree of kusabi bench uts");
+    table.number("--nodes", &options_.nodes, above(0), "number of nodes of the random tree");
+    table
+        .number("--node-us", &options_.node_microseconds, above(0),
+                "time to open a node, unless it is recorded")
         .unit("us");
     table.number("--latency-us", &options_.latency_microseconds, above(0), "latency of a message")
         .unit("us");
@@ -81,9 +96,7 @@ class Uts final : public Bench {
   void describe(OptionTable& table) override {
     constexpr double about_a_second = 1e7;
     constexpr double most_rounds = 1000;
-    std::vector<std::pair<std::string, std::string>> trees;
-    for (const auto& tree : benchmark::standard_trees()) trees.emplace_back(tree.name, tree.name);
-    table.choice("--tree", options_.tree, trees, "name of the standard tree");
+    table.choice("--tree", options_.tree, standard_names(), "name of the standard tree");
     table.number("--work", &options_.work, between(1, about_a_second),
                  "number of hashes per node, about 0.1 microseconds each");
     table.number("--rounds", &options_.rounds, between(1, most_rounds),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "engine/transport/simulated.hpp"
 #include "run/session/session.hpp"
@@ -9,8 +10,10 @@
 namespace kusabi::run {
 
 struct BenchScalingOptions {
-  std::uint64_t nodes = 100'000'000;   ///< nodes of the tree
-  double node_microseconds = 10;       ///< time to open a node
+  std::string trace;                   ///< file of a recorded tree; empty: none
+  std::string tree = "sized";          ///< or a standard tree, if no trace is given
+  std::uint64_t nodes = 100'000'000;   ///< nodes of the tree `sized`
+  double node_microseconds = 10;       ///< time to open a node, unless it is recorded
   double latency_microseconds = 2;     ///< latency of a message
   double handling_microseconds = 0.5;  ///< time per message of its sender, and of its receiver
   double gigabytes_a_second = 10;      ///< bandwidth

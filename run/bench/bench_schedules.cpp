@@ -61,6 +61,10 @@ Draw draw(std::uint64_t seed) {
   draw.options.reduction_interval = intervals[below(intervals.size())];
   if (below(8) == 0) draw.options.limits.nodes = 1 + below(300);
   if (below(8) == 0) draw.options.trace_events = 1 + below(20);
+  if (below(4) == 0) draw.options.pool.count = 1 + below(20);
+  if (below(4) == 0) draw.options.pool.gap = static_cast<double>(below(4));
+  if (below(8) == 0) draw.options.cutoff = static_cast<double>(below(6));
+  if (below(8) == 0) draw.options.heap_bytes = below(5000);
   return draw;
 }
 
@@ -69,6 +73,8 @@ std::string fault(std::uint64_t seed) {
   auto [tree, ranks, weather, options] = draw(seed);
   engine::Options depth_first;
   depth_first.goal = options.goal;
+  depth_first.pool = options.pool;
+  depth_first.cutoff = options.cutoff;
   const auto alone = engine::search(tree, depth_first);
   constexpr std::uint64_t most_steps = 10'000'000;
   const auto many = engine::simulate(tree, ranks, seed, weather, options, most_steps);

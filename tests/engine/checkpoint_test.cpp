@@ -48,6 +48,7 @@ class Checkpoint : public testing::Test {
     options.checkpoint.file = file_;
     options.checkpoint.interval = 1e9;
     options.checkpoint.problem = problem;
+    options.pool = pool_;
     return options;
   }
 
@@ -101,6 +102,7 @@ class Checkpoint : public testing::Test {
 
   fs::path folder_;
   std::string file_;
+  Pool pool_;
 };
 
 std::string content(const fs::path& name) {
@@ -143,6 +145,47 @@ TEST_F(Checkpoint, TheBestSolutionSurvives) {
   ASSERT_EQ(outcome.solutions.size(), 1U);
   EXPECT_EQ(outcome.solutions[0].path, whole.solutions[0].path);
   EXPECT_EQ(outcome.bound, whole.bound);
+}
+
+TEST_F(Checkpoint, TheSolutionsOfAPoolSurvive) {
+  auto knapsack = Knapsack::random(5, 18);
+  pool_ = {.count = 30, .gap = 3};
+  Options best;
+  best.goal = Goal::best;
+  best.pool = pool_;
+  const auto whole = search(knapsack, best);
+  ASSERT_GT(whole.solutions.size(), 10U);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    fs::remove_all(folder_);
+    fs::create_directory(folder_);
+    int pieces = 0;
+    const auto outcome = in_pieces(knapsack, whole.opened() / 7, seed, Goal::best, &pieces);
+    EXPECT_GT(pieces, 3);
+    ASSERT_EQ(outcome.solutions.size(), whole.solutions.size());
+    for (std::size_t i = 0; i < whole.solutions.size(); ++i) {
+      EXPECT_EQ(outcome.solutions[i].path, whole.solutions[i].path);
+    }
+  }
+}
+
+// Nodes that a larger pool requires may have been pruned.
+TEST_F(Checkpoint, OfAnotherPoolIsRefused) {
+  auto choice = options();
+  choice.goal = Goal::best;
+  choice.limits.nodes = 20;
+  simulate(Knapsack::random(5, 24), 3, 1, {}, choice);
+  choice.checkpoint.resume_from = file_;
+  choice.pool = {.count = 2, .gap = 0.5};
+  choice.cutoff = -7;
+  auto knapsack = Knapsack::random(5, 24);
+  try {
+    search(knapsack, choice);
+    FAIL();
+  } catch (const CheckpointError& error) {
+    EXPECT_EQ(error.what(), file_ +
+                                ": is of a search with the goal best; expected the goal "
+                                "best,count=2,gap=0.5,cutoff=-7");
+  }
 }
 
 // The interval never elapses, so a checkpoint is written only when the incumbent improves; it

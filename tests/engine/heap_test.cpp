@@ -103,6 +103,45 @@ Path path_by_trail(Bundle<PathNode> bundle) {
   return frontier.path();
 }
 
+// A chain whose nodes also have a leaf that waits: each trail continues the one before.
+TEST(Heap, MemoryOfAChainGrowsWithItsNodes) {
+  constexpr std::uint32_t depth = 3000;
+  Frontier<PathNode> frontier;
+  Heap<PathNode> heap;
+  frontier.plant({});
+  std::size_t half = 0;
+  for (std::uint32_t opened = 0; opened < depth; ++opened) {
+    if (frontier.empty()) frontier.take(heap.take());
+    frontier.open();
+    frontier.branch({{opened}, 1});
+    frontier.branch({{opened}, 0});
+    frontier.close();
+    heap.put(frontier.take_all(), bound_of);
+    if (opened == depth / 2) half = heap.bytes();
+  }
+  EXPECT_LT(heap.bytes(), 2.2 * static_cast<double>(half));  // not four times
+  // The leaf of node d has the path 1, 1, ..., 1, 0 of length d + 1.
+  for (heap.take(); !heap.empty();) {
+    const auto bundle = heap.take();
+    Path expected(bundle.nodes[0].node.path[0] + std::size_t{1}, 1);
+    expected.back() = 0;
+    ASSERT_EQ(path_by_trail(bundle), expected);
+  }
+}
+
+TEST(Heap, IsFullAtItsLimitOfBytes) {
+  Heap<PathNode> heap(1000, 2000);
+  heap.put(children({1}), bound_of);
+  EXPECT_FALSE(heap.full());
+  const auto one = heap.bytes();
+  EXPECT_GT(one, sizeof(PathNode));
+  heap.put(children(std::vector<double>(100, 1)), bound_of);
+  EXPECT_TRUE(heap.full());
+  while (heap.size() > 1) heap.take();
+  EXPECT_FALSE(heap.full());
+  EXPECT_LE(heap.bytes(), 2 * one);
+}
+
 // A heap that receives the remainder of a depth-first search at random moments: after any transfers
 // each node still has its own path.
 TEST(Heap, PathsSurvive) {

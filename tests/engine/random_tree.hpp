@@ -28,7 +28,11 @@ class RandomTree {
 
   Node root() const { return {engine::branch_hash(seed_, 0), 0}; }
 
-  void expand(Node&& node, engine::Expansion<RandomTree>& out) {
+  void expand(Node&& node, engine::Expansion<RandomTree>& out) { grow(std::move(node), out); }
+
+  /// @param out engine::Expansion of this type, or of one derived from it
+  template <class Expansion>
+  void grow(Node&& node, Expansion& out) {
     const auto children = node.depth < depth_ ? children_of(node) : 0;
     for (std::uint32_t child = 0; child < children; ++child) {
       out.branch({engine::branch_hash(node.state, child), node.depth + 1});
