@@ -66,7 +66,9 @@ void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitCl
   findings.statements.push_back({{}, claim, std::move(*evidence)});
 }
 
-// The worst case with the opposite reference load, for least factors, by static cuts.
+// The worst case with the opposite reference load, for least factors, by static cuts. Large trusses
+// need no bound from above for a least factor that exceeds the largest one, since the guaranteed
+// interval is then empty.
 void find_least_factors(engine::Analysis& analysis, const verify::Structure& truss,
                         const problems::LimitProblem& problem, double alpha,
                         LimitFindings& findings) {
@@ -81,6 +83,10 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
   const auto never = [] { return false; };
   if (set_up(search, never) == LoadStatus::collapses) {
     search.settle_for(alpha);
+    const auto& largest = findings.answer.worst->ends;
+    if (largest.upper_proved) {
+      search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
+    }
     const LimitQuestion question{.alpha = alpha};
     WorstCaseSearch least(search, question, mirrored_truss);
     const auto& worst = findings.answer.reversed.emplace(least.solve());
@@ -226,7 +232,9 @@ bool LimitAnswer::whole() const {
   };
   if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
   if (!worst) return true;
-  return worst->proved && (!reversed || reversed->proved) && guaranteed_interval(*this).decided();
+  const auto interval = guaranteed_interval(*this);
+  return worst->proved && (!reversed || reversed->proved || interval.is_empty()) &&
+         interval.decided();
 }
 
 }  // namespace kusabi::limit

@@ -152,7 +152,7 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
       all.push_back({"A lower bound of the largest factor is not proved.", true});
     if (!proved(found.most.upper))
       all.push_back({"An upper bound of the largest factor is not proved.", true});
-    if (!found.if_big_m && !proved(found.least.upper))
+    if (!found.if_big_m && !proved(found.least.upper) && empty(found) != Standing::proved)
       all.push_back({"The least factor from which every load is carried is not proved.", true});
     if (is_undecided(found)) {
       all.push_back({fmt::format("No factor below {} and none above {} is carried.",

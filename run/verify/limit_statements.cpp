@@ -130,6 +130,10 @@ void check_load(const Checking& at, CheckedStatement& checked) {
     if (std::isinf(checked.upper))
       refusals.emplace_back("the upper bound exceeds the range of double precision");
   }
+  if (at.statement.claim == LimitClaim::least && at.statement.evidence.nodes.empty()) {
+    checked.lower = -infinity;  // so far that of the opposite: only one bound is claimed
+    return;
+  }
   if (const auto flaw = verify::flaw_of_sign_cover(at.statement.evidence))
     refusals.push_back(*flaw);
   checked.lower = infinity;

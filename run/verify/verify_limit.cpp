@@ -68,6 +68,7 @@ std::string summary_of(const CheckedStatement& statement) {
     case LimitClaim::largest:
       return fmt::format("{} cuts, {} nodes cover all loads\n", statement.cuts, statement.nodes);
     case LimitClaim::least:
+      if (statement.nodes == 0) return "least factors: a bound from below\n";
       return fmt::format("least factors: {} cuts, {} nodes cover all loads\n", statement.cuts,
                          statement.nodes);
     case LimitClaim::none:

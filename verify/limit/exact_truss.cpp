@@ -1,25 +1,7 @@
 // Coordinates, yield forces and loads are the doubles of the problem file.
 #include "verify/limit/exact_truss.hpp"
 
-#include "verify/structure/freedom.hpp"
-
 namespace kusabi::verify {
-namespace {
-
-std::vector<mpq_class> exact_sum(const std::vector<Force>& forces, const Structure& structure,
-                                 const Freedom& freedom) {
-  std::vector<mpq_class> sum(freedom.count);
-  for (const auto& force : forces) {
-    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += mpq_class(force.components[axis]);
-    }
-  }
-  return sum;
-}
-
-}  // namespace
-
 ExactTruss exact_truss(const Structure& structure) {
   const Freedom freedom(structure);
   ExactTruss truss;
@@ -40,8 +22,8 @@ ExactTruss exact_truss(const Structure& structure) {
     truss.tension.emplace_back(bar.tension);
     truss.compression.emplace_back(bar.compression);
   }
-  truss.dead = exact_sum(structure.dead, structure, freedom);
-  truss.reference = exact_sum(structure.reference, structure, freedom);
+  truss.dead = sum_of<mpq_class>(structure.dead, structure, freedom);
+  truss.reference = sum_of<mpq_class>(structure.reference, structure, freedom);
   return truss;
 }
 

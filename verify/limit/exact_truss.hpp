@@ -9,6 +9,7 @@
 #include <gmpxx.h>
 
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/structure/freedom.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::verify {
@@ -28,6 +29,20 @@ struct ExactTruss {
 
   [[nodiscard]] std::size_t members() const { return columns.size(); }
 };
+
+/// Sum of nodal forces by free displacement.
+template <class Number>
+std::vector<Number> sum_of(const std::vector<Force>& forces, const Structure& structure,
+                           const Freedom& freedom) {
+  std::vector<Number> sum(freedom.count);
+  for (const auto& force : forces) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+      const auto number = freedom.number[force.node][axis];
+      if (number != Freedom::none) sum[number] += Number(force.components[axis]);
+    }
+  }
+  return sum;
+}
 
 /// The truss without uncertain loads. @pre a truss without ties and inclined supports
 ExactTruss exact_truss(const Structure& structure);

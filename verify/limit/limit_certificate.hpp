@@ -69,8 +69,10 @@ struct LimitCertificate {
 /// The quantity that is bounded, over all admissible loads.
 enum class LimitClaim {
   largest,  ///< the minimum of the largest factor
-  least,    ///< the maximum of the least factor: minus the minimum for the opposite reference load
-  none,     ///< the recorded load has no admissible factor
+  /// The maximum of the least factor: minus the minimum for the opposite reference load. Without
+  /// nodes only its lower bound is claimed.
+  least,
+  none,  ///< the recorded load has no admissible factor
 };
 
 /// A claim and its evidence. For the claim `least` the reference load is the opposite one.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "verify/limit/exact_truss.hpp"
 #include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 #include "verify/limit/loss_cover.hpp"
@@ -17,18 +18,6 @@ support::IndexSet set_of(const std::vector<std::size_t>& members) {
   support::IndexSet set;
   for (const auto member : members) set.insert(static_cast<int>(member));
   return set;
-}
-
-std::vector<double> recorded_sum(const std::vector<Force>& forces, const Structure& truss,
-                                 const Freedom& freedom) {
-  std::vector<double> sum(freedom.count);
-  for (const auto& force : forces) {
-    for (std::size_t axis = 0; axis < truss.dimension; ++axis) {
-      const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += force.components[axis];
-    }
-  }
-  return sum;
 }
 
 }  // namespace
@@ -50,8 +39,8 @@ LimitCertificate recorded_loads(const Structure& truss) {
         column.emplace_back(e, cosine);
     }
   }
-  loads.dead = recorded_sum(truss.dead, truss, freedom);
-  loads.reference = recorded_sum(truss.reference, truss, freedom);
+  loads.dead = sum_of<double>(truss.dead, truss, freedom);
+  loads.reference = sum_of<double>(truss.reference, truss, freedom);
   for (std::size_t j = 0; j < truss.uncertain->size(); ++j) {
     auto& column = loads.uncertain.emplace_back();
     for (const auto& each : (*truss.uncertain)[j]) {

@@ -38,6 +38,10 @@ constexpr double target_gap = 4 * closed_gap;
 /// of the yield forces costs about as much.
 constexpr double consistent = 10 * closed_gap;
 
+/// Decreases of the target, scaled, after which losses without a proof are tried again: a state
+/// with less factor leaves more margin. Their sum is below `answered_gap`.
+constexpr double decreases[] = {1e-7, 4e-7};
+
 /// A member with less, relative to its unit, has no stress in a basic solution.
 constexpr double no_stress = 1e-12;
 
@@ -231,6 +235,19 @@ void LossSearch::search_below() {
   if (open.empty() && known_.undecided.empty()) lower_ = known_.target;
 }
 
+// A smaller target may decide what is left.
+void LossSearch::search() {
+  search_below();
+  for (const double decrease : decreases) {
+    const bool final = known_.undecided.empty() || question_.at_least ||
+                       worst_.status != LoadStatus::collapses || analysis_.ended();
+    if (final) return;
+    known_.undecided.clear();
+    known_.target -= decrease * model_.factor_unit;
+    search_below();
+  }
+}
+
 // Removes members of the worst loss that it does not need.
 void LossSearch::drop_useless() {
   const double room = closed_gap / 10 * model_.factor_unit;
@@ -314,7 +331,7 @@ LossAnswer LossSearch::solve() {
     const double margin = target_gap * model_.factor_unit;
     known_.target = question_.at_least.value_or(worst_.collapse.factor - margin);
     missed_ = question_.at_least && worst_.collapse.factor < known_.target - margin;
-    if (!missed_) search_below();
+    if (!missed_) search();
   }
   if (analysis_.ended() && !lower_ && worst_.status == LoadStatus::collapses && !missed_)
     answer_.search = analysis_.budget().why();

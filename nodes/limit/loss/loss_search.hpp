@@ -43,6 +43,7 @@ class LossSearch {
   Known worst_after(const support::IndexSet& lost);
   std::vector<SingleLoss> after_one_more(const Known& known);
   void start();
+  void search();
   void search_below();
   std::vector<LossPiece> open_round(const std::vector<LossNode>& batch);
   void judge(const support::IndexSet& suspect);

@@ -107,9 +107,9 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
 RootResult RootSearch::solve(double alpha) {
   load_factor().restart();
   const RootControl control{.stop = lockstep_stop(),
-                            .watcher = [this](std::uint64_t round, double lower, double upper) {
-                              say_ends(round, lower, upper);
-                            }};
+                            .watcher = [this](std::uint64_t round, double lower,
+                                              double upper) { say_ends(round, lower, upper); },
+                            .enough = enough_ / model().factor_unit};
   if (alpha > 0 && model().uncertain_count() > 0 && splits()) {
     // Every rank makes all steps: they do not depend on the number of ranks.
     auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);

@@ -35,6 +35,9 @@ class RootSearch {
   /// alpha in the unit of force
   void settle_for(double alpha);
 
+  /// Splitting ends at a load with a factor below this, since only the upper bound matters then.
+  void set_enough(double factor) { enough_ = factor; }
+
   /// The rounds in the present model. @param alpha scaled
   RootResult solve(double alpha);
 
@@ -79,6 +82,7 @@ class RootSearch {
   engine::Analysis& analysis_;
   const problems::LimitProblem& problem_;
   int split_from_;
+  double enough_ = -linear::infinity;
   bool ended_ = false;    // all ranks have agreed to stop
   bool sharing_ = false;  // ranks do different work at present
   std::unique_ptr<Solvers> solvers_;

@@ -2,12 +2,12 @@
 #include "nodes/limit/root/split_root.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -26,9 +26,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using problems::LimitModel;
 
-/// Steps between two evaluations of the motion and the bound, and between two polls for a stop.
+/// Steps between two evaluations of the motion and the bound: the first motions lead to different
+/// collapses. Steps between two polls for a stop.
 constexpr int steps_a_look = 50;
+constexpr int first_steps_a_look = 10;
 constexpr int steps_a_question = 10;
+
+/// Random motions near the known collapse from which a worse one is searched: at the beginning and
+/// after a face that is not the worst case's, and at each evaluation. Their sizes, relative to the
+/// largest displacement, are this and nine larger ones by this factor each.
+constexpr int first_tries = 10;
+constexpr double least_disturbance = 0.005;
+constexpr double disturbance_ratio = 1.45;
 
 /// Metric: weight of a change of the factor relative to one of a force.
 constexpr double factor_metric = 0.1;
@@ -36,24 +45,22 @@ constexpr double factor_metric = 0.1;
 /// Distance of the sets below which a certificate is tried.
 constexpr double near = 1e-3;
 
-/// Distance of the sets below which the face of a collapse is examined: once for each collapse, and
-/// again when the number of steps has grown by a factor.
-constexpr double near_enough = 2e-3;
-constexpr double again_share = 0.1;
-constexpr int least_steps = 100;
+/// Steps after which the face of a collapse is examined: once for each collapse, and again when the
+/// number of steps has grown by a share.
+constexpr int first_face = 50;
+constexpr double again_share = 0.5;
 
-/// Criteria for leaving a face: its residual has not fallen to this share in so many steps, or its
-/// first residual is not below this share of the other iteration's, in which case it is most likely
-/// not the face of the worst case.
-constexpr double face_start = 0.5;
-constexpr double face_fall = 0.7;
-constexpr int face_steps = 200;
+/// Criteria for leaving a face: its residual has not fallen to a share in so many steps. Far from
+/// the end it is most likely not the face of the worst case; near it a residual may stay the same
+/// for long while members change between yielding and not.
+constexpr double far_residual = 2e-3;
+constexpr double far_fall = 0.75;
+constexpr int far_steps = 100;
+constexpr double near_fall = 0.95;
+constexpr int near_steps = 200;
 
 /// Residual below which a face is solved.
 constexpr double no_residual = 1e-12;
-
-/// A bound, which costs a linear program, is computed when the residual has fallen to this share.
-constexpr double bound_fall = 0.5;
 
 /// Additional share of the time, and minimum time in milliseconds, for a bound at an early end, by
 /// number of steps.
@@ -61,10 +68,8 @@ constexpr double share_at_the_end = 0.1;
 constexpr double milliseconds_at_the_end = 300;
 constexpr int steps_a_bound = 10;
 
-/// Gap at which the iteration ends after a quarter more steps, even if the bounds do not meet.
+/// Gap at which the iteration ends at the next evaluation, even if the bounds do not meet.
 constexpr double good_gap = 2e-7;
-constexpr double patience = 1.25;
-constexpr int more_steps = 100;
 
 /// Maximum number of steps; then static cuts most likely do not suffice, or the collapse is
 /// unknown.
@@ -89,12 +94,14 @@ class SplitRoot {
   static Eigen::VectorXd metric(const LimitModel& model);
   RootStatus iterate(splitting::AffineIteration& iteration);
   void bound_at_the_end(splitting::AffineIteration& iteration);
-  RootStatus look_at_face(splitting::AffineIteration& iteration, bool patient);
+  RootStatus look_at_face(splitting::AffineIteration& iteration);
   bool improve(Eigen::VectorXd motion);
+  bool try_disturbed(int times);
   void bound(const splitting::ColumnBlocks& y);
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
+  [[nodiscard]] bool enough() const { return result_.worst->collapse.factor < control_.enough; }
   void show(int steps) const;
 
   const LimitModel& model_;
@@ -107,7 +114,9 @@ class SplitRoot {
   splitting::SafeStates bound_;
   std::optional<splitting::ColumnBlocks> best_;  // of the bound
   std::vector<double> best_taken_;               // its use of each member
-  bool improved_ = false;
+  bool improved_ = false;                        // since the last face
+  std::mt19937 bits_;                            // the same on every rank
+  int tries_ = 0;
   Clock::time_point began_ = Clock::now();
   RootResult result_;
 };
@@ -125,7 +134,20 @@ bool SplitRoot::improve(Eigen::VectorXd motion) {
   motion /= work;
   const double before = result_.worst->collapse.factor;
   if (!descend_from(model_, alpha_, load_factor_, motion, result_)) return false;
-  improved_ = result_.worst->collapse.factor < before - closed_gap;
+  improved_ = improved_ || result_.worst->collapse.factor < before - closed_gap;
+  return true;
+}
+
+// Searches near the known collapse. @return as improve()
+bool SplitRoot::try_disturbed(int times) {
+  constexpr int sizes = 10;
+  for (int k = 0; k < times && !stopped() && !enough(); ++k) {
+    Eigen::VectorXd motion = result_.worst->collapse.motion;
+    const double size = least_disturbance * std::pow(disturbance_ratio, tries_++ % sizes) *
+                        motion.cwiseAbs().maxCoeff();
+    for (double& u : motion) u += size * (static_cast<double>(bits_()) * 0x1p-31 - 1);
+    if (!improve(std::move(motion))) return false;
+  }
   return true;
 }
 
@@ -169,42 +191,30 @@ void SplitRoot::show(int steps) const {
 }
 
 // @return open: without result
-RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration, bool patient) {
+RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   std::vector<int> signs;
   for (const double zeta : result_.worst->zeta) signs.push_back(zeta < 0 ? -1 : 1);
   const auto& collapse = result_.worst->collapse;
   splitting::FaceIteration face(
       program_, projection_, sharing_,
       splitting::face_of(program_, collapse.factor, collapse.motion, std::move(signs)), iteration);
-  double bounded = std::numeric_limits<double>::infinity();  // residual at the last bound
-  double last = 0;
+  double last = std::numeric_limits<double>::infinity();
   int last_steps = 0;
-  int good_steps = 0;
+  bool good = false;
   for (;;) {
     if (face.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
     face.step();
     const bool done = face.residual() <= no_residual;
     if (face.steps() % steps_a_look != 0 && !done) continue;
-    if (face.residual() <= bound_fall * bounded || done) {
-      bound(face.affine_point());
-      bounded = face.residual();
-    }
+    bound(face.affine_point());
     show(iteration.steps() + face.steps());
-    if (gap() <= closed_gap) return RootStatus::closed;
-    const bool good = gap() <= good_gap;
-    if (good && good_steps == 0) good_steps = face.steps();
-    if (good && (done || face.steps() > patience * good_steps + more_steps)) {
-      return RootStatus::closed;
-    }
+    const bool ends = good || done;
+    good = gap() <= good_gap;
+    if (gap() <= closed_gap || (ends && good)) return RootStatus::closed;
     if (done) return RootStatus::open;
-    if (last_steps == 0) {
-      const bool far = face.residual() > face_start * iteration.residual();
-      if (far && !patient) return RootStatus::open;
-    } else if (face.steps() - last_steps < face_steps) {
-      continue;
-    } else if (face.residual() > face_fall * last) {
-      return good ? RootStatus::closed : RootStatus::open;
-    }
+    const bool far = face.residual() > far_residual;
+    if (face.steps() - last_steps < (far ? far_steps : near_steps)) continue;
+    if (!good && face.residual() > (far ? far_fall : near_fall) * last) return RootStatus::open;
     last = face.residual();
     last_steps = face.steps();
   }
@@ -227,29 +237,29 @@ void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
 }
 
 RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
-  double next_face = 0;
-  unsigned faces = 0;  // of this collapse
+  double next_face = first_face;
+  int tries = first_tries;
   while (iteration.steps() < most_steps) {
-    for (int k = 0; k < steps_a_look; ++k) {
+    if (!try_disturbed(tries)) return RootStatus::not_carried;
+    tries = 1;
+    const int look = iteration.steps() < first_face ? first_steps_a_look : steps_a_look;
+    for (int k = 0; k < look && !enough(); ++k) {
       if (iteration.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
       iteration.step(result_.worst->collapse.factor);
     }
+    if (enough()) return RootStatus::enough;
     if (!improve(iteration.motion())) return RootStatus::not_carried;
-    if (improved_) {
-      next_face = 0;
-      faces = 0;
-    }
     if (iteration.residual() < near) bound(iteration.affine_point());
     const int steps = iteration.steps();
     show(steps);
     if (gap() <= closed_gap) return RootStatus::closed;
-    if (steps < least_steps || steps < next_face || iteration.residual() > near_enough) continue;
-    ++faces;
-    const bool patient =
-        faces > 2 && std::has_single_bit(faces - 1);  // the third, fifth, ninth, ...
-    const auto status = look_at_face(iteration, patient);
+    if (improved_) next_face = first_face;
+    if (steps < next_face) continue;
+    improved_ = false;
+    const auto status = look_at_face(iteration);
     if (status != RootStatus::open) return status;
     next_face = (1 + again_share) * steps;
+    tries = first_tries;
   }
   return RootStatus::open;
 }
@@ -269,7 +279,7 @@ RootResult SplitRoot::run(const Collapse& nominal) {
       result_.status = RootStatus::failed;
     }
   }
-  if (best_) {
+  if (best_ && result_.status != RootStatus::enough) {
     result_.cuts = cuts_of_point(*best_, sharing_, model_, alpha_);
     if (auto proof = proof_of_fixed_shares(model_, alpha_, result_.cuts, 1e-9, false)) {
       result_.proof = std::move(*proof);

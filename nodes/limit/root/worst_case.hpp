@@ -51,6 +51,7 @@ enum class RootStatus {
   unbounded,    ///< the cuts give no finite bound, and no such load was found
   stopped,      ///< stopped; its results so far are valid
   failed,       ///< the simplex method failed; likewise
+  enough,       ///< by splitting: a load with a factor below RootControl::enough, no lower bound
 };
 
 struct RootResult {
@@ -78,6 +79,8 @@ using RoundWatcher = std::function<void(std::uint64_t round, double lower, doubl
 struct RootControl {
   support::Stop stop = {};
   RoundWatcher watcher = {};
+  /// Factor below which only the upper bound matters, scaled.
+  double enough = -linear::infinity;
 };
 
 /// @param alpha scaled, >= 0

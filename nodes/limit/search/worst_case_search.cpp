@@ -63,8 +63,9 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
                             LimitWorstCase& worst) {
   const double unit = model().factor_unit;
   const bool of_a_tree = nodes.size() > 1;
+  const bool enough = root.status == RootStatus::enough;
   worst.ends = engine::from_first_rank(search_.analysis().transport(), [&] {
-    const bool again = worst.search == engine::Status::solved;
+    const bool again = worst.search == engine::Status::solved && !enough;
     const bool any =
         again || !nodes.front().forces.empty();  // otherwise only the upper bound remains
     auto [ends, certificate] =
@@ -73,7 +74,8 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
                      of_a_tree || !search_.splits() ? std::numeric_limits<double>::infinity()
                                                     : root.lower * unit},
                     again);
-    if (ends.lower_proved && ends.upper_proved) certificate_ = std::move(certificate);
+    if (enough) certificate.nodes.clear();
+    if (ends.upper_proved && (ends.lower_proved || enough)) certificate_ = std::move(certificate);
     if (!ends.upper_proved) ends.upper = root.worst->collapse.factor * unit;
     if (!ends.lower_proved) ends.lower = root.lower * unit;
     // Proofs of nodes beyond the gap depend on the incumbent when they were closed, and so on the

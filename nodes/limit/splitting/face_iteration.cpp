@@ -12,6 +12,9 @@ namespace {
 
 constexpr double relaxation = 1.2;
 
+/// Steps of a cycle, after which the point is extrapolated.
+constexpr int cycle = 10;
+
 /// Shift of the diagonal, since members without elongation may not support all displacements.
 constexpr double shift = 1e-11;
 
@@ -26,8 +29,8 @@ FaceIteration::FaceIteration(const AffineProgram& program, AffineProjection& pro
       sharing_(sharing),
       face_(std::move(face)),
       rows_(program, face_, sharing),
-      z_(program.rows(), static_cast<int>(program.columns.size()), sharing),
-      y_(z_) {
+      point_{{program.rows(), static_cast<int>(program.columns.size()), sharing}, {}},
+      y_(point_.columns) {
   still_load_ = face_.critical;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < program.rows(); ++i) {
@@ -47,15 +50,17 @@ FaceIteration::FaceIteration(const AffineProgram& program, AffineProjection& pro
   const SparseMatrix gram = still_ * still_.transpose();
   factor_.compute(gram + shift * identity);
   start_from(start);
+  acceleration_.emplace(point_, sharing);
 }
 
 void FaceIteration::start_from(AffineIteration& start) {
   const auto rows = static_cast<std::size_t>(program_.rows());
   const auto& y = start.affine_point();
-  std::vector<double> sums(rows * static_cast<std::size_t>(z_.groups()), 0.0);
-  for (int group = z_.first_group(); group < z_.end_group(); ++group) {
+  auto& z = point_.columns;
+  std::vector<double> sums(rows * static_cast<std::size_t>(z.groups()), 0.0);
+  for (int group = z.first_group(); group < z.end_group(); ++group) {
     auto* const sum = sums.data() + static_cast<std::size_t>(group) * rows;
-    const int end = std::min(z_.columns(), (group + 1) * group_columns);
+    const int end = std::min(z.columns(), (group + 1) * group_columns);
     for (int column = group * group_columns; column < end; ++column) {
       for (int i = 0; i < program_.rows(); ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -65,14 +70,14 @@ void FaceIteration::start_from(AffineIteration& start) {
         }
         const double w =
             face_.signs[static_cast<std::size_t>(column - 1)] * start.row_point(i, column);
-        z_.set(i, column, w);
+        z.set(i, column, w);
         sum[at] += w;
       }
     }
   }
   const auto total = added(sums, rows, sharing_);
-  state_ = Eigen::Map<const Eigen::VectorXd>(total.data(), program_.rows());
-  state_(program_.members()) = face_.factor;
+  point_.rest = Eigen::Map<const Eigen::VectorXd>(total.data(), program_.rows());
+  point_.rest(program_.members()) = face_.factor;
 }
 
 Segment FaceIteration::reflected(int first_column, int row, const Segment& z) const {
@@ -84,8 +89,9 @@ Segment FaceIteration::reflected(int first_column, int row, const Segment& z) co
 
 // The same step for the state, on every rank.
 void FaceIteration::move_state(double& square) {
+  auto& state = point_.rest;
   const auto& nearest = rows_.state();
-  Eigen::VectorXd y = 2 * nearest - state_;
+  Eigen::VectorXd y = 2 * nearest - state;
   const auto is_still = [this](int i) {
     return i == program_.members() || face_.stretches[static_cast<std::size_t>(i)] == 0;
   };
@@ -99,25 +105,38 @@ void FaceIteration::move_state(double& square) {
   for (int i = 0; i < program_.rows(); ++i) {
     if (!is_still(i)) continue;
     const double apart = y(i) - nearest(i);
-    state_(i) += relaxation * apart;
+    state(i) += relaxation * apart;
     square += apart * apart;
   }
 }
 
+// An extrapolated point is kept if its residual is not larger; plain steps never increase it.
 void FaceIteration::step() {
-  rows_.find(z_, state_);
+  const bool begins = steps_ > 0 && steps_ % cycle == 0;
+  const double before = residual_;
+  if (begins) acceleration_->advance(point_);
+  plain_step();
+  if (begins && acceleration_->extrapolates() && residual_ > before) {
+    acceleration_->reject(point_);
+    --steps_;
+    plain_step();
+  }
+}
+
+void FaceIteration::plain_step() {
+  rows_.find(point_.columns, point_.rest);
   double square = 0;
   move_state(square);
-  std::vector<double> squares(static_cast<std::size_t>(z_.groups()), 0.0);
+  std::vector<double> squares(static_cast<std::size_t>(point_.columns.groups()), 0.0);
   Segment sum{};
   const auto& metric = projection_.metric();
   sweep(
-      projection_, face_.columns, z_,
+      projection_, face_.columns, point_.columns,
       [this](const BlockPlace& place, int row, const Segment& z) {
         return reflected(place.first_column(), row, z);
       },
       [&](const BlockPlace& place, int row, const Segment& y) {
-        Segment& z = z_.block(place.group, place.number)[row];
+        Segment& z = point_.columns.block(place.group, place.number)[row];
         const Segment cut = rows_.cut_off(row, z, rows_.works(place.first_column()));
         const double weight = 1 / metric(row);
         for (int h = 0; h < block_lanes; ++h) {
@@ -135,7 +154,7 @@ void FaceIteration::step() {
 
 const ColumnBlocks& FaceIteration::affine_point() {
   sweep(
-      projection_, face_.columns, z_,
+      projection_, face_.columns, point_.columns,
       [this](const BlockPlace& place, int row, const Segment& z) {
         return reflected(place.first_column(), row, z);
       },
@@ -145,7 +164,7 @@ const ColumnBlocks& FaceIteration::affine_point() {
           Lanes signs{};
           for (int l = 0; l < lanes; ++l) {
             const int column = place.first_column() + h * lanes + l;
-            const bool is_load = column > 0 && column < z_.columns();
+            const bool is_load = column > 0 && column < point_.columns.columns();
             signs[l] = is_load ? face_.signs[static_cast<std::size_t>(column - 1)] : 0;
           }
           target.part[h] = signs * y.part[h];

@@ -1,13 +1,16 @@
 // Search for a certificate on a face: Douglas-Rachford splitting between A [W; K] = alpha s t, the
-// state in equilibrium with the critical load, and the rows of the face.
+// state in equilibrium with the critical load, and the rows of the face; with Anderson
+// acceleration.
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 
+#include "nodes/limit/splitting/acceleration.hpp"
 #include "nodes/limit/splitting/affine_iteration.hpp"
 #include "nodes/limit/splitting/affine_program.hpp"
 #include "nodes/limit/splitting/affine_projection.hpp"
@@ -34,6 +37,7 @@ class FaceIteration {
 
  private:
   void start_from(AffineIteration& start);
+  void plain_step();
   void move_state(double& square);
   [[nodiscard]] Segment reflected(int first_column, int row, const Segment& z) const;
 
@@ -42,13 +46,13 @@ class FaceIteration {
   const Sharing& sharing_;
   Face face_;
   FaceProjection rows_;
-  ColumnBlocks z_;
+  MixedPoint point_;  // z, and a of z
   ColumnBlocks y_;
   // The state under the critical load: forces of members without elongation, and the factor.
   Eigen::SparseMatrix<double> still_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
   Eigen::VectorXd still_load_;
-  Eigen::VectorXd state_;  // a of z
+  std::optional<Acceleration> acceleration_;
   int steps_ = 0;
   double residual_ = std::numeric_limits<double>::infinity();
 };
