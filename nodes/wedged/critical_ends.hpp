@@ -15,11 +15,11 @@
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/critical/narrowing_bracket.hpp"
 #include "nodes/wedged/quadratic/quadratic_bracket.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
-#include "nodes/wedged/tree/pattern_options.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/structure/checks/checked_structure.hpp"

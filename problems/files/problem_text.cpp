@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "problems/files/abaqus/abaqus_text.hpp"
+#include "problems/files/draft/mesh_file.hpp"
 #include "problems/files/matrices/matrix_file.hpp"
 #include "problems/files/meshes/mesh_texts.hpp"
-#include "problems/files/sections/mesh_file.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "support/input_error.hpp"

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/draft/problem_draft.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/sections/actions_section.hpp"
 #include "problems/files/sections/loads_file.hpp"
-#include "problems/files/sections/problem_draft.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "problems/structure/bodies/connected_bodies.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/files/sections/facet_doubt.hpp"
+#include "problems/files/draft/facet_doubt.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 
 namespace kusabi::problems {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/output_file.hpp"

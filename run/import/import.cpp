@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "problems/files/decks/deck_problem.hpp"
+#include "problems/files/draft/mesh_file.hpp"
 #include "problems/files/meshes/mesh_texts.hpp"
 #include "problems/files/problem_text.hpp"
-#include "problems/files/sections/mesh_file.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"

@@ -10,8 +10,8 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/relaxation/facets.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
-#include "nodes/wedged/tree/facets.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/evidence/certificate_file.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/wedged/tree/pattern_options.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
 #include "solvers/conic/node_solver.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/csv.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "pictures/vtu/structure_grid.hpp"
 #include "run/wedged/whole_states.hpp"
 

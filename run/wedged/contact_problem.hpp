@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "problems/files/sections/facet_doubt.hpp"
+#include "problems/files/draft/facet_doubt.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"

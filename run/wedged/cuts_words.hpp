@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/wedged/tree/pattern_options.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
 
 namespace kusabi::run {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 
 namespace kusabi::run {
 

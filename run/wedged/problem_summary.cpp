@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "nodes/wedged/tree/contact_solver.hpp"
+#include "nodes/wedged/relaxation/contact_solver.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"

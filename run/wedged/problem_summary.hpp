@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::run {

@@ -33,8 +33,9 @@
 // amount tau >= t, and its displacement is not constrained (docs/theory/loads.md).
 //
 // A candidate may have several cones, whose reactions sum to its own and which share its row:
-// polyhedral friction cones are thus solved as sums of plane ones (nodes/wedged/tree/facets.hpp).
-// docs/theory/wedged.md, "Standard form with m rows", derives it.
+// polyhedral friction cones are thus solved as sums of plane ones
+// (nodes/wedged/relaxation/facets.hpp). docs/theory/wedged.md, "Standard form with m rows", derives
+// it.
 #pragma once
 
 #include <span>

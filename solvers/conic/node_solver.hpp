@@ -3,7 +3,7 @@
 //
 // The tree needs only the sign of t*, so the iteration stops as soon as one side proves it. Both
 // bounds include rounding errors (solvers/conic/bounds.hpp). Nodes that are numerically undecided
-// in doubles are solved again with longer numbers (nodes/wedged/tree/contact_solver.hpp).
+// in doubles are solved again with longer numbers (nodes/wedged/relaxation/contact_solver.hpp).
 #pragma once
 
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include "engine/search.hpp"
 #include "nodes/evidence/verified_structure.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/evidence/certificate_file.hpp"

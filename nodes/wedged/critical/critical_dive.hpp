@@ -10,8 +10,8 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/branching_trial.hpp"
-#include "nodes/wedged/tree/candidate_bounds.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"

@@ -9,8 +9,8 @@
 #include "engine/outcome.hpp"
 #include "nodes/wedged/critical/critical_tree.hpp"
 #include "nodes/wedged/friction/bisection.hpp"
-#include "nodes/wedged/tree/pattern_options.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 

@@ -18,9 +18,9 @@
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
-#include "nodes/wedged/tree/branching.hpp"
+#include "nodes/wedged/relaxation/branching.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 

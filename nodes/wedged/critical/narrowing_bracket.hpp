@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "nodes/wedged/friction/friction_grid.hpp"
-#include "nodes/wedged/tree/candidate_bounds.hpp"
-#include "nodes/wedged/tree/contact_solver.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
+#include "nodes/wedged/relaxation/contact_solver.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

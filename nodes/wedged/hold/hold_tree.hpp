@@ -23,9 +23,9 @@
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
-#include "nodes/wedged/tree/branching.hpp"
-#include "nodes/wedged/tree/contact_solver.hpp"
-#include "nodes/wedged/tree/mean_motion.hpp"
+#include "nodes/wedged/relaxation/branching.hpp"
+#include "nodes/wedged/relaxation/contact_solver.hpp"
+#include "nodes/wedged/relaxation/mean_motion.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
 #include "support/index_set.hpp"
 

@@ -14,7 +14,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "nodes/wedged/friction/critical_friction.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 

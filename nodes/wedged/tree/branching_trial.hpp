@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/tree/pattern_options.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/answer.hpp"
 #include "support/stop.hpp"

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "nodes/wedged/tree/pattern_tally.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 

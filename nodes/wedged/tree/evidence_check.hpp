@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "support/exact_count.hpp"
 
 namespace kusabi::wedged {

@@ -8,7 +8,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/counts.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 

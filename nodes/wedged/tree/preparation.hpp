@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 

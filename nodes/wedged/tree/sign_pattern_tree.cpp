@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nodes/wedged/tree/degenerate_node.hpp"
+#include "nodes/wedged/relaxation/degenerate_node.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {

@@ -28,12 +28,12 @@
 #include <vector>
 
 #include "engine/expansion.hpp"
-#include "nodes/wedged/tree/block_relaxation.hpp"
+#include "nodes/wedged/relaxation/block_relaxation.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
-#include "nodes/wedged/tree/pattern_options.hpp"
 #include "nodes/wedged/tree/pattern_tally.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
-#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

@@ -6,7 +6,7 @@
 // loads stands for all combinations with the same leading action (docs/theory/limit.md).
 #pragma once
 
-#include "problems/files/sections/problem_draft.hpp"
+#include "problems/files/draft/problem_draft.hpp"
 
 namespace kusabi::problems {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/sections/bar_group.hpp"
+#include "problems/files/draft/bar_group.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 #include "problems/structure/model/element_shape.hpp"
 

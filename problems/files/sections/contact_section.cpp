@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
-#include "problems/files/sections/obstacle_normal.hpp"
-#include "problems/files/sections/places_of_others.hpp"
+#include "problems/files/draft/obstacle_normal.hpp"
+#include "problems/files/draft/places_of_others.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 
 namespace kusabi::problems {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/files/sections/problem_draft.hpp"
+#include "problems/files/draft/problem_draft.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "problems/structure/model/structure.hpp"
 

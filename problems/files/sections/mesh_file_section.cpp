@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/draft/mesh_body.hpp"
+#include "problems/files/draft/mesh_file.hpp"
 #include "problems/files/meshes/mesh_data.hpp"
 #include "problems/files/meshes/mesh_groups.hpp"
-#include "problems/files/sections/mesh_body.hpp"
-#include "problems/files/sections/mesh_file.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 #include "problems/structure/geometry/mesh_joints.hpp"
 #include "problems/structure/geometry/structured_mesh.hpp"

@@ -1,8 +1,8 @@
 // Section [[mesh]] with a `file`: adds a mesh of another program to the structure.
 #pragma once
 
-#include "problems/files/sections/mesh_plan.hpp"
-#include "problems/files/sections/problem_draft.hpp"
+#include "problems/files/draft/mesh_plan.hpp"
+#include "problems/files/draft/problem_draft.hpp"
 
 namespace kusabi::problems {
 

@@ -2,7 +2,7 @@
 // (docs/problem-files.md). Nodes and meshes come first, since all others refer to their nodes.
 #pragma once
 
-#include "problems/files/sections/problem_draft.hpp"
+#include "problems/files/draft/problem_draft.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "problems/structure/model/structure.hpp"
 

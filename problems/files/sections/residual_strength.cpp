@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "problems/files/sections/bar_group.hpp"
+#include "problems/files/draft/bar_group.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 
 namespace kusabi::problems {

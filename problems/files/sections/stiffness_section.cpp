@@ -12,11 +12,11 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/draft/stiffness_outlines.hpp"
 #include "problems/files/matrices/calculix_matrix.hpp"
 #include "problems/files/matrices/matrix_file.hpp"
 #include "problems/files/matrices/matrix_market.hpp"
 #include "problems/files/sections/problem_sections.hpp"
-#include "problems/files/sections/stiffness_outlines.hpp"
 
 namespace kusabi::problems {
 namespace {

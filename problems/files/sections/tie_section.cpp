@@ -1,7 +1,7 @@
 // Section [[ties]]: multi-point constraints, which connect meshes whose nodes do not coincide.
 #include <utility>
 
-#include "problems/files/sections/places_of_others.hpp"
+#include "problems/files/draft/places_of_others.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 
 namespace kusabi::problems {

@@ -1,6 +1,6 @@
 // Bounds of candidates compared with the configurations of the tree without cuts: rays, or walks to
 // the boundary of each cone, must not exceed a bound.
-#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 
 #include <algorithm>
 #include <cstdint>

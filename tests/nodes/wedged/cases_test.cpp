@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nodes/wedged/tree/contact_solver.hpp"
+#include "nodes/wedged/relaxation/contact_solver.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 

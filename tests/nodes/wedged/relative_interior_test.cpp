@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nodes/wedged/tree/contact_solver.hpp"
+#include "nodes/wedged/relaxation/contact_solver.hpp"
 #include "tests/nodes/wedged/random_truss.hpp"
 
 namespace kusabi::wedged {

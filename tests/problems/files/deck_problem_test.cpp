@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/files/sections/mesh_file.hpp"
+#include "problems/files/draft/mesh_file.hpp"
 #include "problems/files/structure_file.hpp"
 #include "tests/problems/files/mesh_problems.hpp"
 

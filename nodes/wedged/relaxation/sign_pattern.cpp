@@ -1,0 +1,17 @@
+// Leaf of a configuration in the tree of its block.
+#include "nodes/wedged/relaxation/sign_pattern.hpp"
+
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+
+using support::IndexSet;
+
+SignPattern own_leaf(const Configuration& found, const IndexSet& block) {
+  const auto& contact = found.pattern.contact;
+  return {.contact = problems::in_block(contact, block),
+          .separated = problems::in_block(block - contact, block),
+          .at_rest = {}};
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,29 @@
+// Detection of gaps between joined meshes.
+#include "problems/files/draft/mesh_plan.hpp"
+
+#include <fmt/format.h>
+
+#include "problems/structure/geometry/mesh_joints.hpp"
+
+namespace kusabi::problems {
+
+bool truth_of(const TomlReader& reader, const TomlTable& group, std::string_view key) {
+  const auto* entry = group.table->get(key);
+  if (entry == nullptr) return true;
+  if (!entry->is_boolean())
+    reader.fail(*entry, fmt::format("{} is neither true nor false; expected one", key));
+  return entry->value_or(true);
+}
+
+void refuse_gapes(const ProblemDraft& draft, int first_new, const MeshPlan& plan) {
+  const Structure& all = draft.structure();
+  const auto gape = find_gape(all, first_new, plan.joined);
+  if (!gape) return;
+  throw structure_error(
+      all, position_of(all.sources.elements, gape->element),
+      fmt::format("a face of this element lies on another where their nodes do not meet, at node "
+                  "{}; expected meshes that match, a gap, or join = false",
+                  draft.node_name(gape->node)));
+}
+
+}  // namespace kusabi::problems
