@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include <unistd.h>
 
@@ -138,6 +139,20 @@ void MpiTransport::broadcast(Bytes& bytes) {
     MPI_Bcast(bytes.data() + from, static_cast<int>(std::min(most, bytes.size() - from)), MPI_BYTE,
               0, reductions_);
   }
+}
+
+void MpiTransport::complete(std::span<double> numbers, std::span<const std::size_t> ends) {
+  std::vector<int> counts;
+  std::vector<int> offsets;
+  std::size_t begin = 0;
+  for (const auto end : ends) {
+    counts.push_back(static_cast<int>(end - begin));
+    offsets.push_back(static_cast<int>(begin));
+    begin = end;
+  }
+  ensure(begin == numbers.size() && begin <= 0x7FFFFFFFU, "the ranks' parts make up the array");
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), counts.data(), offsets.data(),
+                 MPI_DOUBLE, reductions_);
 }
 
 }  // namespace kusabi::engine

@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cstddef>
 #include <list>
+#include <span>
 
 #include <mpi.h>
 
+#include "engine/transport/exchange.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {
@@ -29,7 +31,7 @@ class MpiEnvironment {
 ///
 /// @pre MPI is initialised, and every rank of `communicator` constructs one. The communicator is
 ///     duplicated, so that messages of others are not received here.
-class MpiTransport final : public Transport {
+class MpiTransport final : public Transport, public Exchange {
  public:
   explicit MpiTransport(MPI_Comm communicator = MPI_COMM_WORLD);
   ~MpiTransport() override;
@@ -55,6 +57,7 @@ class MpiTransport final : public Transport {
   [[noreturn]] void abandon(const std::string& reason) override;
 
   void broadcast(Bytes& bytes) override;
+  void complete(std::span<double> numbers, std::span<const std::size_t> ends) override;
 
  private:
   struct Outgoing {

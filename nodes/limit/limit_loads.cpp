@@ -70,7 +70,7 @@ void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitCl
 // need no bound from above for a least factor that exceeds the largest one, since the guaranteed
 // interval is then empty.
 void find_least_factors(engine::Analysis& analysis, const verify::Structure& truss,
-                        const problems::LimitProblem& problem, double alpha,
+                        const problems::LimitProblem& problem, const LimitQuestion& asked,
                         LimitFindings& findings) {
   auto mirrored = problem;
   mirrored.reference = -problem.reference;
@@ -79,15 +79,15 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
     return "the least factors: the search again, with the reference load and the signs of factors "
            "reversed";
   });
-  RootSearch search(analysis, mirrored);
+  RootSearch search(analysis, mirrored, asked.split_from);
   const auto never = [] { return false; };
   if (set_up(search, never) == LoadStatus::collapses) {
-    search.settle_for(alpha);
+    search.settle_for(*asked.alpha);
     const auto& largest = findings.answer.worst->ends;
     if (largest.upper_proved) {
       search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
     }
-    const LimitQuestion question{.alpha = alpha};
+    const LimitQuestion question{.alpha = asked.alpha};
     WorstCaseSearch least(search, question, mirrored_truss);
     const auto& worst = findings.answer.reversed.emplace(least.solve());
     add_statement(least, worst, LimitClaim::least, findings);
@@ -103,7 +103,7 @@ void find_worst_cases(RootSearch& search, const LimitQuestion& question,
   const auto& worst = findings.answer.worst.emplace(largest.solve());
   add_statement(largest, worst, LimitClaim::largest, findings);
   if (worst.status == RootStatus::not_carried || worst.as_printed) return;
-  find_least_factors(search.analysis(), truss, search.problem(), *question.alpha, findings);
+  find_least_factors(search.analysis(), truss, search.problem(), question, findings);
 }
 
 // For sudden losses the yield forces are divided by the dynamic factor: the loads grow by it, and

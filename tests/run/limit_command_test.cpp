@@ -318,11 +318,31 @@ TEST_F(LimitCommand, ProvesTheGridOfSixteenBays) {
   expect_proved(result_of(argument("grid.toml") + " --alpha 40"), -10.2734733, 1e-6);
 }
 
+// Ranks share the columns of the splitting. No factor is carried under every load, which the least
+// factor of one load proves.
+TEST_F(LimitCommand, HasTheSameCertificateOnTwoRanks) {
+  shell(command + " example grid --bays 12 --output " + argument("grid.toml"));
+  std::string alone;
+  for (const std::string& launch : {std::string(), ranks(2)}) {
+    const auto run = shell(launch + command + " limit " + argument("grid.toml") +
+                           " --alpha 40 --certificate " + argument("cert"));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto certificate = content(in_folder("cert"));
+    if (alone.empty()) alone = certificate;
+    EXPECT_TRUE(certificate == alone) << launch;
+  }
+  const auto verified =
+      shell(command + " verify " + argument("cert") + " --problem " + argument("grid.toml"));
+  EXPECT_EQ(verified.exit_code, 0);
+  EXPECT_THAT(verified.output, HasSubstr("least factors: a bound from below"));
+  EXPECT_THAT(verified.output, HasSubstr("no load factor is carried under every admissible load"));
+}
+
 // The complete analysis takes seconds at the root alone; partial results must be valid.
 TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
-  shell(command + " example grid --bays 12 --output " + argument("grid.toml"));
+  shell(command + " example grid --bays 14 --output " + argument("grid.toml"));
   const auto whole = result_of(argument("grid.toml") + " --alpha 40");
-  const auto json = result_of(argument("grid.toml") + " --alpha 40 --time-limit 0.3", 3);
+  const auto json = result_of(argument("grid.toml") + " --alpha 40 --time-limit 0.2", 3);
   EXPECT_EQ(json["status"], "time-limit");
   if (!json["result"].contains("worst_case")) return;  // no nominal factor was found
   const auto& truth = whole["result"]["worst_case"];

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "engine/together.hpp"
+#include "engine/transport/exchange.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/root/split_root.hpp"
 
@@ -104,6 +105,24 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
   return cuts;
 }
 
+// Groups of columns of the splitting, distributed if the ranks are processes.
+splitting::Sharing RootSearch::shared_columns() {
+  auto& transport = analysis_.transport();
+  auto* const exchange = dynamic_cast<engine::Exchange*>(&transport);
+  if (transport.size() == 1 || exchange == nullptr) return {};
+  splitting::Sharing sharing{transport.rank(), transport.size()};
+  const int groups = splitting::groups_of(model().uncertain_count() + 1);
+  std::vector<std::size_t> ends;
+  for (int rank = 1; rank <= transport.size(); ++rank)
+    ends.push_back(static_cast<std::size_t>(sharing.first_group_of(rank, groups)));
+  sharing.exchange = [exchange, ends, groups](std::span<double> numbers) {
+    auto own = ends;
+    for (auto& end : own) end *= numbers.size() / static_cast<std::size_t>(groups);
+    exchange->complete(numbers, own);
+  };
+  return sharing;
+}
+
 RootResult RootSearch::solve(double alpha) {
   load_factor().restart();
   const RootControl control{.stop = lockstep_stop(),
@@ -111,8 +130,7 @@ RootResult RootSearch::solve(double alpha) {
                                               double upper) { say_ends(round, lower, upper); },
                             .enough = enough_ / model().factor_unit};
   if (alpha > 0 && model().uncertain_count() > 0 && splits()) {
-    // Every rank makes all steps: they do not depend on the number of ranks.
-    auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
+    auto split = split_root(model(), alpha, nominal(), load_factor(), shared_columns(), control);
     if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;
     load_factor().restart();
   }

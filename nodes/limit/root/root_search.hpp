@@ -13,6 +13,7 @@
 #include "nodes/limit/model/limit_question.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/worst_case.hpp"
+#include "nodes/limit/splitting/column_blocks.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
 
@@ -75,6 +76,7 @@ class RootSearch {
   };
 
   support::Stop lockstep_stop();
+  splitting::Sharing shared_columns();
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
   void say(const std::string& what);
   void say_ends(std::uint64_t round, double lower, double upper);

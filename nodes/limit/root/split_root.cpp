@@ -97,6 +97,7 @@ class SplitRoot {
   RootStatus look_at_face(splitting::AffineIteration& iteration);
   bool improve(Eigen::VectorXd motion);
   bool try_disturbed(int times);
+  bool over(Clock::time_point end);
   void bound(const splitting::ColumnBlocks& y);
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
@@ -220,15 +221,23 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   }
 }
 
+// By the clock of the rank of the first columns.
+bool SplitRoot::over(Clock::time_point end) {
+  const int groups = splitting::groups_of(static_cast<int>(program_.columns.size()));
+  std::vector<double> is_over(static_cast<std::size_t>(groups), Clock::now() > end ? 1 : 0);
+  sharing_.fill(is_over);
+  return is_over.front() != 0;
+}
+
 // Any certificate gives a bound: without a target the sets soon intersect.
 void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
   const auto now = Clock::now();
   const std::chrono::duration<double, std::milli> so_far = now - began_;
   const std::chrono::duration<double, std::milli> grace(
       std::max(milliseconds_at_the_end, share_at_the_end * so_far.count()));
-  const auto over = [end = now + grace] { return Clock::now() > end; };
-  bound_.set_stop(over);
-  while (!best_ && !over()) {
+  const auto end = now + std::chrono::duration_cast<Clock::duration>(grace);
+  bound_.set_stop({});
+  while (!best_ && !over(end)) {
     for (int k = 0; k < steps_a_bound; ++k) {
       iteration.step(-std::numeric_limits<double>::infinity());
     }

@@ -45,10 +45,10 @@ Segment AffineIteration::reflected(bool first, int row, const Segment& z) const 
 void AffineIteration::move(double relaxation, double share) {
   const int members = program_.members();
   const auto is_first = [](const BlockPlace& place) { return place.first_column() == 0; };
-  std::vector<double> squares(static_cast<std::size_t>(z_.groups()), 0.0);
+  // By group: the square, and lambda_0, which only the first one has.
+  std::vector<double> results(2 * static_cast<std::size_t>(z_.groups()), 0.0);
   Segment sum{};
   const double old_factor = factor_;
-  double next_factor = 0;
   const auto& metric = projection_.metric();
   sweep(
       projection_, program_.columns, z_,
@@ -56,12 +56,12 @@ void AffineIteration::move(double relaxation, double share) {
         return reflected(is_first(place), row, z);
       },
       [&](const BlockPlace& place, int row, Segment& y) {
-        auto& square = squares[static_cast<std::size_t>(place.group)];
+        auto* const result = results.data() + 2 * static_cast<std::size_t>(place.group);
         const double weight = 1 / metric(row);
         if (row == members && is_first(place)) {
           const double apart = y.part[0][0] - old_factor - rows_.threshold(row);
-          square += apart * apart * weight;
-          next_factor = share * anchor_factor_ + (1 - share) * (old_factor + relaxation * apart);
+          result[0] += apart * apart * weight;
+          result[1] = share * anchor_factor_ + (1 - share) * (old_factor + relaxation * apart);
           y.part[0][0] = 0;
         }
         auto* const z = z_.block(place.group, place.number) + row;
@@ -74,12 +74,13 @@ void AffineIteration::move(double relaxation, double share) {
           own = share * anchor->part[h] + (1 - share) * (own + relaxation * apart);
         }
         if (row < members) return;
-        square += sum_of(sum);
+        result[0] += sum_of(sum);
         sum = {};
         if (is_first(place)) motion_ = projection_.multipliers(0);
       });
-  factor_ = next_factor;
-  residual_ = std::sqrt(added(squares, 1, sharing_).front());
+  const auto sums = added(results, 2, sharing_);
+  factor_ = sums[1];
+  residual_ = std::sqrt(sums[0]);
 }
 
 void AffineIteration::step(double target) {

@@ -18,6 +18,10 @@ inline constexpr int block_columns = lanes * block_lanes;
 inline constexpr int group_blocks = 4;
 inline constexpr int group_columns = block_columns * group_blocks;
 
+inline int groups_of(int columns) {
+  return (columns + group_columns - 1) / group_columns;
+}
+
 /// A row of a block.
 struct Segment {
   Lanes part[block_lanes];
@@ -40,8 +44,11 @@ struct Sharing {
   void fill(std::span<double> numbers) const {
     if (exchange) exchange(numbers);
   }
-  [[nodiscard]] int first_group(int groups) const { return groups * rank / ranks; }
-  [[nodiscard]] int end_group(int groups) const { return groups * (rank + 1) / ranks; }
+  [[nodiscard]] int first_group_of(int other_rank, int groups) const {
+    return groups * other_rank / ranks;
+  }
+  [[nodiscard]] int first_group(int groups) const { return first_group_of(rank, groups); }
+  [[nodiscard]] int end_group(int groups) const { return first_group_of(rank + 1, groups); }
 };
 
 /// The columns of this rank, initially zero.
@@ -51,7 +58,7 @@ class ColumnBlocks {
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
-  [[nodiscard]] int groups() const { return (columns_ + group_columns - 1) / group_columns; }
+  [[nodiscard]] int groups() const { return groups_of(columns_); }
   [[nodiscard]] int first_group() const { return first_; }
   [[nodiscard]] int end_group() const { return end_; }
   [[nodiscard]] int blocks_of(int group) const;

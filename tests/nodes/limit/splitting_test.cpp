@@ -1,18 +1,26 @@
 // Operator splitting: projections compared with optimality conditions and simple searches, and
 // worst cases with all vertices.
 #include <algorithm>
+#include <barrier>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <Eigen/LU>
 
+#include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/root/split_root.hpp"
+#include "nodes/limit/splitting/acceleration.hpp"
+#include "nodes/limit/splitting/affine_iteration.hpp"
 #include "nodes/limit/splitting/affine_projection.hpp"
+#include "nodes/limit/splitting/face_iteration.hpp"
 #include "nodes/limit/splitting/face_projection.hpp"
 #include "nodes/limit/splitting/row_projection.hpp"
+#include "problems/families/grid_truss.hpp"
 #include "tests/nodes/limit/load_model.hpp"
 
 namespace kusabi::limit {
@@ -201,8 +209,118 @@ TEST(ColumnBlocks, SumsAreTheSameOnAnyNumberOfRanks) {
   }
 }
 
+/// Some steps of both iterations: points and residuals, on every rank.
+std::vector<double> steps_of(const AffineProgram& program, const Face& face,
+                             const Sharing& sharing) {
+  Eigen::VectorXd metric = Eigen::VectorXd::Ones(program.rows());
+  metric(program.members()) = 0.1;
+  AffineProjection projection(program.equilibrium, metric);
+  AffineIteration iteration(program, projection, sharing);
+  for (int k = 0; k < 30; ++k) iteration.step(face.factor);
+  FaceIteration on_face(program, projection, sharing, face, iteration);
+  for (int k = 0; k < 35; ++k) on_face.step();  // three cycles
+  std::vector<double> numbers{iteration.residual(), on_face.residual()};
+  for (const auto* const point : {&iteration.affine_point(), &on_face.affine_point()}) {
+    const auto all = all_columns(*point, sharing);
+    numbers.insert(numbers.end(), all.begin(), all.end());
+  }
+  const auto motion = iteration.motion();
+  numbers.insert(numbers.end(), motion.begin(), motion.end());
+  return numbers;
+}
+
+/// Ranks as threads.
+std::vector<std::vector<double>> steps_on(int ranks, const AffineProgram& program,
+                                          const Face& face) {
+  const int groups = groups_of(static_cast<int>(program.columns.size()));
+  std::barrier meeting(ranks);
+  std::vector<double> common;
+  std::vector<std::vector<double>> results(static_cast<std::size_t>(ranks));
+  std::vector<std::jthread> threads;
+  for (int rank = 0; rank < ranks; ++rank) {
+    threads.emplace_back([&, rank] {
+      Sharing sharing{rank, ranks};
+      sharing.exchange = [&, sharing](std::span<double> numbers) {
+        const auto part = numbers.size() / static_cast<std::size_t>(groups);
+        if (rank == 0) common.resize(numbers.size());
+        meeting.arrive_and_wait();
+        const auto first = static_cast<std::size_t>(sharing.first_group(groups)) * part;
+        const auto end = static_cast<std::size_t>(sharing.end_group(groups)) * part;
+        std::copy(numbers.begin() + static_cast<std::ptrdiff_t>(first),
+                  numbers.begin() + static_cast<std::ptrdiff_t>(end),
+                  common.begin() + static_cast<std::ptrdiff_t>(first));
+        meeting.arrive_and_wait();
+        std::ranges::copy(common, numbers.begin());
+        meeting.arrive_and_wait();
+      };
+      results[static_cast<std::size_t>(rank)] = steps_of(program, face, sharing);
+    });
+  }
+  threads.clear();
+  return results;
+}
+
+TEST(Splitting, MakesTheSameStepsOnAnyNumberOfRanks) {
+  const auto model = limit_model(limit_problem(checked(problems::grid_truss(8))));
+  LoadFactor load_factor(model);
+  ASSERT_EQ(load_factor.solve(model.dead), LoadStatus::collapses);
+  const auto program = affine_program(model, 40 / model.force_unit);
+  const auto collapse = load_factor.collapse();
+  const auto face =
+      face_of(program, collapse.factor, collapse.motion, std::vector<int>(program.loads.size(), 1));
+  const auto expected = steps_of(program, face, {});
+  for (const int ranks : {2, 3, 4}) {  // three groups
+    for (const auto& found : steps_on(ranks, program, face)) EXPECT_EQ(found, expected) << ranks;
+  }
+}
+
+// Four differences determine the fixed point of a linear map with four eigenvalues.
+TEST(Acceleration, EndsOnLinearMaps) {
+  std::mt19937 bits(5);
+  const Sharing alone;
+  const MixedPoint fixed{random_blocks(3, bits, alone), Eigen::Vector2d(1, -2)};
+  MixedPoint point{random_blocks(3, bits, alone), Eigen::Vector2d(5, 7)};
+  constexpr double shares[] = {0.9, 0.5, 0.2, -0.7};
+  const auto apply = [&](MixedPoint& z) {
+    for (int j = 0; j < columns; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        const double apart = z.columns.at(i, j) - fixed.columns.at(i, j);
+        z.columns.set(i, j, fixed.columns.at(i, j) + shares[(i + j) % 4] * apart);
+      }
+    }
+    z.rest = fixed.rest + 0.9 * (z.rest - fixed.rest);
+  };
+  Acceleration acceleration(point, alone);
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    apply(point);
+    acceleration.advance(point);
+    EXPECT_EQ(acceleration.extrapolates(), cycle > 0);
+  }
+  EXPECT_LT((point.rest - fixed.rest).norm(), 1e-5);
+  for (int j = 0; j < columns; ++j) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(point.columns.at(i, j), fixed.columns.at(i, j), 1e-5);
+  }
+  auto result = point;
+  apply(result);
+  const auto expected = result.rest;
+  acceleration.advance(result);
+  acceleration.reject(result);
+  EXPECT_EQ(result.rest, expected);
+  EXPECT_FALSE(acceleration.extrapolates());
+}
+
+// L by all corners.
+std::optional<double> greatest_least_factor(problems::Structure truss, double alpha) {
+  for (auto& load : truss.loads) {
+    if (load.kind == problems::Load::Kind::reference) load.force *= -1;
+  }
+  const auto opposite = PlainTruss(truss).least_of_all_corners(alpha);
+  return opposite ? std::optional(-*opposite) : std::nullopt;
+}
+
 TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
   int compared = 0;
+  int empty = 0;
   for (std::uint32_t seed = 5001; seed < 5061; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
@@ -221,8 +339,19 @@ TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
     EXPECT_NEAR(answer.worst->ends.lower, *least, test::near);
     ASSERT_FALSE(statements.empty());
     EXPECT_EQ(shown(statements.front().evidence, truss).why, "");
+    const double from = greatest_least_factor(truss, alpha).value();
+    const auto interval = guaranteed_interval(answer);
+    EXPECT_LE(interval.least.lower, from + test::near);
+    EXPECT_GE(interval.least.upper, from - test::near);
+    if (std::abs(from - *least) < test::near) continue;
+    EXPECT_EQ(interval.is_empty(), from > *least);
+    ASSERT_EQ(statements.size(), 2U);
+    if (!statements.back().evidence.nodes.empty()) continue;
+    ++empty;
+    EXPECT_TRUE(interval.is_empty());
   }
   EXPECT_GE(compared, 25);
+  EXPECT_GE(empty, 1);  // ended once the interval was known to be empty
 }
 
 TEST(Splitting, LeavesTrueGapsToTheTree) {
