@@ -59,6 +59,16 @@ struct OpenNode {
   }
 };
 
+/// Bounds are not sent.
+template <class Node>
+requires std::is_trivially_copyable_v<Node>
+class PackedSize<OpenNode<NodeWithBound<Node>>> {
+ public:
+  std::size_t operator()(const OpenNode<NodeWithBound<Node>>& /*value*/) {
+    return sizeof(OpenNode<Node>);
+  }
+};
+
 /// Nodes removed from a frontier or heap, with the part of the trail above them.
 template <class Node>
 struct Bundle {
