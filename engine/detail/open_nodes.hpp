@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include <boost/serialization/binary_object.hpp>
 #include <boost/serialization/vector.hpp>
+#include <boost/serialization/version.hpp>
 
 #include "engine/detail/node_with_bound.hpp"
 #include "engine/wire.hpp"
@@ -57,17 +59,48 @@ struct OpenNode {
   }
 };
 
+/// Bounds are not sent.
+template <class Node>
+requires std::is_trivially_copyable_v<Node>
+class PackedSize<OpenNode<NodeWithBound<Node>>> {
+ public:
+  std::size_t operator()(const OpenNode<NodeWithBound<Node>>& /*value*/) {
+    return sizeof(OpenNode<Node>);
+  }
+};
+
 /// Nodes removed from a frontier or heap, with the part of the trail above them.
 template <class Node>
 struct Bundle {
   std::vector<TrailStep> trail;       ///< from the root down to the parent of the deepest node
   std::vector<OpenNode<Node>> nodes;  ///< shallowest first
 
+  /// The trail is one block of bytes, since that of a deep tree has thousands of steps. Checkpoints
+  /// of version 0 of this class have them one by one.
   template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& trail& nodes;
+  void serialize(Archive& archive, unsigned version) {
+    if (version == 0) {
+      archive& trail;
+    } else {
+      auto steps = static_cast<std::uint64_t>(trail.size());
+      archive& steps;
+      trail.resize(steps);
+      archive& boost::serialization::make_binary_object(trail.data(), steps * sizeof(TrailStep));
+    }
+    archive& nodes;
   }
 };
+
+}  // namespace kusabi::engine
+
+template <class Node>
+struct boost::serialization::version<kusabi::engine::Bundle<Node>> {
+  using type = mpl::int_<1>;
+  using tag = mpl::integral_c_tag;
+  static constexpr int value = 1;
+};
+
+namespace kusabi::engine {
 
 /// Nodes sent to another rank.
 template <class Node>

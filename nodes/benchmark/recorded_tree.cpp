@@ -22,6 +22,7 @@ RecordedTree RecordedTree::read(std::istream& stream, const std::string& name) {
   auto recording = std::make_shared<Recording>();
   auto& nodes = recording->nodes;
   std::vector<std::uint32_t> above;  // places of the ancestors of the next node
+  std::vector<double> path;          // sums of times down to them
   const auto close_down_to = [&](std::size_t depth) {
     for (; above.size() > depth; above.pop_back()) {
       nodes[above.back()].subtree = static_cast<std::uint32_t>(nodes.size()) - above.back();
@@ -46,6 +47,9 @@ RecordedTree RecordedTree::read(std::istream& stream, const std::string& name) {
     close_down_to(depth);
     above.push_back(static_cast<std::uint32_t>(nodes.size()));
     nodes.push_back({1, nanoseconds * nano});
+    path.resize(depth);
+    path.push_back((path.empty() ? 0 : path.back()) + nodes.back().seconds);
+    recording->longest_path = std::max(recording->longest_path, path.back());
   }
   if (nodes.empty()) throw std::invalid_argument(name + ": has no nodes; expected a recorded tree");
   close_down_to(0);

@@ -40,6 +40,9 @@ class RecordedTree {
   /// Time of all nodes, in seconds.
   [[nodiscard]] double total_seconds() const { return recording_->total_seconds; }
 
+  /// Greatest sum of times on a path from the root, in seconds: no number of ranks is faster.
+  [[nodiscard]] double longest_path() const { return recording_->longest_path; }
+
   [[nodiscard]] Node root() const { return {}; }
 
   /// @param out engine::Expansion of this type
@@ -66,6 +69,7 @@ class RecordedTree {
     std::vector<Entry> nodes;  // in depth-first order
     double total_seconds = 0;
     double least_seconds = 0;
+    double longest_path = 0;
   };
 
   explicit RecordedTree(std::shared_ptr<const Recording> recording)

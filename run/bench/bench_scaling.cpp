@@ -121,6 +121,8 @@ int bench_scaling(Session& session, const BenchScalingOptions& options) {
   };
   if (!options.trace.empty()) {
     const auto tree = recorded(options.trace);
+    fmt::print("The longest path takes {:.6f} s: no number of ranks is faster.\n",
+               tree.longest_path());
     print_table(options, Subject<benchmark::RecordedTree>{tree, tree.size(), tree.total_seconds()});
   } else if (options.tree == "sized") {
     of_equal_nodes(benchmark::SizedTree(options.seed, options.nodes), options.nodes);

@@ -142,6 +142,31 @@ TEST(Heap, IsFullAtItsLimitOfBytes) {
   EXPECT_LE(heap.bytes(), 2 * one);
 }
 
+// A bundle as checkpoints had it when trails were lists of steps.
+struct OlderBundle {
+  std::vector<TrailStep> trail;
+  std::vector<OpenNode<PathNode>> nodes;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& trail& nodes;
+  }
+};
+
+TEST(Bundle, OfAnOlderCheckpointIsRead) {
+  OlderBundle older{{{0, 2, 77, 0.5}, {1, 3, 88, 0.25}}, {}};
+  older.nodes.emplace_back(PathNode{{1, 2}, 3.5}, 2, 2);
+  const auto bundle = unpack<Bundle<PathNode>>(pack(older));
+  ASSERT_EQ(bundle.trail.size(), 2U);
+  EXPECT_EQ(bundle.trail[1].hash, 88U);
+  EXPECT_EQ(bundle.trail[1].share_of_each, 0.25);
+  ASSERT_EQ(bundle.nodes.size(), 1U);
+  EXPECT_EQ(bundle.nodes[0].node.path, (Path{1, 2}));
+  const auto again = unpack<Bundle<PathNode>>(pack(bundle));
+  EXPECT_EQ(again.trail[0].branches, 2U);
+  EXPECT_EQ(again.nodes[0].branch, 2U);
+}
+
 // A heap that receives the remainder of a depth-first search at random moments: after any transfers
 // each node still has its own path.
 TEST(Heap, PathsSurvive) {

@@ -50,6 +50,7 @@ TEST(RecordedTree, TakesItsTimeInASimulation) {
   EXPECT_EQ(tree.size(), 4U);
   EXPECT_DOUBLE_EQ(tree.total_seconds(), 7500.5e-9);
   EXPECT_DOUBLE_EQ(tree.least_seconds(), 500.5e-9);
+  EXPECT_DOUBLE_EQ(tree.longest_path(), 5000e-9);
   const auto alone = engine::simulate(tree, 1, 1);
   EXPECT_EQ(alone.outcome.opened(), 4U);
   EXPECT_GT(alone.seconds, tree.total_seconds());
