@@ -1,4 +1,5 @@
 // Bars and elements: [[members]] and [[elements]].
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace {
 void member_group(ProblemDraft& draft, const TomlTable& group) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
-  reader.allow_only(group, {"EA", "E", "A", "yield", "fy", "buckling", "between"});
+  reader.allow_only(group,
+                    {"EA", "E", "A", "yield", "fy", "buckling", "density", "expansion", "between"});
   const BarGroup bars = bars_in(reader, group);
   const auto& between = reader.require(group, "between", "between = [[\"a\", \"b\"], ...]");
   for (const toml::node* pair : reader.elements(between, "between")) {
@@ -48,7 +50,7 @@ void refuse_plane_keys(const TomlReader& reader, const TomlTable& group) {
 
 void element_group(ProblemDraft& draft, const TomlTable& group) {
   const TomlReader& reader = draft.reader();
-  reader.allow_only(group, {"E", "nu", "thickness", "plane", "between"});
+  reader.allow_only(group, {"E", "nu", "thickness", "plane", "density", "expansion", "between"});
   Element element = material(reader, group, draft.structure().dimension);
   const auto& between =
       reader.require(group, "between", "between = [[\"a\", \"b\", \"c\", \"d\"], ...]");
@@ -94,6 +96,7 @@ Element material(const TomlReader& reader, const TomlTable& group, int dimension
   element.modulus =
       reader.number(reader.require(group, "E", "E = Young's modulus, a force per area"), "E");
   element.ratio = reader.number(reader.require(group, "nu", "nu = Poisson's ratio"), "nu");
+  std::tie(element.density, element.expansion) = body_properties(reader, group);
   if (dimension == 3) {
     refuse_plane_keys(reader, group);
     return element;

@@ -2,6 +2,8 @@
 // (docs/problem-files.md). Nodes and meshes come first, since all others refer to their nodes.
 #pragma once
 
+#include <utility>
+
 #include "problems/files/sections/problem_draft.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "problems/structure/model/structure.hpp"
@@ -34,6 +36,13 @@ void read_ties(ProblemDraft& draft);
 
 /// [[contact]].
 void read_contact(ProblemDraft& draft);
+
+/// The weight by `gravity` as dead loads, and the forces of `temperature` and displaced supports.
+/// After all other sections.
+void read_body_loads(ProblemDraft& draft);
+
+/// The keys `density` and `expansion` of a material, zero if they are absent.
+std::pair<double, double> body_properties(const TomlReader& reader, const TomlTable& group);
 
 /// An element without nodes, with the material of a group.
 Element material(const TomlReader& reader, const TomlTable& group, int dimension);
