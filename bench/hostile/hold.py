@@ -14,6 +14,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import textwrap
 from decimal import localcontext
 from fractions import Fraction
 from itertools import product
@@ -220,7 +221,7 @@ def verify(what, kusabi, path, names):
         done = subprocess.run([kusabi.path, "verify", place, "--problem", path, "--serial"],
                               capture_output=True, text=True, timeout=300)
         if done.returncode not in (0, 3):
-            wrong.append(f"{what}: verify {name}: {done.stdout.strip()[-80:]} {done.stderr.strip()[:300]}")
+            wrong.append(f"{what}: verify {name}: {done.stdout.strip()[-300:]} {done.stderr.strip()[:300]}")
     return wrong
 
 
@@ -298,7 +299,7 @@ def main():
                 print(f"{asked.seed}-{index:05d}: {line}", flush=True)
             if wrong and asked.found:
                 asked.found.mkdir(parents=True, exist_ok=True)
-                (asked.found / f"{asked.seed}-{index:05d}.toml").write_text("".join(f"# {line}\n" for line in wrong) + text)
+                (asked.found / f"{asked.seed}-{index:05d}.toml").write_text(textwrap.indent("\n".join(wrong) + "\n", "# ", lambda line: True) + text)
     print(f"{asked.count} cases: {differences} differences, {open_answers} open answers, {mechanisms} mechanisms")
     sys.exit(1 if differences else 0)
 

@@ -120,4 +120,13 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   return result;
 }
 
+verify::Structure verified_under_load(const problems::Structure& structure) {
+  auto result = verified_structure(structure);
+  for (Eigen::Index node = 0; node < structure.imposed_forces.cols(); ++node) {
+    const auto force = structure.imposed_forces.col(node);
+    if (!force.isZero(0)) result.dead.push_back({number(static_cast<int>(node)), vector(force)});
+  }
+  return result;
+}
+
 }  // namespace kusabi::evidence

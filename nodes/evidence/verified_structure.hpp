@@ -12,4 +12,7 @@ namespace kusabi::evidence {
 /// @param structure as read, checked
 verify::Structure verified_structure(const problems::Structure& structure);
 
+/// The same with the imposed forces as a part of the dead load.
+verify::Structure verified_under_load(const problems::Structure& structure);
+
 }  // namespace kusabi::evidence

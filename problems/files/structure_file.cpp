@@ -68,10 +68,11 @@ StructureAndFacets read(std::string_view toml_text, const std::string& file_name
                               "the file is empty; expected a problem file in TOML");
   }
   ProblemDraft draft(toml_text, file_name, meshes);
-  draft.reader().allow_only(draft.reader().root(),
-                            {"name", "dimension", "units", "nodes", "mesh", "material", "members",
-                             "elements", "supports", "springs", "stiffness", "ties", "contact",
-                             "loads", "uncertainty", "actions", "combinations"});
+  draft.reader().allow_only(
+      draft.reader().root(),
+      {"name", "dimension", "units", "gravity", "temperature", "nodes", "mesh", "material",
+       "members", "elements", "supports", "springs", "stiffness", "ties", "contact", "loads",
+       "uncertainty", "actions", "combinations"});
   read_header(draft);
   read_nodes(draft);
   read_meshes(draft);
@@ -84,6 +85,7 @@ StructureAndFacets read(std::string_view toml_text, const std::string& file_name
   read_contact(draft);
   read_loads(draft);
   read_actions(draft);
+  read_body_loads(draft);
   auto facets = std::move(draft.facets());
   CheckedStructure structure(std::move(draft).finished());
   structure.warn(normal_warnings(structure));

@@ -184,6 +184,11 @@ void Limit::take_cases(const problems::CheckedStructure& whole) {
 
 void Limit::prepare(CommandRun& run) {
   const auto structure = options_.input.structure(run);
+  if (structure->imposed_forces.size() > 0) {
+    warn_all(run.session(),
+             {"kusabi limit ignores temperature and displaced supports: a limit load does not "
+              "depend on them"});
+  }
   options_.question.residual =
       problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
   take_cases(structure);

@@ -9,9 +9,11 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/relaxation/facets.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/evidence/certificate_file.hpp"
@@ -31,6 +33,15 @@
 
 namespace kusabi::run {
 namespace {
+
+// True if one reference load is the load of the file: none is of a load case.
+bool has_reference_load(const problems::Structure& structure) {
+  const auto is_reference = [](const auto& load) {
+    return load.kind == problems::Load::Kind::reference;
+  };
+  return std::ranges::any_of(structure.loads, is_reference) &&
+         problems::load_cases(structure).empty();
+}
 
 class Patterns final : public Subcommand {
  public:
@@ -59,7 +70,8 @@ class Patterns final : public Subcommand {
   wedged::PatternQuestion question_;
   std::optional<CertificateFile> certificate_;
   std::optional<wedged::PatternFindings> findings_;
-  std::vector<wedged::PatternBracket> brackets_;  // on rank 0, if requested
+  PatternNumbers numbers_;                       // on rank 0
+  std::optional<wedged::LoadedProblem> loaded_;  // if the file has a reference load
   bool goes_on_ = false;  // a state is kept from which the search can be resumed
 };
 
@@ -190,6 +202,11 @@ void Patterns::prepare(CommandRun& run) {
   const auto& file = options_.input.file;
   contact_ = contact_problem(run, options_.input, options_.friction);
   friction_ = friction_at(contact_.problem, options_.friction, file);
+  if (has_reference_load(contact_.structure)) {
+    loaded_ = run.within_limits(
+        [&](const auto& work) { return wedged::loaded_problem(contact_.structure, work); });
+    if (!loaded_->has_reference) loaded_.reset();
+  }
   if (options_.polyhedral && contact_.problem.dimension == 2) {
     throw WrongInput(
         fmt::format("--method polyhedral: {} is a plane problem, whose friction cones are "
@@ -227,11 +244,16 @@ void Patterns::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
   findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
-  if (options_.sort != PatternSort::critical) return;
-  const bool searched = run.session().from_first_rank([&] { return whole(); });
+  const bool sorted = options_.sort == PatternSort::critical;
+  const bool searched =
+      (sorted || loaded_) && run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;
-  brackets_ =
-      wedged::pattern_brackets(analysis, contact_.problem, findings_->leaves, options_.friction);
+  if (sorted)
+    numbers_.brackets =
+        wedged::pattern_brackets(analysis, contact_.problem, findings_->leaves, options_.friction);
+  if (loaded_)
+    numbers_.firmness =
+        wedged::firmness_of_patterns(analysis, *loaded_, options_.friction, findings_->leaves);
 }
 
 // After an early stop the parts of the certificate are kept only with a checkpoint to resume from.
@@ -275,7 +297,7 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
 
 std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(
-      PatternsReport{options_, contact_.problem, *findings_, brackets_, CommandRun::page()});
+      PatternsReport{options_, contact_.problem, *findings_, numbers_, CommandRun::page()});
   goes_on_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
   return {run.result(
@@ -288,7 +310,7 @@ std::vector<Step> Patterns::results(CommandRun& run) {
 }
 
 Verdict Patterns::verdict() const {
-  return PatternsReport{options_, contact_.problem, *findings_, brackets_, CommandRun::page()}
+  return PatternsReport{options_, contact_.problem, *findings_, numbers_, CommandRun::page()}
       .verdict();
 }
 

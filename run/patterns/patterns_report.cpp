@@ -2,6 +2,7 @@
 #include "run/patterns/patterns_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/exact_json.hpp"
@@ -47,6 +49,17 @@ const char* name_of(wedged::Branching branching) {
       return "weighed";
   }
   return "";
+}
+
+ordered_json firmness_json(const std::optional<wedged::Firmness>& firmness) {
+  if (!firmness) return nullptr;
+  const auto end = [](double factor) {
+    return number_or_null(std::isfinite(factor) ? std::optional(factor) : std::nullopt);
+  };
+  return {{"low", end(firmness->low)},
+          {"low_out", end(firmness->low_out)},
+          {"high", end(firmness->high)},
+          {"high_out", end(firmness->high_out)}};
 }
 
 }  // namespace
@@ -105,6 +118,7 @@ Verdict PatternsReport::verdict() const {
         fmt::format("The certificate does not prove {} with a margin of zero.",
                     counted(exact.unproved, "degenerate node")));
   }
+  if (!firmness_.empty()) verdict.details.push_back(largest_load());
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
         "The coefficients from which the patterns stick (--sort critical) were not all computed; "
@@ -126,6 +140,23 @@ std::string PatternsReport::largest_margin() const {
   return fmt::format("Number {} has the largest margin, {:.3g} (in contact: {}). {}",
                      best - leaves.begin() + 1, best->lower, contact_text(problem_, best->pattern),
                      nearest_failure_text(problem_, nearest));
+}
+
+// The pattern that holds the largest factor, for each unit of its normal reactions.
+std::string PatternsReport::largest_load() const {
+  std::size_t best = firmness_.size();
+  for (std::size_t i = 0; i < firmness_.size(); ++i) {
+    if (firmness_[i] && (best == firmness_.size() || firmness_[i]->high > firmness_[best]->high))
+      best = i;
+  }
+  if (best == firmness_.size()) return "The reference load acts on none of the patterns.";
+  const auto& [low_out, low, high, high_out] = *firmness_[best];
+  if (std::isinf(high))
+    return fmt::format("Number {} holds the reference load at any factor.", best + 1);
+  return fmt::format(
+      "While its normal reactions add up to 1, number {} holds the reference load up to a factor "
+      "of {}, the largest of all patterns.",
+      best + 1, rounded_down(high));
 }
 
 std::string PatternsReport::details() const {
@@ -220,6 +251,7 @@ void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whol
       pattern["critical_friction"] = {{"lower", brackets_[i].lower},
                                       {"upper", number_or_null(brackets_[i].upper)}};
     }
+    if (!firmness_.empty()) pattern["firmness"] = firmness_json(firmness_[i]);
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
     if (options_.whole || i < whole_unless_requested || i == largest) {
       pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);

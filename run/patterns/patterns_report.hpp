@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/wedged/hold/firmness.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -20,17 +22,24 @@
 
 namespace kusabi::run {
 
+/// Further numbers of each pattern, in the order of the findings; empty: not computed.
+struct PatternNumbers {
+  std::vector<wedged::PatternBracket> brackets;
+  std::vector<std::optional<wedged::Firmness>> firmness;
+};
+
 /// All views of the findings.
 class PatternsReport {
  public:
-  /// All references must outlive it. @param brackets one per leaf, or none
+  /// All references must outlive it.
   PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
-                 const wedged::PatternFindings& findings,
-                 const std::vector<wedged::PatternBracket>& brackets, const Page& page)
+                 const wedged::PatternFindings& findings, const PatternNumbers& numbers,
+                 const Page& page)
       : options_(options),
         problem_(problem),
         findings_(findings),
-        brackets_(brackets),
+        brackets_(numbers.brackets),
+        firmness_(numbers.firmness),
         page_(page) {}
 
   [[nodiscard]] Verdict verdict() const;
@@ -61,6 +70,7 @@ class PatternsReport {
     return std::ranges::max_element(findings_.leaves, {}, &wedged::Configuration::lower);
   }
   [[nodiscard]] std::string largest_margin() const;
+  [[nodiscard]] std::string largest_load() const;
   /// Sentences below the headline.
   [[nodiscard]] std::string details() const;
   void write_result(JsonWriter& json, const WholeStateJson& whole) const;
@@ -74,6 +84,7 @@ class PatternsReport {
   const problems::WedgedProblem& problem_;
   const wedged::PatternFindings& findings_;
   const std::vector<wedged::PatternBracket>& brackets_;
+  const std::vector<std::optional<wedged::Firmness>>& firmness_;
   Page page_;
 };
 

@@ -1,15 +1,18 @@
 // Table of `kusabi patterns`: one line per pattern, or per group of patterns.
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
 #include "run/patterns/patterns_report.hpp"
+#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -31,6 +34,17 @@ std::string margin_text(const wedged::Configuration& leaf) {
 
 std::string start_text(const wedged::PatternBracket& bracket) {
   return bracket.upper ? fmt::format("{:.6g}", *bracket.upper) : "?";
+}
+
+std::string held_text(const std::optional<wedged::Firmness>& firmness) {
+  const auto end = [](double factor, const std::string& shown) {
+    return std::isinf(factor) ? std::string("any") : shown;
+  };
+  const auto [low, high] =
+      firmness ? std::pair(end(firmness->low, rounded_up(firmness->low, digits_of_table)),
+                           end(firmness->high, rounded_down(firmness->high, digits_of_table)))
+               : std::pair(std::string("-"), std::string("-"));
+  return fmt::format("{:>14}  {:>12}", low, high);
 }
 
 }  // namespace
@@ -67,7 +81,8 @@ std::string PatternsReport::row(std::size_t number) const {
   const auto& leaf = findings_.leaves[number];
   const auto from =
       brackets_.empty() ? std::string{} : fmt::format("  {:>11}", start_text(brackets_[number]));
-  return fmt::format("{:>5}  {:>10}{}  {}\n", number + 1, margin_text(leaf), from,
+  const auto held = firmness_.empty() ? std::string{} : "  " + held_text(firmness_[number]);
+  return fmt::format("{:>5}  {:>10}{}{}  {}\n", number + 1, margin_text(leaf), from, held,
                      contact_text(problem_, leaf.pattern));
 }
 
@@ -76,11 +91,17 @@ std::string PatternsReport::list() const {
   const std::size_t all = shown.size();
   if (all == 0) return {};
   shown.resize(std::min<std::size_t>(all, options_.top));
-  auto text = fmt::format("\n{:>5}  {:>10}{}  {}\n", "", "margin t*",
-                          brackets_.empty() ? "" : "  sticks from", head_of_contact);
+  auto text = fmt::format(
+      "\n{:>5}  {:>10}{}{}  {}\n", "", "margin t*", brackets_.empty() ? "" : "  sticks from",
+      firmness_.empty() ? "" : "  load held from  load held to", head_of_contact);
   for (const std::size_t i : shown) text += row(i);
   if (shown.size() < all) text += fmt::format("{:>5}  {} more\n", "…", all - shown.size());
   if (!brackets_.empty()) text += begins_explained;
+  if (!firmness_.empty()) {
+    text +=
+        "       (load held: factors of the reference load, while the normal reactions of the "
+        "pattern add up to 1)\n";
+  }
   if (shown.size() > many_lines) {
     text +=
         "       (--sort margin --top 10 lists those with the largest margins; --group 1 groups "

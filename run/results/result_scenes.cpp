@@ -100,6 +100,20 @@ class SceneReader {
     return scene;
   }
 
+  // The load that the pattern holds while its normal reactions add up to 1, if it is known.
+  void add_firmness(Scene& scene, const ResultJson& pattern) const {
+    const auto* const firmness = ResultReader::find(pattern, "firmness");
+    if (firmness == nullptr) return;
+    const auto end = [&](const char* key, const char* without) {
+      return ResultReader::find(*firmness, key) == nullptr
+                 ? std::string(without)
+                 : fmt::format("{:.6g}", reader_.number(*firmness, key));
+    };
+    add_line(scene,
+             fmt::format("load held at a sum of normal reactions of 1: factors from {} to {}",
+                         end("low", "-∞"), end("high", "∞")));
+  }
+
   void read_patterns(ResultScenes& all) {
     const double friction = reader_.number(result_, "friction");
     const auto& patterns = reader_.list(result_, "patterns");
@@ -117,6 +131,7 @@ class SceneReader {
                                     : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
       if (state == "alive" && has_margin)
         add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
+      add_firmness(scene, pattern);
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
       all.entries.push_back(all.count - 1);

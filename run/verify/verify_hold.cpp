@@ -157,7 +157,7 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   }
   const auto certificate = hold_certificate_in(text, options.certificate);
   const auto loaded = in_case_of(*structure, certificate.load_case, options);
-  const auto verified = evidence::verified_structure(loaded);
+  const auto verified = evidence::verified_under_load(loaded);
   auto found = verify::consistency_under_load(certificate.header, verified);
   if (const auto* why = std::get_if<std::string>(&found))
     return refusal_of_whole(options, fmt::format("{}: {}", options.problem, *why));

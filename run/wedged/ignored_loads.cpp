@@ -47,6 +47,15 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
                                 : counted(structure.loads.size(), "load"));
     lines.emplace_back(problems::structure_error(structure, position, message).what());
   }
+  if (structure.imposed_forces.size() > 0) {
+    lines.emplace_back(
+        problems::structure_error(
+            structure, {},
+            fmt::format("kusabi {} ignores temperature and displaced supports: a wedged "
+                        "configuration holds without them; expected kusabi hold",
+                        command))
+            .what());
+  }
   add_clearances(structure, command, lines);
   return lines;
 }

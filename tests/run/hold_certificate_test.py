@@ -11,7 +11,7 @@ import re
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import EXAMPLES, KusabiCase, main  # noqa: E402: beside the folder of this file
+from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
 
 LADDER = EXAMPLES / "ladder.toml"
 PEG = EXAMPLES / "peg-under-load.toml"
@@ -170,6 +170,13 @@ class HoldCertificate(KusabiCase):
         proved, none, said = self.proved(self.folder / "cert", place)
         self.assertEqual((len(proved), len(none)), (1, 2))
         self.assertIn("normal reactions that add up to 1", said)
+
+    def test_the_total_of_far_displacements(self):
+        case = SOURCES / "tests" / "cases" / "total_of_far_displacements.toml"
+        result = self.solve("hold", case, "--mu", 1.74231, "--total", 1.5395190209950314, "--certificate", self.folder / "cert")
+        (held,) = result["result"]["intervals"]
+        ((low, high),) = self.proved(self.folder / "cert", case)[0]
+        self.assertEqual((low, high), (held["low"], held["high"]))
 
     def test_totals_and_grips_are_not_combined(self):
         self.assertIn("expected one of them", self.refused("hold", LADDER, "--mu", 0.4, "--total", 1, "--grip"))

@@ -9,6 +9,13 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
+namespace {
+
+/// Binary digits of the sum of the normal reactions, where it is requested.
+constexpr int sum_digits = 30;
+
+}  // namespace
+
 std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& contact,
                                                            const IndexSet& /*separated*/,
                                                            std::span<const double> numbers) const {
@@ -208,6 +215,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     if (!(friction_[i] * pressure > shear)) return name + " slips, or is at the limit of friction";
   }
   if (leaf.grip != nullptr) {
+    if (spread.scaled(sum_digits) > sum) return "the sum of its normal reactions is not known";
     *leaf.grip = {(sum - spread).rational() / s.rational(),
                   (sum + spread).rational() / s.rational()};
   }

@@ -7,8 +7,6 @@
 #include <set>
 #include <utility>
 
-#include <Eigen/SVD>
-
 namespace kusabi::wedged {
 namespace {
 
@@ -23,10 +21,6 @@ constexpr int most_intervals = 64;
 
 /// Load factors below this share of the ratio of both loads are zero to all digits of either.
 constexpr double least_factor_share = 1e-12;
-
-/// Singular values of the rows of U below this part of the largest belong to modes that these do
-/// not resist, as in solvers/conic/motion_bounds.cpp.
-constexpr double not_resisted = 1e-10;
 
 /// Relative steps below a leaf's own coefficient at which the tree is searched if it is degenerate
 /// there.
@@ -62,22 +56,6 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
     reference += leaf.amounts[j] * shares[j].reference;
   }
   return reference / dead;
-}
-
-/// True if the candidates of U resist every rigid-body mode.
-bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet& contact,
-                 double mu) {
-  const Eigen::Index p = problem.modes.matrix.cols();
-  const Eigen::Index d = problem.dimension;
-  std::vector<Eigen::Index> rows;
-  for (const int i : contact) {
-    const bool rough = mu * problem.friction[static_cast<std::size_t>(i)] > 0;
-    for (Eigen::Index axis = 0; axis < (rough ? d : 1); ++axis) rows.push_back(d * i + axis);
-  }
-  if (static_cast<Eigen::Index>(rows.size()) < p) return false;
-  const Eigen::MatrixXd part = problem.modes.matrix(rows, Eigen::all);
-  const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
-  return values[p - 1] > not_resisted * values[0];
 }
 
 }  // namespace
@@ -210,7 +188,7 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     const bool held = !outcome.leaf.empty() || at_limit;
     if (at_limit) all.proved = false;
     if (!held && !outcome.is_infeasible()) found.proved = false;
-    if (!held && outcome.tally.undecided != 0) found.open = true;
+    if (!held && outcome.tally.open() != 0) found.open = true;
     (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.is_infeasible();
     if (!held) continue;
     (direction < 0 ? all.low : all.high) = direction * no_end;
@@ -221,24 +199,24 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   return found;
 }
 
+HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, double mu,
+                                 Standard standard) const {
+  const Ends up = extend(pattern, from, 1, mu, standard);
+  const Ends down = extend(pattern, from, -1, mu, standard);
+  HeldInterval held{down.infeasible, down.feasible, up.feasible, up.infeasible};
+  held.pattern = pattern;
+  held.proved = standard == Standard::proved && !up.endless_by_limit && !down.endless_by_limit &&
+                at(pattern, {1, from}, mu, standard) == HoldSign::feasible;
+  held.high_proved = std::isinf(up.feasible) || std::isfinite(up.infeasible);
+  held.low_proved = std::isinf(down.feasible) || std::isfinite(down.infeasible);
+  return held;
+}
+
 // Adds the interval of a leaf, and removes it from the unknown ranges.
 void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
                      HeldFactors& found, std::vector<Gap>& unknown, double mu) {
-  const auto shares = range_of(low, high);
-  const double from = factor_in(leaf, shares);
-  HeldInterval held{from, from, from, from};
-  held.pattern = leaf.pattern;
-  held.proved = standard == Standard::proved &&
-                at(leaf.pattern, {1, from}, mu, standard) == HoldSign::feasible;
-  const Ends up = extend(leaf.pattern, from, 1, mu, standard);
-  const Ends down = extend(leaf.pattern, from, -1, mu, standard);
-  held.high = up.feasible;
-  held.high_out = up.infeasible;
-  held.low = down.feasible;
-  held.low_out = down.infeasible;
-  held.proved = held.proved && !up.endless_by_limit && !down.endless_by_limit;
-  held.high_proved = std::isinf(up.feasible) || std::isfinite(up.infeasible);
-  held.low_proved = std::isinf(down.feasible) || std::isfinite(down.infeasible);
+  const double from = factor_in(leaf, range_of(low, high));
+  const HeldInterval held = interval(leaf.pattern, from, mu, standard);
   found.open = found.open || !held.high_proved || !held.low_proved;
   std::vector<Gap> left;
   for (const Gap& each : unknown) {
@@ -280,7 +258,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     unknown.pop_back();
     gaps.push_back({low, high, outcome.is_infeasible()});
     if (outcome.is_infeasible()) dead_ranges_.push_back(shares);
-    if (outcome.tally.undecided != 0) found.open = true;
+    if (outcome.tally.open() != 0) found.open = true;
   }
 }
 
@@ -342,7 +320,7 @@ HeldFactors BlockHold::dead_alone(double mu) {
   const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
   if (outcome.leaf.empty() && !at_limit) {
     found.proved = outcome.is_infeasible();
-    found.open = outcome.tally.undecided != 0;
+    found.open = outcome.tally.open() != 0;
     if (found.proved) dead_ranges_.push_back({LoadShare{1, 0}});
     return found;
   }

@@ -25,6 +25,11 @@ class BlockHold {
   /// @param with_dead true: a dead load or a clearance acts on the block
   HeldFactors factors(double mu, bool with_dead);
 
+  /// The interval of a pattern that has a state at the factor zero.
+  [[nodiscard]] HeldInterval ends_of(const LoadedPattern& pattern, double mu) const {
+    return interval(pattern, 0, mu, Standard::proved);
+  }
+
   /// Answer for the dead load alone: all factors, or none.
   HeldFactors dead_alone(double mu);
 
@@ -65,6 +70,9 @@ class BlockHold {
                             Standard standard) const;
   HeldFactors homogeneous_factors(double mu);
   bool wedges(double mu);
+  /// The interval of a pattern that contains `from`.
+  [[nodiscard]] HeldInterval interval(const LoadedPattern& pattern, double from, double mu,
+                                      Standard standard) const;
   Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
               Standard standard) const;
   Ends bisect(Ends ends, double floor, const std::function<HoldSign(double)>& sign) const;

@@ -19,22 +19,29 @@ HoldOutcome on_all_ranks(engine::Analysis& analysis, const engine::OutcomeOf<Hol
     HoldOutcome result;
     result.status = outcome.status;
     for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
-    if (!result.leaf.empty()) result.status = engine::Status::solved;
     result.tally = outcome.tally();
     result.opened = outcome.opened();
-    std::ranges::sort(result.tally.limits, {}, [](const auto& each) {
-      return std::pair(each.pattern.contact, each.pattern.separated);
-    });
+    for (auto* const list : {&result.leaf, &result.tally.limits}) {
+      std::ranges::sort(*list, {}, [](const auto& each) {
+        return std::pair(each.pattern.contact, each.pattern.separated);
+      });
+    }
     return result;
   });
 }
 
 }  // namespace
 
+HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree) {
+  return on_all_ranks(analysis, analysis.search(tree, {}));
+}
+
 HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree) {
   engine::Options options;
   options.goal = engine::Goal::first;
-  return on_all_ranks(analysis, analysis.search(tree, options));
+  auto outcome = on_all_ranks(analysis, analysis.search(tree, options));
+  if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;
+  return outcome;
 }
 
 void record_tree(engine::Analysis& analysis, const RecordedBlock& block,

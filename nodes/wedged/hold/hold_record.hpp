@@ -20,14 +20,14 @@ namespace kusabi::wedged {
 /// The outcome of one tree, on all ranks.
 struct HoldOutcome {
   engine::Status status = engine::Status::solved;
-  std::vector<LoadedLeaf> leaf{};  ///< at most one, with states that are proved
+  std::vector<LoadedLeaf> leaf{};  ///< with states that are proved; of first_leaf() at most one
   HoldTally tally{};
   std::uint64_t opened = 0;
 
   /// True if there is no state below the root, proved.
   [[nodiscard]] bool is_infeasible() const {
     return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
-           tally.undecided == 0 && tally.limits.empty();
+           tally.open() == 0 && tally.limits.empty();
   }
 
   template <class Archive>
@@ -35,6 +35,9 @@ struct HoldOutcome {
     archive& status& leaf& tally& opened;
   }
 };
+
+/// Searches a whole tree for all leaves with states; every rank gets the same, in one order.
+HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree);
 
 /// Searches a tree until its first leaf; every rank gets the same.
 HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree);

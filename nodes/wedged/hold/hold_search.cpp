@@ -108,8 +108,7 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
 int loaded_blocks(const LoadedProblem& loaded) {
   int count = 0;
   for (const auto& candidates : problems::blocks_of(loaded.problem)) {
-    const LoadedProblem block = loaded_block(loaded, candidates);
-    if (is_under_reference(block) || is_under_dead(block)) ++count;
+    if (is_loaded(loaded_block(loaded, candidates))) ++count;
   }
   return count;
 }

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
+
+#include <Eigen/SVD>
 
 #include "problems/wedged/problem_block.hpp"
 
@@ -15,6 +18,10 @@ namespace {
 /// As CriticalFriction::tolerances: t* near a limit is a small multiple of the distance from it.
 constexpr conic::Tolerances hold_tolerances{.sign = 1e-14, .value = 1e-15, .iterations = 100};
 
+/// Singular values of the rows of U below this part of the largest belong to modes that these do
+/// not resist, as in solvers/conic/motion_bounds.cpp.
+constexpr double not_resisted = 1e-10;
+
 conic::SideEquation equation_of(const std::optional<GripRestriction>& grip) {
   if (!grip) return conic::SideEquation::none;
   return grip->kind == GripRestriction::Kind::equal ? conic::SideEquation::exact
@@ -23,12 +30,29 @@ conic::SideEquation equation_of(const std::optional<GripRestriction>& grip) {
 
 }  // namespace
 
+bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet& contact,
+                 double mu) {
+  const Eigen::Index p = problem.modes.matrix.cols();
+  const Eigen::Index d = problem.dimension;
+  std::vector<Eigen::Index> rows;
+  for (const int i : contact) {
+    const bool rough = mu * problem.friction[static_cast<std::size_t>(i)] > 0;
+    for (Eigen::Index axis = 0; axis < (rough ? d : 1); ++axis) rows.push_back(d * i + axis);
+  }
+  if (p == 0) return true;
+  if (static_cast<Eigen::Index>(rows.size()) < p) return false;
+  const Eigen::MatrixXd part = problem.modes.matrix(rows, Eigen::all);
+  const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
+  return values[p - 1] > not_resisted * values[0];
+}
+
 HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> shares, double mu,
                      Precision precision, const std::optional<GripRestriction>& grip)
     : all_(problems::all_candidates(loaded.problem)),
       shares_(shares.begin(), shares.end()),
       loads_(shares.size() + (grip && grip->kind != GripRestriction::Kind::equal ? 1 : 0)),
       loaded_(&loaded),
+      mu_(mu),
       problem_(grip ? with_grip(loaded, shares, *grip) : with_loads(loaded, shares)),
       rule_(loaded.problem, friction_with_loads(loaded.problem, mu, 0), Branching::relative),
       solver_(problem_, friction_with_loads(loaded.problem, mu, loads_), hold_tolerances, precision,
@@ -45,6 +69,7 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
 }
 
 void HoldNodes::set_friction(double mu) {
+  mu_ = mu;
   solver_.set_friction(friction_with_loads(loaded_->problem, mu, loads_));
 }
 
@@ -84,6 +109,26 @@ std::vector<double> HoldNodes::infeasible_numbers() const {
   auto numbers = mean_motion_.with_multipliers(own, solver_.unit());
   if (motions > modes) numbers.push_back(grip_unit_ * solver_.unit() * multipliers_.tail(1)[0]);
   return numbers;
+}
+
+std::array<double, 3> HoldNodes::works() const {
+  const Eigen::Index m = all_.size();
+  const Eigen::Index modes = mean_motion_.count();
+  const Eigen::VectorXd y = multipliers_.head(m) / solver_.unit();
+  const Eigen::VectorXd beta = multipliers_.tail(problem_.modes.matrix.cols()).head(modes);
+  const auto& loads = loaded_->loads;
+  Eigen::Index column = 0;
+  const auto next = [&](bool present) {
+    if (!present) return 0.0;
+    const Eigen::VectorXd w = loads.displacements.col(column).cast<double>();
+    double work = beta.dot(loads.motions.row(column).transpose().cast<double>());
+    for (Eigen::Index i = 0; i < m; ++i) work += y[i] * w[solver_.dimension() * i];
+    ++column;
+    return work;
+  };
+  const double dead = next(loaded_->has_dead) + y.dot(loaded_->clearance);
+  const double reference = next(loaded_->has_reference);
+  return {dead, reference, next(loaded_->has_second)};
 }
 
 std::vector<double> HoldNodes::state_numbers(const LoadedPattern& pattern) const {
@@ -143,7 +188,8 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
       break;
   }
   if (free.empty()) {
-    ++tally_.undecided;
+    ++(resists_all(nodes_.problem(), node.contact, nodes_.friction()) ? tally_.undecided
+                                                                      : tally_.thin);
     return;
   }
   ++tally_.branched;

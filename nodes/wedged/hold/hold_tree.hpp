@@ -10,6 +10,7 @@
 // candidates are not used: those of the unloaded problem are not valid under load.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -62,8 +63,13 @@ struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t infeasible = 0;  ///< no state, proved
   std::uint64_t computed = 0;    ///< no state by the relative interior, not proved
   std::uint64_t undecided = 0;   ///< leaves of unknown sign
+  /// The same where the contacts do not resist every rigid-body mode: of two load factors such a
+  /// pattern holds at most the pairs on a line.
+  std::uint64_t thin = 0;
   std::uint64_t iterations = 0;
   std::vector<LoadedLeaf> limits{};  ///< leaves with states at a limit, computed; not a count
+
+  [[nodiscard]] std::uint64_t open() const { return undecided + thin; }
 
   HoldTally& operator+=(const HoldTally& other) {
     Counts::operator+=(other);
@@ -81,9 +87,13 @@ struct HoldTally : engine::Counts<HoldTally> {
     return std::tuple{
         field("branched", &HoldTally::branched), field("dead", &HoldTally::infeasible),
         field("computed", &HoldTally::computed), field("undecided", &HoldTally::undecided),
-        field("iterations", &HoldTally::iterations)};
+        field("thin", &HoldTally::thin),         field("iterations", &HoldTally::iterations)};
   }
 };
+
+/// True if the candidates of U resist every rigid-body mode.
+bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet& contact,
+                 double mu);
 
 /// Answer for one node.
 enum class HoldSign { infeasible, feasible, limit, face, nothing, open };
@@ -105,6 +115,8 @@ class HoldNodes {
   HoldSign sign(const LoadedPattern& node);
 
   [[nodiscard]] const support::IndexSet& all() const { return all_; }
+  [[nodiscard]] const problems::WedgedProblem& problem() const { return loaded_->problem; }
+  [[nodiscard]] double friction() const { return mu_; }
   /// The candidate by which a node is split, after sign().
   int candidate(const support::IndexSet& free) { return rule_.candidate(free, solver_); }
   /// The state of the last node.
@@ -115,6 +127,10 @@ class HoldNodes {
   /// Evidence of the state of the last node, which is feasible: tangential reactions of U and the
   /// mean motion of the displacements, u_n being zero on U, under the load once.
   [[nodiscard]] std::vector<double> state_numbers(const LoadedPattern& pattern) const;
+  /// Works of the dead load with the clearances, of the reference load and of the second one on the
+  /// displacement of the multipliers of the last node, which is infeasible. For every state of the
+  /// node, with tau = 1, L_0 + L_1 lambda_1 + L_2 lambda_2 >= 0.
+  [[nodiscard]] std::array<double, 3> works() const;
   [[nodiscard]] std::uint64_t iterations() const { return iterations_; }
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
@@ -127,6 +143,7 @@ class HoldNodes {
   std::size_t loads_;         // with the difference of a restriction
   support::IndexSet acting_;  // the loads of which one must act in a state, after the candidates
   LoadedProblem const* loaded_;
+  double mu_;
   problems::WedgedProblem problem_;
   BranchingRule rule_;
   ContactSolver solver_;

@@ -22,19 +22,27 @@ constexpr double share_roundings = 16;
 /// between 1/2 and 1.
 constexpr double mode_size = 4;
 
-/// The two loads of the structure, d nodes x 2.
-Eigen::MatrixXd node_forces(const problems::Structure& structure) {
+/// The loads of the structure: dead and reference, or with cases the reference of each, d nodes x
+/// 2 or 3.
+Eigen::MatrixXd node_forces(const problems::Structure& structure,
+                            std::span<const std::string> cases) {
   const Eigen::Index d = structure.dimension;
-  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(structure.coordinates.size(), 2);
+  const auto count = static_cast<Eigen::Index>(std::max<std::size_t>(1, cases.size()));
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(structure.coordinates.size(), 1 + count);
   for (const problems::Load& load : structure.loads) {
-    const Eigen::Index column = load.kind == problems::Load::Kind::dead ? 0 : 1;
+    Eigen::Index column = load.kind == problems::Load::Kind::dead ? 0 : 1;
+    if (column == 1 && !cases.empty())
+      column += std::ranges::find(cases, load.load_case) - cases.begin();
+    if (column > count || (column == 0 && !cases.empty() && !load.load_case.empty())) continue;
     forces.col(column).segment(d * load.node, d) += load.force;
   }
+  if (structure.imposed_forces.size() > 0) forces.col(0) += structure.imposed_forces.reshaped();
   return forces;
 }
 
 Eigen::Index count(const LoadedProblem& loaded) {
-  return Eigen::Index{loaded.has_dead ? 1 : 0} + (loaded.has_reference ? 1 : 0);
+  return Eigen::Index{loaded.has_dead ? 1 : 0} + (loaded.has_reference ? 1 : 0) +
+         (loaded.has_second ? 1 : 0);
 }
 
 /// The coefficient of each load that is there.
@@ -42,7 +50,8 @@ PreciseVector coefficients(const LoadedProblem& loaded, LoadShare share) {
   PreciseVector result(count(loaded));
   Eigen::Index place = 0;
   if (loaded.has_dead) result[place++] = Precise(share.dead);
-  if (loaded.has_reference) result[place] = Precise(share.reference);
+  if (loaded.has_reference) result[place++] = Precise(share.reference);
+  if (loaded.has_second) result[place] = Precise(share.second);
   return result;
 }
 
@@ -66,6 +75,28 @@ double root_of(const LoadedProblem& loaded, LoadShare share) {
   return (root + std::abs(share.dead) * gap) * (1 + 1e-12);
 }
 
+/// @param all loads, d nodes x L; those that act on supports alone count as absent
+LoadedProblem loaded_with(const problems::CheckedStructure& structure, const Eigen::MatrixXd& all,
+                          const support::LongWork& work) {
+  LoadedProblem loaded;
+  const std::array present{&loaded.has_dead, &loaded.has_reference, &loaded.has_second};
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index k = 0; k < all.cols(); ++k) {
+    if (all.col(k).isZero(0) || problems::acts_on_supports_only(structure.degrees(), all.col(k)))
+      continue;
+    *present.at(static_cast<std::size_t>(k)) = true;
+    columns.push_back(k);
+  }
+  const Eigen::MatrixXd forces = all(Eigen::all, columns);
+  loaded.problem = problems::wedged_problem(structure, forces, loaded.loads, work);
+  loaded.clearance.resize(static_cast<Eigen::Index>(structure->contact.size()));
+  for (std::size_t i = 0; i < structure->contact.size(); ++i)
+    loaded.clearance[static_cast<Eigen::Index>(i)] = structure->contact[i].clearance;
+  if (loaded.loads.motions.rows() != count(loaded))  // constrained bodies
+    loaded.loads.motions = PreciseMatrix(count(loaded), 0);
+  return loaded;
+}
+
 }  // namespace
 
 bool acts(const LoadedProblem& block, Eigen::Index load) {
@@ -76,25 +107,21 @@ bool is_under_dead(const LoadedProblem& block) {
   return !block.clearance.isZero(0) || (block.has_dead && acts(block, 0));
 }
 
+bool is_loaded(const LoadedProblem& block) {
+  bool loaded = !block.clearance.isZero(0);
+  for (Eigen::Index load = 0; load < count(block); ++load) loaded = loaded || acts(block, load);
+  return loaded;
+}
+
 LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
                              const support::LongWork& work) {
-  LoadedProblem loaded;
-  const Eigen::MatrixXd both = node_forces(structure);
-  std::vector<Eigen::Index> columns;
-  for (Eigen::Index k = 0; k < both.cols(); ++k) {
-    if (both.col(k).isZero(0) || problems::acts_on_supports_only(structure.degrees(), both.col(k)))
-      continue;
-    (k == 0 ? loaded.has_dead : loaded.has_reference) = true;
-    columns.push_back(k);
-  }
-  const Eigen::MatrixXd forces = both(Eigen::all, columns);
-  loaded.problem = problems::wedged_problem(structure, forces, loaded.loads, work);
-  loaded.clearance.resize(static_cast<Eigen::Index>(structure->contact.size()));
-  for (std::size_t i = 0; i < structure->contact.size(); ++i)
-    loaded.clearance[static_cast<Eigen::Index>(i)] = structure->contact[i].clearance;
-  if (loaded.loads.motions.rows() != count(loaded))  // constrained bodies
-    loaded.loads.motions = PreciseMatrix(count(loaded), 0);
-  return loaded;
+  return loaded_with(structure, node_forces(structure, {}), work);
+}
+
+LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
+                             const std::array<std::string, 2>& cases,
+                             const support::LongWork& work) {
+  return loaded_with(structure, node_forces(structure, cases), work);
 }
 
 LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates) {

@@ -8,7 +8,9 @@
 //   u_n + g tau >= 0,   r_n >= 0,   complementary,   ||r_t|| <= mu r_n,   tau = 1.
 #pragma once
 
+#include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,11 +21,12 @@
 
 namespace kusabi::wedged {
 
-/// A combination of both loads: `dead` times the dead load and the clearances, plus `reference`
-/// times the reference load.
+/// A combination of the loads: `dead` times the dead load and the clearances, plus `reference`
+/// times the reference load, plus `second` times that of a second case.
 struct LoadShare {
   double dead = 0;
   double reference = 0;
+  double second = 0;
 };
 
 /// Restriction to states whose normal reactions add up to a given sum in units of the dead load.
@@ -36,9 +39,10 @@ struct GripRestriction {
 /// A wedged problem with its loads.
 struct LoadedProblem {
   problems::WedgedProblem problem;
-  problems::LoadColumns loads;  ///< of the loads that are there: dead, reference, in this order
+  problems::LoadColumns loads;  ///< of the loads that are there: dead, reference, second
   bool has_dead = false;        ///< a dead load that acts not on supports alone
   bool has_reference = false;
+  bool has_second = false;    ///< a reference load of a second case
   Eigen::VectorXd clearance;  ///< g, m, length
 
   /// True if a dead load or a clearance is not zero.
@@ -51,6 +55,12 @@ struct LoadedProblem {
 LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
                              const support::LongWork& work = {});
 
+/// The same with the reference loads of two load cases, which are then `reference` and `second`.
+/// Dead loads are those common to all cases.
+LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
+                             const std::array<std::string, 2>& cases,
+                             const support::LongWork& work = {});
+
 /// The part of a decoupled block. @param candidates of the block
 LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates);
 
@@ -59,6 +69,9 @@ bool acts(const LoadedProblem& block, Eigen::Index load);
 
 /// True if the dead load or a clearance acts on the block.
 bool is_under_dead(const LoadedProblem& block);
+
+/// True if a load or a clearance acts on the block.
+bool is_loaded(const LoadedProblem& block);
 
 /// Work of a load on the modes that displace no candidate, relative to its size: the largest
 /// magnitude. Above `negligible_work` the load is not in equilibrium with any reactions.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/draft/body_properties.hpp"
 #include "problems/structure/checks/structure_check.hpp"
 
 namespace kusabi::problems {
@@ -21,7 +22,8 @@ class BarKeys {
         area_(find("A")),
         force_(find("yield")),
         stress_(find("fy")),
-        buckling_(find("buckling")) {}
+        buckling_(find("buckling")),
+        density_(find("density")) {}
 
   [[nodiscard]] BarGroup read() const;
 
@@ -47,6 +49,7 @@ class BarKeys {
   const toml::node* force_;
   const toml::node* stress_;
   const toml::node* buckling_;
+  const toml::node* density_;
 };
 
 void BarKeys::refuse_both_and_half() const {
@@ -61,6 +64,9 @@ void BarKeys::refuse_both_and_half() const {
   }
   if (area_ == nullptr && stress_ != nullptr) {
     reader_.fail(*stress_, "fy stands without A; expected A = an area beside it, or yield");
+  }
+  if (area_ == nullptr && density_ != nullptr) {
+    reader_.fail(*density_, "density stands without A; expected E and A in place of EA");
   }
   if (area_ != nullptr && modulus_ == nullptr && stress_ == nullptr) {
     reader_.fail(*area_, "A stands alone; expected E, for E A, or fy, for A fy, beside it");
@@ -167,6 +173,9 @@ BarGroup BarKeys::read() const {
   };
   BarGroup bars{{}, position(whole_stiffness_, modulus_), position(force_, stress_)};
   bars.bar.axial_stiffness = axial_stiffness();
+  const auto [density, expansion] = body_properties(reader_, group_);
+  if (density != 0) bars.bar.mass = density * positive(*area_, "A", "area");
+  bars.bar.expansion = expansion;
   if (force_ != nullptr) {
     bars.bar.yield = pair(*force_, "yield", "a yield force");
     if (force_->is_table()) bars.residual = residual(reader_.table(*force_, "yield"));

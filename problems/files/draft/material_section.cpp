@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "problems/files/draft/bar_group.hpp"
+#include "problems/files/draft/body_properties.hpp"
 #include "support/nearest.hpp"
 
 namespace kusabi::problems {
@@ -20,7 +22,7 @@ bool is_of_bars(const TomlTable& table) {
 }
 
 GroupMaterial bar_material(const TomlReader& reader, const TomlTable& table) {
-  reader.allow_only(table, {"groups", "EA", "E", "A", "yield", "fy"});
+  reader.allow_only(table, {"groups", "EA", "E", "A", "yield", "fy", "density", "expansion"});
   if (!table.table->contains("E")) {
     reader.require(table, "EA", "EA = an axial stiffness, a force, or E and A");
   }
@@ -61,6 +63,7 @@ GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table) {
   material.position = reader.position(modulus);
   element.modulus = reader.number(modulus, "E");
   element.ratio = reader.number(reader.require(table, "nu", "nu = Poisson's ratio"), "nu");
+  std::tie(element.density, element.expansion) = body_properties(reader, table);
   element.thickness = 1;
   const auto* plane = table.table->get("plane");
   if (draft.structure().dimension == 3) {
@@ -92,8 +95,8 @@ std::vector<GroupMaterial> read_materials(const ProblemDraft& draft) {
     if (is_of_bars(table)) {
       materials.push_back(bar_material(reader, table));
     } else {
-      reader.allow_only(table,
-                        {"groups", "E", "nu", "thickness", "plane", "EA", "A", "yield", "fy"});
+      reader.allow_only(table, {"groups", "E", "nu", "thickness", "plane", "density", "expansion",
+                                "EA", "A", "yield", "fy"});
       materials.push_back(body_material(draft, table));
     }
     materials.back().groups = reader.texts(groups, "groups");

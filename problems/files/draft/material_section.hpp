@@ -22,8 +22,8 @@ struct GroupMaterial {
   support::SourcePosition position;
 };
 
-/// The keys E, nu, thickness and plane of a table; in space only the first two. Without
-/// `plane` the elements must specify it.
+/// The keys E, nu, thickness, plane, density and expansion of a table; in space without thickness
+/// and plane. Without `plane` the elements must specify it.
 GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table);
 
 /// All of [[material]].

@@ -89,6 +89,9 @@ class ProblemDraft {
   /// @throws InputError if it is supported already
   void support(const ListedNode& node, const std::array<bool, 3>& fixed);
 
+  /// Displacements of supported nodes, d each.
+  std::map<int, Eigen::VectorXd>& displaced() { return displaced_; }
+
   /// The structure, after all sections are read.
   Structure finished() &&;
 
@@ -105,6 +108,7 @@ class ProblemDraft {
   std::map<std::string, NamedMesh, std::less<>> meshes_named_;
   std::map<int, support::SourcePosition> supported_;
   std::vector<FacetDoubt> facets_;
+  std::map<int, Eigen::VectorXd> displaced_;
 };
 
 /// Names in messages: the first dozen in quotes, and the number of the others.

@@ -1,10 +1,12 @@
 // Bars and elements: [[members]] and [[elements]].
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "problems/files/draft/bar_group.hpp"
+#include "problems/files/draft/body_properties.hpp"
 #include "problems/files/sections/problem_sections.hpp"
 #include "problems/structure/model/element_shape.hpp"
 
@@ -14,7 +16,8 @@ namespace {
 void member_group(ProblemDraft& draft, const TomlTable& group) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
-  reader.allow_only(group, {"EA", "E", "A", "yield", "fy", "buckling", "between"});
+  reader.allow_only(group,
+                    {"EA", "E", "A", "yield", "fy", "buckling", "density", "expansion", "between"});
   const BarGroup bars = bars_in(reader, group);
   const auto& between = reader.require(group, "between", "between = [[\"a\", \"b\"], ...]");
   for (const toml::node* pair : reader.elements(between, "between")) {
@@ -48,7 +51,7 @@ void refuse_plane_keys(const TomlReader& reader, const TomlTable& group) {
 
 void element_group(ProblemDraft& draft, const TomlTable& group) {
   const TomlReader& reader = draft.reader();
-  reader.allow_only(group, {"E", "nu", "thickness", "plane", "between"});
+  reader.allow_only(group, {"E", "nu", "thickness", "plane", "density", "expansion", "between"});
   Element element = material(reader, group, draft.structure().dimension);
   const auto& between =
       reader.require(group, "between", "between = [[\"a\", \"b\", \"c\", \"d\"], ...]");
@@ -94,6 +97,7 @@ Element material(const TomlReader& reader, const TomlTable& group, int dimension
   element.modulus =
       reader.number(reader.require(group, "E", "E = Young's modulus, a force per area"), "E");
   element.ratio = reader.number(reader.require(group, "nu", "nu = Poisson's ratio"), "nu");
+  std::tie(element.density, element.expansion) = body_properties(reader, group);
   if (dimension == 3) {
     refuse_plane_keys(reader, group);
     return element;

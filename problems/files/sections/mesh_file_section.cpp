@@ -86,8 +86,8 @@ MeshFileSection::MeshFileSection(ProblemDraft& draft, const TomlTable& group, Me
 
 void MeshFileSection::head(const TomlTable& group) {
   const TomlReader& reader = draft_.reader();
-  reader.allow_only(group,
-                    {"name", "file", "scale", "join", "supports", "E", "nu", "thickness", "plane"});
+  reader.allow_only(group, {"name", "file", "scale", "join", "supports", "E", "nu", "thickness",
+                            "plane", "density", "expansion"});
   name_ = reader.text(reader.require(group, "name", "name = \"...\", for its nodes"),
                       "the name of a mesh");
   if (const auto* entry = group.table->get("scale"); entry != nullptr) {
@@ -98,7 +98,7 @@ void MeshFileSection::head(const TomlTable& group) {
   }
   join_ = truth_of(reader, group, "join");
   supports_ = truth_of(reader, group, "supports");
-  for (const char* key : {"E", "nu", "thickness", "plane"}) {
+  for (const char* key : {"E", "nu", "thickness", "plane", "density", "expansion"}) {
     if (!own_ && group.table->contains(key)) own_ = body_material(draft_, group);
   }
 }

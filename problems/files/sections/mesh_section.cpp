@@ -123,8 +123,8 @@ void structured_mesh(ProblemDraft& draft, const TomlTable& group, Edges& edges, 
   if (draft.structure().dimension != 2) {
     reader.fail(*group.table, "a mesh in space; expected dimension = 2, or members only");
   }
-  reader.allow_only(group,
-                    {"name", "corners", "divisions", "join", "E", "nu", "thickness", "plane"});
+  reader.allow_only(group, {"name", "corners", "divisions", "join", "E", "nu", "thickness", "plane",
+                            "density", "expansion"});
   const auto& name_entry = reader.require(group, "name", "name = \"...\", for its nodes");
   const TomlText name = reader.text(name_entry, "the name of a mesh");
   const StructuredMesh mesh = shape(reader, group);

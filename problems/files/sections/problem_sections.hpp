@@ -35,6 +35,10 @@ void read_ties(ProblemDraft& draft);
 /// [[contact]].
 void read_contact(ProblemDraft& draft);
 
+/// The weight by `gravity` as dead loads, and the forces of `temperature` and displaced supports.
+/// After all other sections.
+void read_body_loads(ProblemDraft& draft);
+
 /// An element without nodes, with the material of a group.
 Element material(const TomlReader& reader, const TomlTable& group, int dimension);
 

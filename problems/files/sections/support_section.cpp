@@ -1,6 +1,9 @@
 // Sections [[supports]] and [[springs]]: supported nodes, springs, and their axes.
 #include <algorithm>
 #include <array>
+#include <cstddef>
+
+#include <fmt/format.h>
 
 #include "problems/files/sections/loads_file.hpp"
 #include "problems/files/sections/problem_sections.hpp"
@@ -20,6 +23,8 @@ std::array<bool, 3> fixed_axes(const TomlReader& reader, const TomlTable& group,
 void inclined_group(ProblemDraft& draft, const TomlTable& group, const toml::node& entry) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
+  if (const toml::node* moved = group.table->get("displacement"); moved != nullptr)
+    reader.fail(*moved, "displacement and direction in one group; expected fixed axes");
   if (const toml::node* fixed = group.table->get("fixed"); fixed != nullptr) {
     reader.fail(*fixed, "fixed and direction in one group; expected one of the two");
   }
@@ -41,6 +46,20 @@ void inclined_group(ProblemDraft& draft, const TomlTable& group, const toml::nod
   }
 }
 
+// The prescribed displacement of supported nodes, zero along axes that are not fixed.
+Eigen::VectorXd displacement(const TomlReader& reader, const TomlTable& group,
+                             const std::array<bool, 3>& fixed, int dimension) {
+  const toml::node* entry = group.table->get("displacement");
+  if (entry == nullptr) return Eigen::VectorXd::Zero(dimension);
+  const Eigen::VectorXd moved = reader.vector(*entry, "displacement", dimension);
+  for (int axis = 0; axis < dimension; ++axis) {
+    if (moved(axis) != 0 && !fixed[static_cast<std::size_t>(axis)])
+      reader.fail(*entry, fmt::format("displacement along {}, which is not fixed; expected 0 there",
+                                      axis_name(axis)));
+  }
+  return moved;
+}
+
 }  // namespace
 
 void read_supports(ProblemDraft& draft) {
@@ -48,14 +67,18 @@ void read_supports(ProblemDraft& draft) {
   const toml::node* section = draft.section("supports");
   if (section == nullptr) return;
   for (const TomlTable& group : reader.groups(*section, "supports")) {
-    reader.allow_only(group, {"nodes", "except", "every", "fixed", "direction"});
+    reader.allow_only(group, {"nodes", "except", "every", "fixed", "direction", "displacement"});
     reader.require(group, "nodes", "nodes = [\"a\", ...]");
     if (const toml::node* direction = group.table->get("direction"); direction != nullptr) {
       inclined_group(draft, group, *direction);
       continue;
     }
     const auto fixed = fixed_axes(reader, group, draft.structure().dimension);
-    for (const ListedNode& node : draft.nodes_listed(group)) draft.support(node, fixed);
+    const auto moved = displacement(reader, group, fixed, draft.structure().dimension);
+    for (const ListedNode& node : draft.nodes_listed(group)) {
+      draft.support(node, fixed);
+      if (!moved.isZero(0)) draft.displaced().emplace(node.node, moved);
+    }
   }
 }
 

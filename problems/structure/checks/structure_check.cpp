@@ -96,7 +96,7 @@ void StructureCheck::coordinates() const {
 }
 
 void StructureCheck::member(int index) const {
-  const auto& [first, second, axial_stiffness, yield] =
+  const auto& [first, second, axial_stiffness, yield, mass, expansion] =
       structure_.members[static_cast<std::size_t>(index)];
   const support::SourcePosition position = position_of(structure_.sources.members, index);
   if (!is_node(first) || !is_node(second)) {

@@ -38,6 +38,8 @@ struct Member {
   int second;
   double axial_stiffness = 0;          ///< E A, force; 0: not given; not required by limit analysis
   std::optional<YieldForces> yield{};  ///< q^y; nothing: not given
+  double mass = 0;                     ///< of a unit of length
+  double expansion = 0;                ///< strain by a unit of temperature
 };
 
 /// A force at a node: part of f_D, or of f_R that the load factor multiplies (limit paper (3)).
@@ -95,6 +97,8 @@ struct Element {
   double thickness;        ///< length; unused in space, as is the plane state
   PlaneState state;
   ElementShape shape = ElementShape::quadrilateral4;
+  double density = 0;    ///< mass of a unit of volume
+  double expansion = 0;  ///< strain by a unit of temperature, in all directions
 };
 
 /// A spring between a node and the ground along one axis.
@@ -202,7 +206,10 @@ struct Structure {
   std::vector<InclinedSupport> inclined;
   std::vector<Tie> ties;
   std::vector<ContactCandidate> contact;  ///< in the order of all answers
-  std::vector<Load> loads;                ///< in the order of the file
+  std::vector<Load> loads;                ///< in the order of the file, then the weight
+  /// Forces on the nodes that have the effect of the strains imposed by temperature and by
+  /// displaced supports, d x nodes; empty: none. Only states under load depend on them.
+  Eigen::MatrixXd imposed_forces;
   /// Uncertain components of the dead load. Nothing: every free component without dead and
   /// reference load, with weight 1.
   std::optional<std::vector<UncertainParameter>> uncertain;

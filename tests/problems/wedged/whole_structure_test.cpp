@@ -135,7 +135,7 @@ TEST(WholeStructure, KnowsTheForcesInTheBars) {
   Eigen::MatrixXd rest = state.reactions + whole.contact_forces(reactions);
   const double size = rest.cwiseAbs().maxCoeff();
   for (std::size_t i = 0; i < structure.members.size(); ++i) {
-    const auto& [first, second, stiffness, yield] = structure.members[i];
+    const auto& [first, second, stiffness, yield, mass, expansion] = structure.members[i];
     const Eigen::VectorXd along =
         (structure.coordinates.col(second) - structure.coordinates.col(first)).normalized();
     rest.col(first) += state.axial_forces(static_cast<Eigen::Index>(i)) * along;

@@ -1,0 +1,125 @@
+// One search over the list of patterns; each is followed to both of its ends.
+#include "nodes/wedged/hold/firmness.hpp"
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include <boost/serialization/array.hpp>
+
+#include "engine/counts.hpp"
+#include "engine/index_range.hpp"
+#include "engine/search.hpp"
+#include "engine/together.hpp"
+#include "nodes/wedged/hold/block_hold.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Relative width of the brackets of ends.
+constexpr double firmness_width = 1e-6;
+
+/// The reference load alone.
+LoadedProblem without_dead(LoadedProblem loaded) {
+  loaded.clearance.setZero();
+  if (!loaded.has_dead) return loaded;
+  auto& loads = loaded.loads;
+  loaded.has_dead = false;
+  loads.displacements = numbers::PreciseMatrix(loads.displacements.rightCols(1));
+  loads.work = numbers::PreciseMatrix(loads.work.bottomRightCorner(1, 1));
+  loads.motions = numbers::PreciseMatrix(loads.motions.bottomRows(1));
+  loads.unseen_motions = numbers::PreciseMatrix(loads.unseen_motions.bottomRows(1));
+  loads.sizes = Eigen::VectorXd(loads.sizes.tail(1));
+  return loaded;
+}
+
+/// Problem type of engine::search: the patterns, one by one.
+class FirmnessSearch {
+ public:
+  using Node = engine::IndexRange;
+
+  struct Solution {
+    std::uint64_t number = 0;
+    std::array<double, 4> ends{};
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& number& ends;
+    }
+  };
+
+  struct Tally : engine::Counts<Tally> {
+    std::uint64_t patterns = 0;
+
+    static constexpr auto fields() { return std::tuple{field("patterns", &Tally::patterns)}; }
+  };
+
+  FirmnessSearch(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                 std::span<const Configuration> leaves)
+      : analysis_(analysis), mu_(mu), leaves_(leaves) {
+    question_.width = firmness_width;
+    question_.total = 1;
+    const LoadedProblem alone = without_dead(loaded);
+    for (const auto& candidates : problems::blocks_of(loaded.problem)) {
+      candidates_.push_back(candidates);
+      blocks_.push_back(loaded_block(alone, candidates));
+    }
+  }
+
+  [[nodiscard]] Node root() const { return {0, leaves_.size()}; }
+
+  void expand(Node&& node, engine::Expansion<FirmnessSearch>& out) {
+    if (node.size() > 1) {
+      const auto [lower, upper] = node.halves();
+      out.branch(lower);
+      out.branch(upper);
+      return;
+    }
+    const auto& leaf = leaves_[node.first];
+    const auto& block = blocks_[leaf.block];
+    ++tally_.patterns;
+    if (leaf.state != LeafState::feasible || !acts(block, 0)) return;
+    const SignPattern own = own_leaf(leaf, candidates_[leaf.block]);
+    std::vector<HoldCost> costs;
+    const BlockHold hold(analysis_, block, question_, costs);
+    const auto found = hold.ends_of({own.contact, own.separated}, mu_);
+    out.solution({node.first, {found.low_out, found.low, found.high, found.high_out}});
+  }
+
+  [[nodiscard]] Tally tally() const { return tally_; }
+
+ private:
+  engine::Analysis& analysis_;
+  double mu_;
+  std::span<const Configuration> leaves_;
+  HoldQuestion question_;
+  std::vector<support::IndexSet> candidates_;
+  std::vector<LoadedProblem> blocks_;
+  Tally tally_;
+};
+
+}  // namespace
+
+std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& analysis,
+                                                          const LoadedProblem& loaded, double mu,
+                                                          std::span<const Configuration> leaves) {
+  const auto known = engine::from_first_rank(analysis.transport(), [&] {
+    return std::vector<Configuration>(leaves.begin(), leaves.end());
+  });
+  if (known.empty()) return {};
+  if (unseen_work(loaded, {0, 1}) > negligible_work)
+    return std::vector<std::optional<Firmness>>(known.size(), Firmness{});
+  FirmnessSearch search(analysis, loaded, mu, known);
+  const auto outcome = analysis.search(search, {});
+  if (!analysis.is_first() || outcome.status != engine::Status::solved) return {};
+  std::vector<std::optional<Firmness>> result(known.size());
+  for (const auto& found : outcome.solutions) {
+    const auto& [low_out, low, high, high_out] = found.solution.ends;
+    result[found.solution.number] = Firmness{low_out, low, high, high_out};
+  }
+  return result;
+}
+
+}  // namespace kusabi::wedged

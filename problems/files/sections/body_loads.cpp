@@ -1,0 +1,100 @@
+// Keys `gravity` and `temperature` of the file, and displaced supports: forces on the nodes.
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "problems/files/sections/problem_sections.hpp"
+#include "problems/structure/assembly/body_forces.hpp"
+#include "problems/structure/checks/element_check.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+void add_weight(ProblemDraft& draft, const toml::node& entry) {
+  Structure& structure = draft.structure();
+  const auto forces =
+      weight(structure, draft.reader().vector(entry, "gravity", structure.dimension));
+  if (forces.isZero(0))
+    draft.reader().fail(entry, "gravity has no effect; expected the density of a material");
+  const auto without = std::ranges::count(structure.elements, 0.0, &Element::density) +
+                       std::ranges::count(structure.members, 0.0, &Member::mass);
+  if (without > 0) {
+    structure.warnings.emplace_back(
+        structure_error(structure, draft.reader().position(entry),
+                        fmt::format("{} elements and members have no density, and therefore no "
+                                    "weight",
+                                    without))
+            .what());
+  }
+  for (int node = 0; node < draft.node_count(); ++node) {
+    if (forces.col(node).isZero(0)) continue;
+    structure.loads.push_back({Load::Kind::dead, node, forces.col(node)});
+    structure.sources.loads.push_back(draft.reader().position(entry));
+  }
+}
+
+void add_temperature(ProblemDraft& draft, const toml::node& entry) {
+  Structure& structure = draft.structure();
+  if (!structure.superelements.empty()) {
+    draft.reader().fail(entry,
+                        "temperature beside [[stiffness]], of which the expansion is not "
+                        "known; expected elements and members only");
+  }
+  const auto forces = forces_of_temperature(structure, draft.reader().number(entry, "temperature"));
+  if (forces.isZero(0))
+    draft.reader().fail(entry, "temperature has no effect; expected the expansion of a material");
+  structure.imposed_forces += forces;
+}
+
+// The displacement of a support that other displacements depend on is refused.
+void refuse_dependent(const ProblemDraft& draft, const std::vector<Share>& shares,
+                      const std::map<int, Eigen::VectorXd>& displaced) {
+  const auto found = std::ranges::find_if(
+      shares, [&](const Share& share) { return displaced.contains(share.node); });
+  if (found == shares.end()) return;
+  draft.reader().fail(
+      support::SourcePosition{},
+      fmt::format("the displaced support {} belongs to a place to which other nodes are tied; "
+                  "expected a displacement of other nodes",
+                  draft.node_name(found->node)));
+}
+
+void add_displaced(ProblemDraft& draft) {
+  Structure& structure = draft.structure();
+  const auto& displaced = draft.displaced();
+  for (const Tie& tie : structure.ties) refuse_dependent(draft, tie.to, displaced);
+  for (const Superelement& each : structure.superelements) {
+    for (const auto& row : each.rows) refuse_dependent(draft, {{row.node, 1}}, displaced);
+  }
+  structure.imposed_forces += forces_of_displaced(structure, displaced);
+  for (ContactCandidate& candidate : structure.contact) {
+    const auto add = [&](int node, double share) {
+      const auto found = displaced.find(node);
+      if (found != displaced.end())
+        candidate.clearance += share * candidate.normal.dot(found->second);
+    };
+    add(candidate.node, 1);
+    for (const Share& share : candidate.against) add(share.node, -share.weight);
+  }
+}
+
+}  // namespace
+
+void read_body_loads(ProblemDraft& draft) {
+  const auto* gravity = draft.section("gravity");
+  const auto* temperature = draft.section("temperature");
+  Structure& structure = draft.structure();
+  if (gravity == nullptr && temperature == nullptr && draft.displaced().empty()) return;
+  structure.coordinates.conservativeResize(Eigen::NoChange, draft.node_count());
+  check_elements(structure);
+  structure.imposed_forces =
+      Eigen::MatrixXd::Zero(structure.dimension, structure.coordinates.cols());
+  if (gravity != nullptr) add_weight(draft, *gravity);
+  if (temperature != nullptr) add_temperature(draft, *temperature);
+  if (!draft.displaced().empty()) add_displaced(draft);
+  if (structure.imposed_forces.isZero(0)) structure.imposed_forces.resize(0, 0);
+}
+
+}  // namespace kusabi::problems
