@@ -46,15 +46,26 @@ class Expansion {
   using Solution = typename P::Solution;
 
   /// @param open receives children @param report receives solutions @param serve see `poll`
+  /// @param count receives a call for each solution that the problem keeps
   Expansion(Frontier<Node, WorkOf<P>>& open, const Incumbent& incumbent,
-            std::function<void(Solution&&)> report, std::function<bool()> serve)
-      : open_(open), incumbent_(incumbent), report_(std::move(report)), serve_(std::move(serve)) {}
+            std::function<void(Solution&&)> report, std::function<void()> count,
+            std::function<bool()> serve)
+      : open_(open),
+        incumbent_(incumbent),
+        report_(std::move(report)),
+        count_(std::move(count)),
+        serve_(std::move(serve)) {}
 
   /// Adds a child. The first child added is searched first.
   void branch(Node child) { open_.branch(std::move(child)); }
 
   /// Reports a solution. A node may report several solutions and have children as well.
   void solution(Solution solution) { report_(std::move(solution)); }
+
+  /// Counts a solution that the problem keeps by itself, such as in a file: in the progress and for
+  /// Limits::solutions. It is in no checkpoint and not in the outcome. For Goal::all. A run that
+  /// resumes may open its node again, and then meets it twice.
+  void count_solution() { count_(); }
 
   /// Objective of the incumbent on this rank; infinity if there is none. A child all of whose
   /// solutions are worse (greater, not equal) need not be branched.
@@ -88,6 +99,7 @@ class Expansion {
   Frontier<Node, WorkOf<P>>& open_;
   const Incumbent& incumbent_;
   std::function<void(Solution&&)> report_;
+  std::function<void()> count_;
   std::function<bool()> serve_;
   std::optional<Node> put_back_;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -70,7 +71,7 @@ class Explorer {
         check_share_(options.check_expand),
         expansion_(
             frontier_, incumbent_, [this](Solution&& solution) { report(std::move(solution)); },
-            std::move(serve)) {
+            [this] { ++statistics_.found; }, std::move(serve)) {
     if (goal_ == Goal::best && !Minimising<P>) {
       throw std::invalid_argument("Goal::best requires a problem with an objective()");
     }
@@ -167,6 +168,12 @@ class Explorer {
     found_.clear();
     found_.push_back({frontier_.path(), std::move(solution)});
     improved_ = true;
+  }
+
+  /// Number of solutions, those that the problem keeps included. @param earlier that of the resumed
+  /// runs
+  [[nodiscard]] std::uint64_t count_found(std::uint64_t earlier) const {
+    return goal_ == Goal::all ? statistics_.found + earlier : found_.size();
   }
 
   /// Takes the incumbent of another rank. A worse solution kept here is dropped.

@@ -51,7 +51,11 @@ class LocalExplorer final : public LocalSearch {
     return nodes;
   }
 
-  [[nodiscard]] std::uint64_t found() const override { return explorer_.found().size(); }
+  [[nodiscard]] std::uint64_t found() const override {
+    std::uint64_t earlier = 0;
+    for (const auto& report : earlier_) earlier += report.statistics.found;
+    return explorer_.count_found(earlier);
+  }
   [[nodiscard]] const Incumbent& incumbent() const override { return explorer_.incumbent(); }
   [[nodiscard]] bool just_improved() override { return explorer_.just_improved(); }
   bool learn(const Incumbent& news) override { return explorer_.learn(news); }

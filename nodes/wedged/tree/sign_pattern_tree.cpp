@@ -44,6 +44,7 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                          part_of(friction, candidates), options);
     blocks_.back().solver.end_when(pollable_.stop());
   }
+  tally_.of_block.resize(blocks_.size());
 }
 
 double SignPatternTree::objective(const Solution& leaf) const {
@@ -64,7 +65,13 @@ void SignPatternTree::tighten(std::size_t block, std::vector<CandidateBounds> bo
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
   auto fate = decide(node, out);
   if (!fate) return;
-  if (fate->leaf) out.solution(std::move(*fate->leaf));
+  if (fate->leaf && keep_ && fate->leaf->state == LeafState::feasible) {
+    keep_(*fate->leaf);
+    tally_.keep(*fate->leaf);
+    out.count_solution();
+  } else if (fate->leaf) {
+    out.solution(std::move(*fate->leaf));
+  }
   for (const Node& child : fate->children) out.branch(child);
 }
 
@@ -303,6 +310,7 @@ SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration lea
   switch (leaf.state) {
     case LeafState::feasible:
       ++tally_.found;
+      ++tally_.of_block[leaf.block];
       break;
     case LeafState::flat:
       ++tally_.flat;

@@ -92,6 +92,9 @@ class SignPatternTree {
   /// Sets the recorder of evidence of closed nodes. Branched nodes are not closed.
   void report_to(EvidenceRecorder recorder) { evidence_.report_to(std::move(recorder)); }
 
+  /// Sets the recorder of feasible leaves, which are then counted only, not reported as solutions.
+  void keep_found(LeafRecorder recorder) { keep_ = std::move(recorder); }
+
   /// Sets the exact test of evidence; refused claims are counted.
   /// @param binding true: refused claims are not used; a node with few free candidates is then
   /// branched, a leaf is undecided
@@ -122,6 +125,7 @@ class SignPatternTree {
   Pollable pollable_;
   std::vector<BlockRelaxation> blocks_;
   EvidenceGate evidence_;
+  LeafRecorder keep_;
   Tally tally_;
 };
 
