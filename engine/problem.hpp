@@ -40,12 +40,13 @@ concept Bounded = Minimising<P> && requires(const P& problem, const typename P::
   { problem.bound(node) } -> std::convertible_to<double>;
 };
 
-/// A problem that takes its solutions itself with Goal::all, on the rank that found them and with
-/// the path of their node; the engine counts but does not keep them.
+/// A problem that may take its solutions itself with Goal::all, on the rank that found them and
+/// with the path of their node. `emit` returns true if it has taken the solution: the engine counts
+/// but does not keep it. Otherwise the solution must be unchanged, and the engine keeps it.
 template <class P>
 concept Emitting = Problem<P> &&
-    requires(P& problem, const Path& path, typename P::Solution solution) {
-  problem.emit(path, std::move(solution));
+    requires(P& problem, const Path& path, typename P::Solution& solution) {
+  { problem.emit(path, solution) } -> std::same_as<bool>;
 };
 
 /// A problem with counts of its own. The `tally()` of each rank (a Boost-serialisable value of type

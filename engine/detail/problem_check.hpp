@@ -119,7 +119,7 @@ struct CheckedProblem {
   static_assert(fault != Fault::maximises,
                 "maximises must be `static constexpr bool maximises = true`");
   static_assert(fault != Fault::emit,
-                "emit must be `void emit(const kusabi::engine::Path& path, Solution&& solution)`");
+                "emit must be `bool emit(const kusabi::engine::Path& path, Solution& solution)`");
   static_assert(fault != Fault::tally,
                 "tally must be `Tally tally() const`, and Tally a type of the problem");
   static_assert(fault != Fault::tally_not_a_value,

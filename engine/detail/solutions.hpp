@@ -164,10 +164,9 @@ class Solutions {
 
   void store(FoundSolution<P>&& found) {
     if constexpr (Emitting<P>) {
-      if (!rehearsing_) problem_.emit(std::as_const(found.path), std::move(found.solution));
-    } else {
-      all_.push_back(std::move(found));
+      if (rehearsing_ || problem_.emit(std::as_const(found.path), found.solution)) return;
     }
+    all_.push_back(std::move(found));
   }
 
   [[nodiscard]] double objective(const Solution& solution) const {

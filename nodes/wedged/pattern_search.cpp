@@ -117,6 +117,14 @@ void sort_by_blocks(const problems::WedgedProblem& problem, std::span<const Prep
   }
 }
 
+// The counts of the tree: every leaf was opened once, even if a resumed run has recorded it twice.
+void count_kept(PatternFindings& findings) {
+  auto tally = findings.outcome.tally();
+  for (std::size_t block = 0; block < tally.of_block.size(); ++block)
+    findings.blocks[block].cones += tally.of_block[block];
+  findings.largest = std::move(tally.largest);
+}
+
 }  // namespace
 
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -128,7 +136,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   options.tolerances = resolving(options.tolerances, enclosed ? finest : rounding_of_files);
   SignPatternTree tree(problem, friction, options);
   std::vector<Configuration> known;
-  if (options.facets == 0 && !enclosed)
+  if (options.facets == 0 && !enclosed && !question.kept)
     known = known_patterns(analysis, problem, friction, question, question.tree.tolerances);
   auto search = question.search;
   if (question.exists) search.limits.solutions = 1;
@@ -154,6 +162,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   }
   inform(tree, prepared);
   if (question.recorder) tree.report_to(question.recorder);
+  if (question.kept) tree.keep_found(question.kept);
   findings.bounds = proved_bounds(prepared);
   if (enclosed) {
     findings.exact.done = check->is_able();
@@ -190,7 +199,17 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   findings.exact.unproved = findings.outcome.tally().unproved;
   findings.exact.doubted = findings.outcome.tally().doubted;
   sort_by_blocks(problem, prepared, findings);
+  if (question.kept) count_kept(findings);
   return findings;
+}
+
+void PatternFindings::remove_flat(const std::function<bool(const Configuration&)>& is_removed) {
+  std::erase_if(leaves, [&](const auto& leaf) {
+    if (leaf.state != LeafState::flat || !is_removed(leaf)) return false;
+    --flat;
+    --blocks[leaf.block].cones;
+    return true;
+  });
 }
 
 support::ExactCount PatternFindings::count() const {

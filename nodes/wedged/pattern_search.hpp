@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,13 +62,20 @@ struct ExactTest {
 /// The answer, on rank 0.
 struct PatternFindings {
   engine::Outcome<SignPatternTree> outcome;
-  std::vector<Configuration> leaves;  ///< the maximal cones, then undecided leaves
+  /// The maximal cones, then undecided leaves. Without the feasible leaves if these are recorded;
+  /// flat ones may then be contained in these (remove_flat()).
+  std::vector<Configuration> leaves;
+  /// Those of largest margin, in this order, if the feasible leaves are recorded.
+  std::vector<Configuration> largest;
   std::vector<PatternBlock> blocks;
   std::vector<ProvedBound> bounds;  ///< of candidates, on every rank
   /// Of Algorithm 5.8: the leaves to test, in lexicographic order within each block.
   std::vector<PolyhedralCandidate> tested;
   std::size_t flat = 0, marginal = 0, undecided = 0;  ///< among the leaves
   ExactTest exact;
+
+  /// Removes flat leaves, such as those contained in a recorded leaf.
+  void remove_flat(const std::function<bool(const Configuration&)>& is_removed);
 
   [[nodiscard]] bool whole() const { return outcome.status == engine::Status::solved; }
 
@@ -88,6 +96,9 @@ struct PatternQuestion {
   SignPatternOptions tree;
   engine::Options search;     ///< checkpoints, traces, warnings
   EvidenceRecorder recorder;  ///< receives on each rank the evidence of closed nodes; empty: none
+  /// Receives on each rank the feasible leaves, which are then not among the findings; empty: none.
+  /// Not with `exists`.
+  LeafRecorder kept;
   const problems::CheckedStructure* structure = nullptr;  ///< of the problem; null: no exact test
   Proving proving = Proving::automatic;
   bool exists = false;  ///< true: the search ends with the first configuration

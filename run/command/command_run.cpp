@@ -317,9 +317,11 @@ void CommandRun::reserve_time_to_write(engine::Supervision& supervision) const {
       if (show) show(progress);
     };
   };
-  supervision.interrupt = [found, asked = supervision.interrupt, end = *ends_with_the_job_at_] {
+  supervision.interrupt = [this, found, asked = supervision.interrupt,
+                           end = *ends_with_the_job_at_] {
     const std::chrono::duration<double> left = end - std::chrono::steady_clock::now();
-    if (*found != 0 && left.count() <= seconds_to_write(*found)) return engine::Interrupt::stop;
+    if (*found != 0 && left.count() <= command_.seconds_to_write(*found))
+      return engine::Interrupt::stop;
     return asked();
   };
 }
@@ -350,6 +352,19 @@ Step CommandRun::result(std::function<void(JsonWriter&)> write) {
     write(json);
     out << '\n';
   });
+}
+
+Step CommandRun::result_lines(std::function<bool(std::ostream&)> write,
+                              std::function<void()> done) {
+  return [this, write = std::move(write), done = std::move(done)] {
+    auto& out = stream("--output");
+    if (write(out)) {
+      constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+      out << last_members().dump(-1, ' ', false, replace) << '\n';
+      put_in_place("--output");
+    }
+    done();
+  };
 }
 
 Step CommandRun::file(const std::string& option, std::function<void(std::ostream&)> write) {

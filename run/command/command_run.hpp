@@ -101,6 +101,10 @@ class CommandRun {
   /// Writes the file of --output, if requested.
   Step result(std::function<nlohmann::ordered_json()> make);
   Step result(std::function<void(JsonWriter&)> write);
+  /// Writes the file of --output as lines of JSON, if requested: those of `write`, and one with the
+  /// verdict. @param write returns false if the file in place is this one already
+  /// @param done called when the file is in place
+  Step result_lines(std::function<bool(std::ostream&)> write, std::function<void()> done);
   /// Writes another output, if requested.
   /// @param write may be empty if `stream` has received everything
   Step file(const std::string& option, std::function<void(std::ostream&)> write);

@@ -2,6 +2,7 @@
 // common work between the stages; run/subcommands.cpp lists all subcommands.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand_text.hpp"
+#include "run/session/time_limit.hpp"
 #include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
@@ -44,6 +46,11 @@ class Subcommand {
   [[nodiscard]] virtual std::string announcement(const std::string& /*ranks*/) const { return {}; }
 
   virtual void search(CommandRun& run) = 0;
+
+  /// Upper estimate of the time to write so many solutions.
+  [[nodiscard]] virtual double seconds_to_write(std::uint64_t solutions) const {
+    return run::seconds_to_write(solutions);
+  }
 
   /// Files first, then the answer; each step runs even if an earlier one has failed.
   virtual std::vector<Step> results(CommandRun& run) = 0;

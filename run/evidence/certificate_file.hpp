@@ -1,6 +1,5 @@
-// CertificateFile: the certificate of `kusabi patterns --certificate` (docs/certificates.md). Each
-// rank writes the evidence of closed nodes to a part of its own at once; rank 0 joins the parts at
-// the end. Memory stays constant, and a killed run loses nothing that a checkpoint contains.
+// CertificateFile: the certificate of `kusabi patterns --certificate` (docs/certificates.md),
+// written during the search in parts (part_files.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,6 +11,7 @@
 #include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/evidence/part_files.hpp"
 #include "run/output/output_file.hpp"
 #include "run/session/session.hpp"
 
@@ -49,23 +49,16 @@ std::string certificate_line(const wedged::Evidence& evidence);
 void put_earlier_certificate_in_place(const std::string& name, const std::string& input,
                                       std::uint64_t tree, const std::string& header);
 
-/// A certificate written by all ranks together. Part `rank` of a run is NAME.part.RUN.RANK until
-/// the certificate is complete, and is locked while the rank lives. Its first line identifies its
-/// tree and the checkpoint that it belongs to.
+/// A certificate written by all ranks together, in parts until it is complete.
 class CertificateFile {
  public:
   /// Opens the files; none for an empty name.
   /// @param input the problem file, which must be another file
   /// @param tree fingerprint of the searched tree
-  /// @param goes_on the search resumes from a checkpoint: parts of the same tree must exist.
-  ///        Otherwise parts that no search can resume from are removed, and any others are an error
-  /// @param checkpoint file that keeps the state of the search; empty: none
+  /// @param goes_on, checkpoint as PartFiles()
   /// @throws WrongInput on every rank; std::runtime_error if a rank cannot open its part
   CertificateFile(Session& session, const std::string& name, const std::string& input,
                   std::uint64_t tree, bool goes_on, const std::string& checkpoint = {});
-  CertificateFile(const CertificateFile&) = delete;
-  CertificateFile& operator=(const CertificateFile&) = delete;
-  ~CertificateFile();
 
   [[nodiscard]] bool wanted() const { return !name_.empty(); }
 
@@ -73,10 +66,10 @@ class CertificateFile {
   void add(const wedged::Evidence& evidence);
 
   /// Writes whole lines of another kind of certificate. @pre wanted()
-  void add(std::string_view lines) { put(lines); }
+  void add(std::string_view lines) { parts_->put(lines); }
 
   /// Closes this part; collective over all ranks. @pre wanted()
-  void close();
+  void close() { parts_->close(); }
 
   /// Joins the parts of this run and of those that it resumes, and removes them.
   /// @throws std::runtime_error if a part is missing or incomplete, or the disk is full
@@ -86,22 +79,15 @@ class CertificateFile {
   /// Checks that all parts are complete, for a later run that resumes.
   /// @throws std::runtime_error if one is not
   /// @pre wanted(), rank 0, closed
-  void require_parts() const;
+  void require_parts() const { parts_->require(); }
 
   /// Removes all parts, which no run will resume from. @pre wanted(), rank 0, closed
-  void drop();
+  void drop() { remove_parts(name_); }
 
  private:
-  std::string prepare(const std::string& input, bool goes_on, const std::string& own);
-  void put(std::string_view text);  // whole lines unless the disk is full
-
-  Session& session_;
   std::string name_;
-  std::string tree_;  // beginning of the first line of each part
   std::optional<OutputFile> whole_;
-  std::string run_;
-  int part_ = -1;        // a file descriptor
-  bool failed_ = false;  // of this part; after close() of any part
+  std::optional<PartFiles> parts_;
 };
 
 }  // namespace kusabi::run

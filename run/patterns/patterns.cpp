@@ -21,9 +21,11 @@
 #include "run/output/trace_file.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/patterns/pattern_lines.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/pictures/vtu_series.hpp"
 #include "run/session/kept_state.hpp"
+#include "run/session/time_limit.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/cuts_words.hpp"
@@ -53,15 +55,20 @@ class Patterns final : public Subcommand {
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] double seconds_to_write(std::uint64_t solutions) const override;
   std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
   [[nodiscard]] bool whole() const { return findings_->whole(); }
+  void check_lines() const;
+  Step result_lines(CommandRun& run);
+  [[nodiscard]] PatternsReport report() const;
   void end_certificate();
   void draw(OutputFolder& folder, const WholeStates& states) const;
   [[nodiscard]] std::string what_became_of_the_certificate() const;
 
+  const OptionTable* table_ = nullptr;
   PatternsOptions options_;
   std::string trace_;
   std::string vtu_;
@@ -69,6 +76,7 @@ class Patterns final : public Subcommand {
   std::vector<double> friction_;
   wedged::PatternQuestion question_;
   std::optional<CertificateFile> certificate_;
+  std::optional<PatternLines> lines_;
   std::optional<wedged::PatternFindings> findings_;
   PatternNumbers numbers_;                       // on rank 0
   std::optional<wedged::LoadedProblem> loaded_;  // if the file has a reference load
@@ -78,6 +86,7 @@ class Patterns final : public Subcommand {
 void Patterns::describe(OptionTable& table) {
   using wedged::Branching;
   using wedged::FacetBound;
+  table_ = &table;
   table.problem(options_.input.file);
   table.friction(options_.friction).swept();
   // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
@@ -144,6 +153,12 @@ void Patterns::describe(OptionTable& table) {
               "more memory")
       .varies();
   table.output();
+  table
+      .choice("--format", options_.lines, {{"json", false}, {"jsonl", true}},
+              "format of the result file: one object (json), or a line per pattern (jsonl), for "
+              "more than about 100,000 patterns. All ranks write the lines during the search, and "
+              "memory does not grow with their number; an object takes 5 kB of memory per pattern")
+      .needs("--output");
   table.csv_of("patterns");
   table.pictures(vtu_, "pattern", "patterns.pvd");
   table.whole_states(
@@ -167,6 +182,7 @@ void Patterns::describe(OptionTable& table) {
 }
 
 void Patterns::check() const {
+  if (options_.lines) check_lines();
   if (options_.facets != PatternsOptions{}.facets && !options_.polyhedral) {
     throw WrongInput("--facets: requires --method polyhedral");
   }
@@ -180,6 +196,20 @@ void Patterns::check() const {
   }
   if (options_.probes > 0 && options_.polyhedral)
     throw WrongInput("--probe: requires --method cones");
+}
+
+// Lines have no further outputs, which would need the whole list.
+void Patterns::check_lines() const {
+  const auto refuse = [](std::string_view option) {
+    throw WrongInput(
+        fmt::format("--format jsonl: is not possible with {}; expected --format json, or no {}",
+                    option, option));
+  };
+  for (const auto* const option : {"--csv", "--vtu", "--whole", "--group", "--exists"}) {
+    if (table_->find(option)->given) refuse(option);
+  }
+  if (options_.sort == PatternSort::critical) refuse("--sort critical");
+  if (table_->find("--output")->given == "-") refuse("--output -");
 }
 
 // Fingerprint of the tree: a checkpoint belongs to a tree, which depends on friction and tolerance.
@@ -202,7 +232,7 @@ void Patterns::prepare(CommandRun& run) {
   const auto& file = options_.input.file;
   contact_ = contact_problem(run, options_.input, options_.friction);
   friction_ = friction_at(contact_.problem, options_.friction, file);
-  if (has_reference_load(contact_.structure)) {
+  if (!options_.lines && has_reference_load(contact_.structure)) {
     loaded_ = run.within_limits(
         [&](const auto& work) { return wedged::loaded_problem(contact_.structure, work); });
     if (!loaded_->has_reference) loaded_.reset();
@@ -231,6 +261,16 @@ void Patterns::prepare(CommandRun& run) {
                        options_.checkpoint.state);
   if (certificate_->wanted())
     question_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
+  if (options_.lines) {
+    lines_.emplace(run.session(), contact_.problem,
+                   PartsOwner{.option = "--output",
+                              .name = *table_->find("--output")->given,
+                              .content = "the patterns",
+                              .tree = tree_fingerprint(),
+                              .checkpoint = options_.checkpoint.state},
+                   run.has_begun_to_search(), run.has_searched());
+    question_.kept = [this](const auto& leaf) { lines_->add(leaf); };
+  }
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
   search.warn = warn;
 }
@@ -244,6 +284,7 @@ void Patterns::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
   findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
+  if (lines_) lines_->close(*findings_);
   const bool sorted = options_.sort == PatternSort::critical;
   const bool searched =
       (sorted || loaded_) && run.session().from_first_rank([&] { return whole(); });
@@ -295,13 +336,21 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
   series.finish("patterns.pvd", problem_line(contact_.problem));
 }
 
+Step Patterns::result_lines(CommandRun& run) {
+  return run.result_lines(
+      [this](std::ostream& out) {
+        return lines_->write(out, report().head_line(contact_.structure), *findings_);
+      },
+      [this] { lines_->end(goes_on_ && !whole()); });
+}
+
 std::vector<Step> Patterns::results(CommandRun& run) {
-  const auto report = std::make_shared<const PatternsReport>(
-      PatternsReport{options_, contact_.problem, *findings_, numbers_, CommandRun::page()});
+  const auto report = std::make_shared<const PatternsReport>(this->report());
   goes_on_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
-  return {run.result(
-              [report, states](JsonWriter& json) { report->write(json, WholeStateJson(*states)); }),
+  return {lines_ ? result_lines(run) : run.result([report, states](JsonWriter& json) {
+            report->write(json, WholeStateJson(*states));
+          }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
@@ -309,9 +358,18 @@ std::vector<Step> Patterns::results(CommandRun& run) {
           run.answer([report] { return report->table(); })};
 }
 
+PatternsReport Patterns::report() const {
+  return {options_, contact_.problem,   *findings_,
+          numbers_, CommandRun::page(), lines_ ? &lines_->numbers() : nullptr};
+}
+
 Verdict Patterns::verdict() const {
-  return PatternsReport{options_, contact_.problem, *findings_, numbers_, CommandRun::page()}
-      .verdict();
+  return report().verdict();
+}
+
+double Patterns::seconds_to_write(std::uint64_t solutions) const {
+  if (options_.lines) return seconds_to_write_a_line * static_cast<double>(solutions);
+  return Subcommand::seconds_to_write(solutions);
 }
 
 std::vector<std::string> Patterns::remarks(CommandRun& run) {

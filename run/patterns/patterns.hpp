@@ -44,6 +44,7 @@ struct PatternsOptions {
   std::string certificate;      ///< certificate file; empty: none
   bool prove = false;           ///< exact test of every node
   bool whole = false;           ///< whole state of every pattern in the result file
+  bool lines = false;           ///< result file with one line per pattern
   bool exists = false;          ///< one pattern, or the proof that there is none, is enough
 
   /// Facets of polyhedral cones; 0: second-order cones.

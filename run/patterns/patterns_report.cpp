@@ -10,6 +10,7 @@
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/patterns/pattern_lines.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/configuration_csv.hpp"
@@ -130,16 +131,19 @@ Verdict PatternsReport::verdict() const {
 // The pattern with the largest margin, and its nearest inequality.
 std::string PatternsReport::largest_margin() const {
   const auto& leaves = findings_.leaves;
-  if (leaves.empty()) return {};
-  const auto best = this->best();
-  if (best->state == wedged::LeafState::flat)
+  const bool listed = findings_.largest.empty();
+  if (listed && leaves.empty()) return {};
+  const auto& best = listed ? *this->best() : findings_.largest.front();
+  if (best.state == wedged::LeafState::flat)
     return "None has a margin: in each, some inequality is an equality.";
-  if (best->state != wedged::LeafState::feasible) return {};
-  const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
-                                       best->reaction, best->displacement);
-  return fmt::format("Number {} has the largest margin, {:.3g} (in contact: {}). {}",
-                     best - leaves.begin() + 1, best->lower, contact_text(problem_, best->pattern),
-                     nearest_failure_text(problem_, nearest));
+  if (best.state != wedged::LeafState::feasible) return {};
+  const auto number =
+      listed ? static_cast<std::size_t>(this->best() - leaves.begin()) + 1 : (*numbers_).front();
+  const auto nearest = nearest_failure(problem_, options_.friction, best.block, best.pattern,
+                                       best.reaction, best.displacement);
+  return fmt::format("{} has the largest margin, {:.3g} (in contact: {}). {}",
+                     number == 0 ? "One pattern" : fmt::format("Number {}", number), best.lower,
+                     contact_text(problem_, best.pattern), nearest_failure_text(problem_, nearest));
 }
 
 // The pattern that holds the largest factor, for each unit of its normal reactions.
@@ -215,7 +219,10 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  const auto listed = options_.group > 0 ? groups() : is_overview() ? overview() : list();
+  const auto listed = numbers_ != nullptr  ? largest()
+                      : options_.group > 0 ? groups()
+                      : is_overview()      ? overview()
+                                           : list();
   return listed + candidates() + details() + '\n' + ranks.text(page_.width);
 }
 
@@ -243,16 +250,12 @@ void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whol
   json.begin_list();
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const auto& leaf = leaves[i];
-    auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, findings_.idle());
-    pattern["state"] = state_name(leaf.state);
-    pattern["margin"] = leaf.lower;
-    pattern["margin_upper"] = leaf.upper;
+    auto pattern = lean_pattern(problem_, leaf, findings_.idle());
     if (!brackets_.empty()) {
       pattern["critical_friction"] = {{"lower", brackets_[i].lower},
                                       {"upper", number_or_null(brackets_[i].upper)}};
     }
     if (!firmness_.empty()) pattern["firmness"] = firmness_json(firmness_[i]);
-    pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
     if (options_.whole || i < whole_unless_requested || i == largest) {
       pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
       whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
@@ -276,7 +279,8 @@ ordered_json PatternsReport::groups_json() const {
   return list;
 }
 
-void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole) const {
+// All but the list of patterns.
+ordered_json PatternsReport::result_json() const {
   ordered_json blocks = ordered_json::array();
   for (const auto& block : findings_.blocks) {
     blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
@@ -288,17 +292,22 @@ void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole)
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json short_parts = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
-  add_count(short_parts, "count", findings_.count());
-  short_parts["flat"] = findings_.flat;
-  short_parts["marginal"] = findings_.marginal;
-  short_parts["undecided"] = findings_.undecided;
-  short_parts["blocks"] = std::move(blocks);
-  short_parts["tree"] = std::move(tree);
-  short_parts["exact"] = exact_json(findings_.exact);
-  if (options_.polyhedral) short_parts["candidates"] = candidates_json();
+  ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
+  add_count(result, "count", findings_.count());
+  result["flat"] = findings_.flat;
+  result["marginal"] = findings_.marginal;
+  result["undecided"] = findings_.undecided;
+  result["blocks"] = std::move(blocks);
+  result["tree"] = std::move(tree);
+  result["exact"] = exact_json(findings_.exact);
+  if (options_.polyhedral) result["candidates"] = candidates_json();
+  return result;
+}
+
+void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole) const {
   json.begin_object();
-  for (const auto& [key, value] : short_parts.items()) json.member(key, value);
+  const auto head = result_json();
+  for (const auto& [key, value] : head.items()) json.member(key, value);
   json.key("patterns");
   write_patterns(json, whole);
   if (options_.group > 0) json.member("groups", groups_json());
@@ -321,21 +330,37 @@ ordered_json PatternsReport::chosen_json() const {
   return chosen;
 }
 
+ordered_json PatternsReport::statistics_json() const {
+  const auto& outcome = findings_.outcome;
+  return {{"ranks", rank_reports(outcome.ranks, counts_json<wedged::SignPatternTally>)},
+          {"earlier_runs", rank_reports(outcome.earlier, counts_json<wedged::SignPatternTally>)}};
+}
+
+// Head of a result file: what is known without the list.
+ordered_json PatternsReport::head_json(const problems::Structure& structure) const {
+  return {{"command", "patterns"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(structure, problem_, options_.input.file)},
+          {"options", chosen_json()},
+          {"status", status_text(verdict())}};
+}
+
 void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const {
   json.begin_object();
-  json.member("command", "patterns");
-  json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(whole.structure(), problem_, options_.input.file));
-  json.member("options", chosen_json());
-  json.member("status", status_text(verdict()));
+  const auto head = head_json(whole.structure());
+  for (const auto& [key, value] : head.items()) json.member(key, value);
   json.key("result");
   write_result(json, whole);
-  json.member(
-      "statistics",
-      {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
-       {"earlier_runs",
-        rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}});
+  json.member("statistics", statistics_json());
   json.end_object();
+}
+
+std::string PatternsReport::head_line(const problems::Structure& structure) const {
+  auto head = head_json(structure);
+  head["result"] = result_json();
+  head["lines"] = "patterns";
+  head["statistics"] = statistics_json();
+  return json_line(head);
 }
 
 }  // namespace kusabi::run

@@ -32,15 +32,18 @@ struct PatternNumbers {
 class PatternsReport {
  public:
   /// All references must outlive it.
+  /// @param in_lines numbers of the patterns of largest margin in a file of lines; null: no such
+  /// file
   PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
                  const wedged::PatternFindings& findings, const PatternNumbers& numbers,
-                 const Page& page)
+                 const Page& page, const std::vector<std::size_t>* in_lines = nullptr)
       : options_(options),
         problem_(problem),
         findings_(findings),
         brackets_(numbers.brackets),
         firmness_(numbers.firmness),
-        page_(page) {}
+        page_(page),
+        numbers_(in_lines) {}
 
   [[nodiscard]] Verdict verdict() const;
 
@@ -50,6 +53,9 @@ class PatternsReport {
   /// The result file; its schema is in docs/result-files.md. One pattern at a time is in memory.
   /// @param whole of the same structure
   void write(JsonWriter& json, const WholeStateJson& whole) const;
+
+  /// First line of a result file with one line per pattern.
+  [[nodiscard]] std::string head_line(const problems::Structure& structure) const;
 
   /// One row per pattern, in the order of the result file.
   void write_csv(std::ostream& out) const;
@@ -73,6 +79,11 @@ class PatternsReport {
   [[nodiscard]] std::string largest_load() const;
   /// Sentences below the headline.
   [[nodiscard]] std::string details() const;
+  [[nodiscard]] nlohmann::ordered_json result_json() const;
+  [[nodiscard]] nlohmann::ordered_json statistics_json() const;
+  [[nodiscard]] nlohmann::ordered_json head_json(const problems::Structure& structure) const;
+  /// Rows of the patterns with the largest margins, if the list is in a file of lines.
+  [[nodiscard]] std::string largest() const;
   void write_result(JsonWriter& json, const WholeStateJson& whole) const;
   void write_patterns(JsonWriter& json, const WholeStateJson& whole) const;
   [[nodiscard]] nlohmann::ordered_json chosen_json() const;
@@ -86,6 +97,7 @@ class PatternsReport {
   const std::vector<wedged::PatternBracket>& brackets_;
   const std::vector<std::optional<wedged::Firmness>>& firmness_;
   Page page_;
+  const std::vector<std::size_t>* numbers_;
 };
 
 /// Name in the table and the result file.

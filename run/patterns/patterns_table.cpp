@@ -110,6 +110,19 @@ std::string PatternsReport::list() const {
   return text;
 }
 
+std::string PatternsReport::largest() const {
+  const auto& leaves = findings_.largest;
+  const auto shown = std::min<std::size_t>(leaves.size(), options_.top);
+  if (shown == 0) return {};
+  auto text = fmt::format("\n{:>9}  {:>10}  {}\n", "number", "margin t*", head_of_contact);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const auto number = (*numbers_)[i];
+    text += fmt::format("{:>9}  {:>10}  {}\n", number == 0 ? "" : std::to_string(number),
+                        margin_text(leaves[i]), contact_text(problem_, leaves[i].pattern));
+  }
+  return text + fmt::format("{:>9}  those with the largest margins; the file lists all\n", "…");
+}
+
 std::string PatternsReport::groups() const {
   auto groups = pattern_groups(findings_.leaves, options_.group);
   const std::size_t all = groups.size();

@@ -40,13 +40,16 @@ for motion in ("displacement", "velocity"):
         break
 picture = Show(shown, view)
 picture.SetRepresentationType("Surface With Edges")
-if reader.CellData.GetArray("von_mises"):
-    ColorBy(picture, ("CELLS", "von_mises"))
-elif reader.CellData.GetArray("utilisation"):
-    ColorBy(picture, ("CELLS", "utilisation"))
-elif reader.PointData.GetArray("state"):
-    ColorBy(picture, ("POINTS", "state"))
-picture.SetScalarBarVisibility(view, True)
+picture.LineWidth = 2
+for place, name, data in (("CELLS", "von_mises", reader.CellData), ("CELLS", "utilisation", reader.CellData),
+                          ("POINTS", "state", reader.PointData)):
+    if data.GetArray(name):
+        ColorBy(picture, (place, name))
+        picture.SetScalarBarVisibility(view, True)
+        bar = GetScalarBar(GetColorTransferFunction(name), view)
+        bar.Orientation, bar.WindowLocation = "Horizontal", "Lower Center"
+        bar.TitleFontSize = bar.LabelFontSize = 12
+        break
 for name, colour in (("contact_reaction", (0.74, 0.3, 0)), ("support_reaction", (0.1, 0.5, 0.39)),
                      ("load", (0.51, 0.31, 0.87))):
     if largest(name) > 0:
@@ -54,8 +57,10 @@ for name, colour in (("contact_reaction", (0.74, 0.3, 0)), ("support_reaction", 
                        OrientationArray=["POINTS", name], ScaleArray=["POINTS", name],
                        ScaleFactor=0.15 * size / largest(name), GlyphMode="All Points")
         drawn = Show(arrows, view)
-        ColorBy(drawn, None)
+        drawn.ColorArrayName = ["POINTS", ""]
         drawn.DiffuseColor = drawn.AmbientColor = colour
+if box[5] > box[4]:
+    view.ApplyIsometricView()
 view.ResetCamera()
 Render()
 )";

@@ -23,7 +23,7 @@ import shutil
 import subprocess
 import tempfile
 
-__all__ = ["Error", "Failed", "NotFound", "Result", "WrongInput", "call", "load", "run"]
+__all__ = ["Error", "Failed", "NotFound", "Result", "WrongInput", "call", "load", "patterns", "run"]
 
 _SOLVED, _WRONG_INPUT, _STOPPED_EARLY = 0, 2, 3  # exit codes; 1 and all others: the run failed
 
@@ -164,10 +164,42 @@ def load(path):
     return Result(_read(path))
 
 
+def patterns(path):
+    """Iterates over the patterns of a file of --format jsonl, one at a time: memory does not grow.
+
+    Raises WrongInput if it is no such file, OSError if it cannot be read.
+    """
+    with open(path, encoding="utf-8") as file:
+        try:
+            if json.loads(file.readline()).get("lines") != "patterns":
+                raise WrongInput(f"{path}: has no lines of patterns; expected what --format jsonl has written")
+            for line in file:
+                each = json.loads(line)
+                if "contact" not in each:
+                    return
+                yield each
+        except (ValueError, RecursionError, AttributeError) as error:
+            raise WrongInput(f"{path}: is no JSON in lines: {error}") from None
+        raise WrongInput(f"{path}: has no last line; the file is incomplete")
+
+
+def _content(path):
+    with open(path, encoding="utf-8") as file:
+        first = file.readline()
+        if '"lines":"patterns"' not in first:
+            return json.loads(first + file.read())
+        content = json.loads(first)
+        *found, end = (json.loads(line) for line in file)
+    if content.pop("lines") != "patterns" or "contact" in end:
+        raise ValueError("its last line is missing")
+    content["result"]["patterns"] = found
+    return {**content, **end}
+
+
 def _read(path):
     try:
-        content = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
-    except (ValueError, RecursionError) as error:
+        content = _content(path)
+    except (ValueError, KeyError, RecursionError) as error:
         raise WrongInput(f"{path}: is no JSON: {error}") from None
     missing = [key for key in ("command", "problem", "status", "result")
                if not isinstance(content, dict) or key not in content]

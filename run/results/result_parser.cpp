@@ -1,7 +1,9 @@
 // SAX parser: one call per event.
 #include "run/results/result_parser.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -60,13 +62,43 @@ class Builder final : public nlohmann::json_sax<ResultJson> {
   std::string name_;               // name of the next value in an object
 };
 
-}  // namespace
-
-ParsedResult parse_result(const std::string& text) {
+ParsedResult parsed(std::string_view text) {
   Builder builder;
   if (!ResultJson::sax_parse(text, &builder))
     builder.result.json = ResultJson(ResultJson::value_t::discarded);
   return std::move(builder.result);
+}
+
+// The object whose list of patterns is in lines: a head, patterns, and the members at its end.
+ParsedResult joined_lines(std::string_view text) {
+  ParsedResult whole;
+  ResultJson patterns = ResultJson::array();
+  bool ended = false;
+  while (!text.empty()) {
+    const auto end = std::min(text.find('\n'), text.size());
+    auto line = parsed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.too_deep || !line.json.is_object() || ended) return parsed("");
+    if (whole.json.is_null()) {
+      whole = std::move(line);
+      whole.json.erase("lines");
+    } else if (line.json.contains("contact")) {
+      patterns.push_back(std::move(line.json));
+    } else {
+      whole.json.update(line.json);
+      ended = true;
+    }
+  }
+  if (!ended || !whole.json["result"].is_object()) return parsed("");
+  whole.json["result"]["patterns"] = std::move(patterns);
+  return whole;
+}
+
+}  // namespace
+
+ParsedResult parse_result(const std::string& text) {
+  const auto first = std::string_view(text).substr(0, text.find('\n'));
+  return first.find(R"("lines":"patterns")") == first.npos ? parsed(text) : joined_lines(text);
 }
 
 }  // namespace kusabi::run

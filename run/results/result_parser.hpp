@@ -17,8 +17,8 @@ struct ParsedResult {
   bool too_deep = false;
 };
 
-/// The first of equal keys counts: a search for each key would take a minute for the nodes of a
-/// large body.
+/// One object, or lines of --format jsonl as the object that has their list. The first of equal
+/// keys counts: a search for each key would take a minute for the nodes of a large body.
 ParsedResult parse_result(const std::string& text);
 
 }  // namespace kusabi::run

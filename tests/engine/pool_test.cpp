@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -301,11 +302,17 @@ using Taken = std::vector<std::pair<Path, std::uint64_t>>;
 struct Emitter : RandomTree {
   using RandomTree::RandomTree;
   void expand(Node&& node, Expansion<Emitter>& out) { RandomTree::grow(std::move(node), out); }
-  void emit(const Path& path, Solution&& solution) { taken->emplace_back(path, solution); }
+  bool emit(const Path& path, Solution& solution) {
+    if (left == solution) return false;
+    taken->emplace_back(path, solution);
+    return true;
+  }
   std::shared_ptr<Taken> taken = std::make_shared<Taken>();
+  std::optional<std::uint64_t> left;  // a solution that is left to the engine
 };
 
-Taken pairs(const std::vector<FoundSolution<RandomTree>>& solutions) {
+template <class P>
+Taken pairs(const std::vector<FoundSolution<P>>& solutions) {
   Taken list;
   for (const auto& [path, solution] : solutions) list.emplace_back(path, solution);
   return list;
@@ -324,6 +331,19 @@ TEST(Emission, PassesEachSolutionOnceAndKeepsNone) {
     std::sort(emitter.taken->begin(), emitter.taken->end());
     EXPECT_EQ(*emitter.taken, pairs(kept));
   }
+}
+
+TEST(Emission, LeavesSolutionsToTheEngine) {
+  const auto all = pairs(search(RandomTree(3, 12)).solutions);
+  Emitter emitter(3, 12);
+  emitter.left = all[all.size() / 2].second;
+  const auto outcome = simulate(emitter, 5, 1, {}, {}).outcome;
+  Taken kept, taken;
+  for (const auto& each : all) (each.second == emitter.left ? kept : taken).push_back(each);
+  EXPECT_EQ(outcome.total().found, all.size());
+  EXPECT_EQ(pairs(outcome.solutions), kept);
+  std::sort(emitter.taken->begin(), emitter.taken->end());
+  EXPECT_EQ(*emitter.taken, taken);
 }
 
 TEST(Emission, CountsForTheLimitOfSolutions) {

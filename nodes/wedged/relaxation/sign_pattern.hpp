@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
@@ -63,6 +64,13 @@ struct Configuration {
     archive& block& pattern& state& lower& upper& reaction& displacement;
   }
 };
+
+/// True if the margin of the first is larger; among equals, if it comes first in the order of the
+/// patterns.
+bool has_larger_margin(const Configuration& first, const Configuration& second);
+
+/// Receives the feasible leaves found on a rank. A run that resumes may find one again.
+using LeafRecorder = std::function<void(const Configuration&)>;
 
 /// The leaf of the block's own tree that contains the configuration; inactive candidates may count
 /// as separated.

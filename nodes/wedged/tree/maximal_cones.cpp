@@ -123,6 +123,11 @@ bool comes_before(const SignPattern& first, const SignPattern& second) {
   return precedes(first.separated, second.separated);
 }
 
+bool has_larger_margin(const Configuration& first, const Configuration& second) {
+  if (first.lower != second.lower) return first.lower > second.lower;
+  return in_order(first, second);
+}
+
 bool within(const SignPattern& first, const SignPattern& second) {
   return second.contact.includes(first.contact) && second.separated.includes(first.separated);
 }

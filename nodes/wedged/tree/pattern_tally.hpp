@@ -1,6 +1,8 @@
 // Counts of a search of a tree of sign patterns.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -27,8 +29,11 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
   std::vector<PolyhedralCandidate> tested;  ///< these leaves; not a count
-  std::uint64_t proved = 0;                 ///< leaves proved feasible by the exact test
-  std::uint64_t refused = 0;                ///< claims refused by it
+  std::vector<std::uint64_t> of_block;      ///< feasible leaves of each block; not a count
+  /// Feasible leaves of largest margin if they are recorded elsewhere, at most `most_kept`.
+  std::vector<Configuration> largest;
+  std::uint64_t proved = 0;   ///< leaves proved feasible by the exact test
+  std::uint64_t refused = 0;  ///< claims refused by it
   std::uint64_t doubted =
       0;  ///< nodes closed as infeasible although the test refuses their evidence
   std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
@@ -40,13 +45,26 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
     doubted += other.doubted;
     unproved += other.unproved;
     tested.insert(tested.end(), other.tested.begin(), other.tested.end());
+    of_block.resize(std::max(of_block.size(), other.of_block.size()));
+    for (std::size_t block = 0; block < other.of_block.size(); ++block)
+      of_block[block] += other.of_block[block];
+    for (const auto& leaf : other.largest) keep(leaf);
     return *this;
+  }
+
+  static constexpr std::size_t most_kept = 10;
+
+  /// Adds a leaf to `largest`, which is in the order of decreasing margins.
+  void keep(const Configuration& leaf) {
+    if (largest.size() == most_kept && !has_larger_margin(leaf, largest.back())) return;
+    largest.insert(std::ranges::upper_bound(largest, leaf, has_larger_margin), leaf);
+    if (largest.size() > most_kept) largest.pop_back();
   }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned version) {
     Counts::serialize(archive, version);
-    archive& tested& proved& refused& doubted& unproved;
+    archive& tested& of_block& largest& proved& refused& doubted& unproved;
   }
 
   static constexpr auto fields() {

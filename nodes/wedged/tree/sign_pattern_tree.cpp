@@ -44,6 +44,7 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                          part_of(friction, candidates), options);
     blocks_.back().solver.end_when(pollable_.stop());
   }
+  tally_.of_block.resize(blocks_.size());
 }
 
 double SignPatternTree::objective(const Solution& leaf) const {
@@ -59,6 +60,13 @@ void SignPatternTree::tighten(std::size_t block, std::vector<CandidateBounds> bo
   auto& own = blocks_[block];
   own.solver.make_room(static_cast<int>(bounds.size()));
   own.bounds = std::move(bounds);
+}
+
+bool SignPatternTree::emit(const engine::Path& /*path*/, Solution& leaf) {
+  if (!keep_ || leaf.state != LeafState::feasible) return false;
+  keep_(leaf);
+  tally_.keep(leaf);
+  return true;
 }
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
@@ -303,6 +311,7 @@ SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration lea
   switch (leaf.state) {
     case LeafState::feasible:
       ++tally_.found;
+      ++tally_.of_block[leaf.block];
       break;
     case LeafState::flat:
       ++tally_.flat;

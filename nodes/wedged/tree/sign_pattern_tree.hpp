@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "engine/expansion.hpp"
+#include "engine/path.hpp"
 #include "nodes/wedged/relaxation/block_relaxation.hpp"
 #include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
@@ -62,6 +63,8 @@ class SignPatternTree {
 
   Node root() const { return {.block = blocks_.size() == 1 ? 0 : Node::all_blocks, .pattern = {}}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
+  /// Passes a feasible leaf to the recorder of `keep_found`, if there is one.
+  bool emit(const engine::Path& path, Solution& leaf);
   Tally tally() const { return tally_; }
 
   /// Objective of engine::Order::best_first, which is breadth-first with it (Remark 5.2): the
@@ -91,6 +94,9 @@ class SignPatternTree {
 
   /// Sets the recorder of evidence of closed nodes. Branched nodes are not closed.
   void report_to(EvidenceRecorder recorder) { evidence_.report_to(std::move(recorder)); }
+
+  /// Sets the recorder of feasible leaves, which are then counted, but are not in the outcome.
+  void keep_found(LeafRecorder recorder) { keep_ = std::move(recorder); }
 
   /// Sets the exact test of evidence; refused claims are counted.
   /// @param binding true: refused claims are not used; a node with few free candidates is then
@@ -122,6 +128,7 @@ class SignPatternTree {
   Pollable pollable_;
   std::vector<BlockRelaxation> blocks_;
   EvidenceGate evidence_;
+  LeafRecorder keep_;
   Tally tally_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "problems/files/abaqus/abaqus_contact.hpp"
 #include "problems/files/abaqus/abaqus_keywords.hpp"
+#include "problems/files/abaqus/abaqus_loads.hpp"
 #include "problems/files/abaqus/abaqus_materials.hpp"
 #include "problems/files/abaqus/abaqus_parts.hpp"
 #include "problems/files/abaqus/abaqus_supports.hpp"
@@ -42,6 +43,7 @@ class AbaqusFile {
   AbaqusParts parts_;
   AbaqusMaterials materials_;
   AbaqusSupports supports_;
+  AbaqusLoads loads_;
   AbaqusContact contact_;
 };
 
@@ -56,6 +58,7 @@ MeshData AbaqusFile::read() && {
   materials_.finish(mesh);
   contact_.finish(text_, mesh);
   unite_supports(text_, mesh);
+  loads_.finish(text_, mesh);
   mesh.warnings = text_.warnings();
   sort_by_tag(mesh);
   return std::move(mesh);
@@ -102,8 +105,12 @@ void AbaqusFile::read_understood(const AbaqusCard& card) {
   if (keyword == "*ELASTIC") return materials_.read_elastic(text_, card);
   if (keyword == "*SOLID SECTION") return materials_.read_section(text_, card, parts_.current());
   if (keyword == "*BOUNDARY") return supports_.read_boundary(text_, card, parts_.current());
+  if (keyword == "*CLOAD") return loads_.read(text_, card, parts_.assembly());
   if (keyword == "*TRANSFORM") return read_transform(text_, card, parts_.current());
-  if (keyword == "*STEP") supports_.begin_step();
+  if (keyword == "*STEP") {
+    supports_.begin_step();
+    loads_.begin_step();
+  }
   leave_out(card, "is left out");
 }
 

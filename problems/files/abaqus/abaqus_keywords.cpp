@@ -11,7 +11,7 @@
 namespace kusabi::problems {
 namespace {
 
-constexpr std::array<std::string_view, 24> read_ones{"*HEADING",
+constexpr std::array<std::string_view, 25> read_ones{"*HEADING",
                                                      "*NODE",
                                                      "*ELEMENT",
                                                      "*NSET",
@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 24> read_ones{"*HEADING",
                                                      "*ELASTIC",
                                                      "*SOLID SECTION",
                                                      "*BOUNDARY",
+                                                     "*CLOAD",
                                                      "*INCLUDE",
                                                      "*PART",
                                                      "*END PART",
@@ -36,13 +37,12 @@ constexpr std::array<std::string_view, 24> read_ones{"*HEADING",
                                                      "*TRANSFORM",
                                                      "*STEP"};
 
-constexpr std::array<std::string_view, 51> harmless{"*END STEP",
+constexpr std::array<std::string_view, 50> harmless{"*END STEP",
                                                     "*STATIC",
                                                     "*DYNAMIC",
                                                     "*VISCO",
                                                     "*FREQUENCY",
                                                     "*BUCKLE",
-                                                    "*CLOAD",
                                                     "*DLOAD",
                                                     "*DSLOAD",
                                                     "*NODE FILE",

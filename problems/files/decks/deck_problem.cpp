@@ -1,4 +1,4 @@
-// Head, materials and supports; the pairs follow.
+// Head, materials, supports, pairs and loads.
 #include "problems/files/decks/deck_problem.hpp"
 
 #include <algorithm>
@@ -91,37 +91,64 @@ void write_support(DeckDraft& draft, const ChosenNodes& nodes, const std::array<
     draft.write(fmt::format("fixed = {}\n", toml_texts(axes)));
 }
 
-// Sets whose nodes are all supported alike stand for their nodes, the largest first.
-void write_supports(DeckDraft& draft) {
-  std::map<std::array<bool, 3>, std::set<int>> left;
-  std::size_t outside = 0;
-  for (const MeshSupport& support : draft.mesh().supports) {
-    auto fixed = support.fixed;
-    if (draft.dimension() == 2) fixed[2] = false;
-    if (!draft.is_used(support.node)) ++outside;
-    if (draft.is_used(support.node) && (fixed[0] || fixed[1] || fixed[2]))
-      left[fixed].insert(support.node);
-  }
-  if (outside > 0) {
-    draft.warn(draft.mesh().supports.front().at,
-               fmt::format("supports of {} nodes of no element are left out", outside));
-  }
+void write_load(DeckDraft& draft, const ChosenNodes& nodes, const std::array<double, 3>& force) {
+  const auto components = draft.dimension() == 2
+                              ? fmt::format("{}, {}", force[0], force[1])
+                              : fmt::format("{}, {}, {}", force[0], force[1], force[2]);
+  draft.write(fmt::format("\n[[loads]]\nkind = \"dead\"\n{}force = [{}]\n", draft.lines(nodes),
+                          components));
+}
+
+// Calls `write` with all nodes of each value. Sets whose nodes have the same value stand for their
+// nodes, the largest first.
+template <class Value, class Write>
+void write_by_sets(DeckDraft& draft, std::map<Value, std::set<int>>& left, const Write& write) {
   std::vector<ChosenNodes> sets;
   for (const MeshGroup& group : draft.mesh().groups)
     if (!group.nodes.empty()) sets.push_back(draft.nodes_of(group));
   std::ranges::stable_sort(sets, std::greater(), [](const auto& set) { return set.all.size(); });
-  for (auto& entry : left) {
-    const auto& fixed = entry.first;
-    std::set<int>& nodes = entry.second;
+  for (auto& [value, nodes] : left) {
     for (const ChosenNodes& set : sets) {
-      const bool within =
-          std::ranges::all_of(set.all, [&](int node) { return nodes.contains(node); });
-      if (set.all.empty() || !within) continue;
+      const auto is_left = [&nodes = nodes](int node) { return nodes.contains(node); };
+      if (set.all.empty() || !std::ranges::all_of(set.all, is_left)) continue;
       for (const int node : set.all) nodes.erase(node);
-      write_support(draft, set, fixed);
+      write(draft, set, value);
     }
-    if (!nodes.empty()) write_support(draft, {"", {}, {nodes.begin(), nodes.end()}}, fixed);
+    if (!nodes.empty()) write(draft, {"", {}, {nodes.begin(), nodes.end()}}, value);
   }
+}
+
+void warn_of_outside(DeckDraft& draft, const char* what, const auto& entries) {
+  const auto outside =
+      std::ranges::count_if(entries, [&](const auto& entry) { return !draft.is_used(entry.node); });
+  if (outside == 0) return;
+  draft.warn(entries.front().at,
+             fmt::format("{} of {} nodes of no element are left out", what, outside));
+}
+
+void write_supports(DeckDraft& draft) {
+  std::map<std::array<bool, 3>, std::set<int>> left;
+  const auto& supports = draft.mesh().supports;
+  for (const MeshSupport& support : supports) {
+    auto fixed = support.fixed;
+    if (draft.dimension() == 2) fixed[2] = false;
+    if (draft.is_used(support.node) && (fixed[0] || fixed[1] || fixed[2]))
+      left[fixed].insert(support.node);
+  }
+  warn_of_outside(draft, "supports", supports);
+  write_by_sets(draft, left, write_support);
+}
+
+void write_loads(DeckDraft& draft) {
+  std::map<std::array<double, 3>, std::set<int>> left;
+  const auto& loads = draft.mesh().loads;
+  for (const MeshLoad& load : loads) {
+    const std::array<double, 3> force{load.force.x(), load.force.y(),
+                                      draft.dimension() == 3 ? load.force.z() : 0.0};
+    if (draft.is_used(load.node) && force != std::array<double, 3>{}) left[force].insert(load.node);
+  }
+  warn_of_outside(draft, "loads", loads);
+  write_by_sets(draft, left, write_load);
 }
 
 }  // namespace
@@ -133,6 +160,7 @@ DeckProblem deck_problem(const MeshData& mesh, const DeckChoices& choices) {
   for (const MeshSection& section : mesh.sections) write_material(draft, section);
   write_supports(draft);
   write_pairs(draft, choices.gap);
+  write_loads(draft);
   DeckProblem result{draft.text(), mesh.warnings};
   result.warnings.insert(result.warnings.end(), draft.warnings().begin(), draft.warnings().end());
   return result;

@@ -98,6 +98,12 @@ struct MeshSupport {
   MeshPlace at;
 };
 
+struct MeshLoad {
+  int node;
+  Eigen::Vector3d force;  ///< along the axes, in the unit of the file
+  MeshPlace at;
+};
+
 /// Two surfaces of a file that touch, or are tied.
 struct MeshPair {
   std::string nodes;               ///< group of the nodes that touch the other surface
@@ -120,6 +126,7 @@ struct MeshData {
   std::vector<MeshGroup> groups;
   std::vector<MeshSection> sections;
   std::vector<MeshSupport> supports;
+  std::vector<MeshLoad> loads;
   std::vector<MeshPair> pairs;
   std::vector<std::string> warnings;  ///< ignored entries, a line each
 };

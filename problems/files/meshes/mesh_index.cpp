@@ -124,6 +124,7 @@ void sort_by_tag(MeshData& mesh) {
   for (MeshSupport& support : mesh.supports) {
     support.node = node_place[static_cast<std::size_t>(support.node)];
   }
+  for (MeshLoad& load : mesh.loads) load.node = node_place[static_cast<std::size_t>(load.node)];
 }
 
 }  // namespace kusabi::problems

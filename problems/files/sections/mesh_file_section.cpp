@@ -117,6 +117,10 @@ void MeshFileSection::read() {
       warn(mesh_.pairs.front().at,
            "contact pairs and ties are left out: kusabi import writes a problem file with them");
     }
+    if (!mesh_.loads.empty()) {
+      warn(mesh_.loads.front().at,
+           "loads are left out: kusabi import writes a problem file with them");
+    }
   }
   const auto first = static_cast<std::size_t>(first_element_);
   NamedMesh made{{}, first, structure().elements.size() - first};

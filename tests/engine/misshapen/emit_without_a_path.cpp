@@ -1,10 +1,10 @@
-// error: emit must be `void emit(const kusabi::engine::Path& path, Solution&& solution)`
+// error: emit must be `bool emit(const kusabi::engine::Path& path, Solution& solution)`
 #include "tests/engine/misshapen/right.hpp"
 
 using namespace misshapen;
 
 struct Problem : Right<Problem> {
-  void emit(Solution&& /*solution*/) {}
+  bool emit(Solution& /*solution*/) { return true; }
 };
 
 void look(Problem& problem) {

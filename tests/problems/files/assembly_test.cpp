@@ -150,7 +150,6 @@ TEST(Assembly, WarnsOnceForEachThingThatIsLeftOut) {
               ElementsAre("a.inp:3: *PREPRINT is left out",
                           "a.inp:12: elements of type CPE4R are read as CPE4, fully integrated",
                           "a.inp:36: *STEP is left out", "a.inp:37: *STATIC is left out",
-                          "a.inp:39: *CLOAD is left out (2 times)",
                           "a.inp:44: *BOUNDARY of a displacement that is not zero is left out",
                           "a.inp:45: *EQUATION is not understood and left out: the structure is "
                           "without it",

@@ -57,6 +57,28 @@ std::vector<std::string> candidates(const Structure& structure) {
   return names;
 }
 
+TEST(DeckProblem, HasTheLoadsAtTheEndOfTheLastStep) {
+  // Node 6 has 1 + 2 in the second step instead of 7; the set keeps its load of the first one.
+  const auto deck =
+      blocks + contact +
+      "*NSET, NSET=TOP\n4, 5, 6\n*STEP\n*STATIC\n*CLOAD\nTOP, 2, -3\n6, 1, 7\n*END STEP\n"
+      "*STEP\n*STATIC\n*CLOAD\n6, 1, 1\n6, 1, 2\n5, 6, 4\n*END STEP\n";
+  const auto problem = imported(deck);
+  const auto structure = structure_of(problem, deck);
+  std::map<std::string, Eigen::VectorXd> loads;
+  for (const auto& load : structure.loads) {
+    EXPECT_EQ(load.kind, Load::Kind::dead);
+    loads[structure.node_names[static_cast<std::size_t>(load.node)]] = load.force;
+  }
+  const std::map<std::string, Eigen::VectorXd> expected{{"d.4", Eigen::Vector2d(0, -3)},
+                                                        {"d.5", Eigen::Vector2d(0, -3)},
+                                                        {"d.6", Eigen::Vector2d(3, -3)}};
+  EXPECT_EQ(loads, expected);
+  EXPECT_THAT(problem.warnings, Contains(HasSubstr("*CLOAD beyond axis 3")));
+  const auto cleared = imported(deck + "*STEP\n*STATIC\n*CLOAD, OP=NEW\n*END STEP\n");
+  EXPECT_THAT(cleared.text, Not(HasSubstr("[[loads]]")));
+}
+
 TEST(DeckProblem, IsTheProblemOfTheSameStructureByHand) {
   const auto problem = imported(blocks + contact);
   EXPECT_THAT(problem.warnings, IsEmpty());
