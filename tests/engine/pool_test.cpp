@@ -334,7 +334,8 @@ TEST(Emission, PassesEachSolutionOnceAndKeepsNone) {
 }
 
 TEST(Emission, LeavesSolutionsToTheEngine) {
-  const auto all = pairs(search(RandomTree(3, 12)).solutions);
+  RandomTree plain(3, 12);
+  const auto all = pairs(search(plain).solutions);
   Emitter emitter(3, 12);
   emitter.left = all[all.size() / 2].second;
   const auto outcome = simulate(emitter, 5, 1, {}, {}).outcome;
