@@ -112,7 +112,9 @@ class Plot {
     const auto& series = chart_.series[number];
     std::vector<PixelPoint> line;
     for (const auto& point : series.line) line.push_back(place(point.x(), point.y()));
-    if (!line.empty())
+    if (series.filled)
+      canvas.polygon(fmt::format("area s{}", number % 4), line);
+    else if (!line.empty())
       canvas.polyline(fmt::format("curve s{}{}", number % 4, series.dashed ? " dashed" : ""), line);
     for (const auto& mark : series.marks) {
       canvas.begin_group("marked", mark.words);
@@ -131,7 +133,9 @@ double draw_chart_legend(Canvas& canvas, const Chart& chart, double y) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const auto& series = chart.series[i];
     const PixelPoint left(chart_margin, y);
-    if (!series.line.empty())
+    if (series.filled)
+      canvas.rectangle(fmt::format("area s{}", i % 4), left - PixelPoint(0, 6), {30, 12});
+    else if (!series.line.empty())
       canvas.polyline(fmt::format("curve s{}{}", i % 4, series.dashed ? " dashed" : ""),
                       {left, left + PixelPoint(30, 0)});
     if (!series.marks.empty())
@@ -160,15 +164,17 @@ void write_chart(std::ostream& out, const Chart& chart) {
     canvas.words("line", {chart_margin, y}, "start", line);
   }
   y = draw_chart(canvas, chart, y + 2.4 * row, chart_width);
-  fmt::print(out,
-             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" "
-             "width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-labelledby=\"title desc\">\n"
-             "<title id=\"title\">{2}</title>\n<desc id=\"desc\">{3}</desc>\n"
-             "<style>{4}{5}</style>\n<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n{6}"
-             "</svg>\n",
-             chart_width, std::round(y + 6), xml_text(chart.title), xml_text(chart.description),
-             style, chart_style, canvas.text());
+  const bool areas = std::ranges::any_of(chart.series, &ChartSeries::filled);
+  fmt::print(
+      out,
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" "
+      "width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-labelledby=\"title desc\">\n"
+      "<title id=\"title\">{2}</title>\n<desc id=\"desc\">{3}</desc>\n"
+      "<style>{4}{5}{6}</style>\n<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n{7}"
+      "</svg>\n",
+      chart_width, std::round(y + 6), xml_text(chart.title), xml_text(chart.description), style,
+      chart_style, areas ? area_style : std::string_view(), canvas.text());
 }
 
 std::string inline_chart(const std::string& id, const Chart& chart) {

@@ -20,6 +20,7 @@ struct ChartSeries {
   std::string name;              ///< in the legend
   std::vector<PixelPoint> line;  ///< in the units of the axes; may be empty
   bool dashed = false;
+  bool filled = false;  ///< the line is the boundary of an area
   std::vector<ChartMark> marks;
 };
 

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "pictures/svg/convex_area.hpp"
 #include "pictures/svg/friction_use.hpp"
 #include "pictures/svg/support_drawing.hpp"
 
@@ -16,29 +17,6 @@ namespace {
 
 /// Maximum number of names; more would overlap.
 constexpr std::size_t most_names = 32;
-
-double turn(const PixelPoint& o, const PixelPoint& a, const PixelPoint& b) {
-  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-}
-
-// Convex hull by Andrew's monotone chain.
-std::vector<PixelPoint> hull(std::vector<PixelPoint> points) {
-  std::ranges::sort(points, [](const PixelPoint& a, const PixelPoint& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<PixelPoint> chain;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t start = chain.size();
-    for (const PixelPoint& point : points) {
-      while (chain.size() >= start + 2 && turn(chain[chain.size() - 2], chain.back(), point) <= 0)
-        chain.pop_back();
-      chain.push_back(point);
-    }
-    chain.pop_back();
-    std::ranges::reverse(points);
-  }
-  return chain;
-}
 
 class SceneDrawing {
  public:
@@ -213,7 +191,7 @@ class SceneDrawing {
       for (const auto& point : friction_cone(scene_, scales_, *candidate))
         points.push_back(view_(point));
       canvas_.polygon(fmt::format("cone u{}", use_shade(friction_use(*candidate))),
-                      scene_.dimension == 2 ? points : hull(points));
+                      scene_.dimension == 2 ? points : convex_hull(points));
     }
     canvas_.end_group();
   }

@@ -120,4 +120,15 @@ inline constexpr std::string_view chart_style = R"(
 }
 )";
 
+/// Additional styles of charts with areas.
+inline constexpr std::string_view area_style = R"(
+.area { fill-opacity: .25; stroke-width: 1.6; }
+.area.s0 { fill: #0969da; stroke: #0969da; } .area.s1 { fill: #bc4c00; stroke: #bc4c00; }
+.area.s2 { fill: #1a7f64; stroke: #1a7f64; } .area.s3 { fill: #8250df; stroke: #8250df; }
+@media (prefers-color-scheme: dark) {
+.area.s0 { fill: #58a6ff; stroke: #58a6ff; } .area.s1 { fill: #ffa657; stroke: #ffa657; }
+.area.s2 { fill: #4ac2a0; stroke: #4ac2a0; } .area.s3 { fill: #bc8cff; stroke: #bc8cff; }
+}
+)";
+
 }  // namespace kusabi::pictures

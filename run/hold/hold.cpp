@@ -2,6 +2,7 @@
 #include "run/hold/hold.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,11 +10,13 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
+#include "run/hold/diagram_report.hpp"
 #include "run/hold/hold_certificate.hpp"
 #include "run/hold/hold_report.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/contact_problem.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
 
@@ -31,12 +34,15 @@ class Hold final : public Subcommand {
   [[nodiscard]] Verdict verdict() const override;
 
  private:
+  void check() const override;
   void refuse_without_loads() const;
   void refuse_total() const;
+  wedged::LoadedProblem loads_of_cases(const support::LongWork& work);
   [[nodiscard]] std::uint64_t fingerprint_of_loads() const;
 
   HoldOptions options_;
   problems::CheckedStructure structure_;
+  std::vector<problems::FacetDoubt> facets_;
   wedged::LoadedProblem loaded_;
   HoldFindings findings_;
 };
@@ -58,7 +64,14 @@ void Hold::describe(OptionTable& table) {
             "compute also the least and the largest sum of the normal reactions over all states "
             "under the dead load")
       .needs("--mu");
+  table
+      .flag("--diagram", options_.diagram,
+            "the pairs of factors of the reference loads of two load cases, as convex pieces with "
+            "their sign patterns")
+      .needs("--mu");
   table.output();
+  table.csv_of("intervals, or of the corners of the pieces");
+  table.further_output("--svg", "SVG file of the pieces, or of the intervals");
   table
       .file("--certificate", options_.certificate, Role::evidence,
             "certificate for kusabi verify; without --mu one for each bound, NAME.lower and "
@@ -83,12 +96,13 @@ void Hold::refuse_without_loads() const {
 
 // A sum of normal reactions is that of one decoupled part.
 void Hold::refuse_total() const {
-  if (!options_.question.total) return;
+  if (!options_.question.total && !options_.diagram) return;
   if (options_.grip) throw WrongInput("--grip: the sum is given by --total; expected one of them");
   const int parts = wedged::loaded_blocks(loaded_);
   if (parts != 1) {
-    throw WrongInput(fmt::format(
-        "--total: loads act on {} decoupled parts; expected a structure with one", parts));
+    throw WrongInput(
+        fmt::format("{}: loads act on {} decoupled parts; expected a structure with one",
+                    options_.diagram ? "--diagram" : "--total", parts));
   }
 }
 
@@ -97,22 +111,74 @@ std::uint64_t Hold::fingerprint_of_loads() const {
   for (const auto& load : structure_->loads) {
     fingerprint.add(load.kind == problems::Load::Kind::dead ? 0.0 : 1.0);
     fingerprint.add(static_cast<double>(load.node));
+    if (!load.load_case.empty()) fingerprint.add(std::string_view(load.load_case));
     for (const double component : load.force) fingerprint.add(component);
   }
+  for (const double force : structure_->imposed_forces.reshaped()) fingerprint.add(force);
   for (const double clearance : loaded_.clearance) fingerprint.add(clearance);
   return fingerprint.value();
 }
 
+// The two cases of a diagram, and the loads of both.
+wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
+  const auto& file = options_.input.file;
+  options_.cases = problems::load_cases(structure_);
+  if (options_.cases.size() != 2) {
+    throw WrongInput(
+        fmt::format("{}: --diagram: the file has {}; expected two, each with a reference "
+                    "load",
+                    file, counted(options_.cases.size(), "load case")));
+  }
+  for (const auto& load : structure_->loads) {
+    const bool dead = load.kind == problems::Load::Kind::dead;
+    if (dead == load.load_case.empty()) continue;
+    throw WrongInput(
+        fmt::format("{}: --diagram: {}", file,
+                    dead ? "a dead load is of a load case; expected dead loads of all cases"
+                         : "a reference load is of no load case; expected one of two"));
+  }
+  auto loaded = wedged::loaded_problem(structure_, {options_.cases[0], options_.cases[1]}, work);
+  if (!loaded.has_reference || !loaded.has_second) {
+    throw WrongInput(
+        fmt::format("{}: --diagram: a load case has no reference load; expected one in "
+                    "each",
+                    file));
+  }
+  for (const wedged::LoadShare each : {wedged::LoadShare{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    if (wedged::unseen_work(loaded, each) <= wedged::negligible_work) continue;
+    throw WrongInput(
+        fmt::format("{}: --diagram: a load moves a body in a direction that no candidate resists; "
+                    "expected supports or candidates that do",
+                    file));
+  }
+  return loaded;
+}
+
+void Hold::check() const {
+  const bool others = options_.grip || options_.question.total || !options_.load_case.empty() ||
+                      !options_.certificate.empty();
+  if (options_.diagram && others) {
+    throw WrongInput("--diagram: expected it without --case, --total, --grip and --certificate");
+  }
+}
+
 void Hold::prepare(CommandRun& run) {
-  structure_ = options_.input.structure(run);
-  if (options_.load_case.empty() && !problems::load_cases(structure_).empty()) {
+  if (!options_.mu && (run.wants("--csv") || run.wants("--svg")))
+    throw WrongInput("--csv, --svg: of load factors that are held; expected --mu beside it");
+  auto [structure, facets] = options_.input.structure_and_facets(run);
+  structure_ = std::move(structure);
+  facets_ = std::move(facets);
+  if (options_.mu) warn_of_facets(run, options_.input, facets_, *options_.mu);
+  if (!options_.diagram && options_.load_case.empty() &&
+      !problems::load_cases(structure_).empty()) {
     throw WrongInput(
         fmt::format("{}: the file has load cases; expected --case with one of them: {}",
                     options_.input.file, problems::choice_of_load_cases(structure_)));
   }
   structure_ = problems::in_chosen_case(structure_, options_.load_case);
-  loaded_ =
-      run.within_limits([&](const auto& work) { return wedged::loaded_problem(structure_, work); });
+  loaded_ = run.within_limits([&](const auto& work) {
+    return options_.diagram ? loads_of_cases(work) : wedged::loaded_problem(structure_, work);
+  });
   if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.input.file);
   refuse_without_loads();
   refuse_total();
@@ -138,6 +204,12 @@ void Hold::search(CommandRun& run) {
       loaded_);
   if (!options_.mu) {
     findings_.friction = wedged::holding_friction(analysis, loaded_, question);
+    if (findings_.friction->upper)
+      warn_of_facets(run, options_.input, facets_, *findings_.friction->upper);
+    return;
+  }
+  if (options_.diagram) {
+    findings_.diagram = wedged::diagram_of(analysis, loaded_, *options_.mu, question.precision);
     return;
   }
   const auto record =
@@ -149,8 +221,11 @@ void Hold::search(CommandRun& run) {
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {
-  return {run.result([this] { return hold_json(options_, structure_, loaded_, findings_); }),
-          run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+  return {
+      run.result([this] { return hold_json(options_, structure_, loaded_, findings_); }),
+      run.file("--csv", [this](auto& out) { write_held_csv(out, loaded_, findings_); }),
+      run.file("--svg", [this](auto& out) { write_held_chart(out, options_, loaded_, findings_); }),
+      run.answer([this] { return hold_table(options_, loaded_, findings_); })};
 }
 
 Verdict Hold::verdict() const {

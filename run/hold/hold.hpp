@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/options.hpp"
+#include "nodes/wedged/hold/diagram.hpp"
 #include "nodes/wedged/hold/grip_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
 #include "run/command/option_table.hpp"
@@ -19,25 +21,30 @@ struct HoldOptions {
   std::optional<double> mu;  ///< absent: the smallest coefficient is requested
   std::string load_case;
   wedged::HoldQuestion question;
-  bool grip = false;        ///< the grip range is requested
-  std::string certificate;  ///< file name; empty: none
+  bool grip = false;                 ///< the grip range is requested
+  bool diagram = false;              ///< pairs of factors of two load cases are requested
+  std::vector<std::string> cases{};  ///< with `diagram`: names of both
+  std::string certificate;           ///< file name; empty: none
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };
 
-/// `friction` or `factors` is present after the search.
+/// `friction`, `factors` or `diagram` is present after the search.
 struct HoldFindings {
   std::optional<wedged::HoldingFriction> friction{};
   std::optional<wedged::HeldFactors> factors{};
   std::optional<wedged::GripRange> grip{};  ///< beside `factors`
+  std::optional<wedged::Diagram> diagram{};
 
   [[nodiscard]] engine::Status status() const {
     if (friction) return friction->status;
+    if (diagram) return diagram->status;
     if (grip && grip->status != engine::Status::solved) return grip->status;
     return factors ? factors->status : engine::Status::solved;
   }
   [[nodiscard]] std::vector<wedged::HoldCost> costs() const {
     if (friction) return friction->costs;
+    if (diagram) return diagram->costs;
     auto all = factors->costs;
     if (grip) all.insert(all.end(), grip->costs.begin(), grip->costs.end());
     return all;

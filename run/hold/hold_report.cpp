@@ -1,6 +1,7 @@
 // Verdict, table and JSON of `kusabi hold`.
 #include "run/hold/hold_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "problems/wedged/problem_block.hpp"
+#include "run/hold/diagram_report.hpp"
 #include "run/output/values.hpp"
 #include "run/verdict/answer_words.hpp"
 #include "run/verdict/ending.hpp"
@@ -16,9 +18,27 @@
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
-namespace {
 
 using nlohmann::ordered_json;
+
+std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                       const std::optional<wedged::LoadedPattern>& pattern) {
+  if (!pattern) return "-";
+  const auto own = problems::blocks_of(loaded.problem)[block];
+  const auto names = candidate_names(loaded.problem, problems::in_whole(pattern->contact, own));
+  return names.empty() ? "none" : listed(names);
+}
+
+ordered_json pattern_names(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                           const std::optional<wedged::LoadedPattern>& pattern) {
+  if (!pattern) return nullptr;
+  const auto own = problems::blocks_of(loaded.problem)[block];
+  return {
+      {"contact", candidate_names(loaded.problem, problems::in_whole(pattern->contact, own))},
+      {"separated", candidate_names(loaded.problem, problems::in_whole(pattern->separated, own))}};
+}
+
+namespace {
 
 Standing standing(bool proved) {
   return proved ? Standing::proved : Standing::computed;
@@ -64,6 +84,21 @@ HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProble
          end_of(each.high, each.proved, each.high_out, each.high_proved, true)});
   }
   return answer;
+}
+
+HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                          const wedged::Diagram& found) {
+  const auto count = [&](auto is) {
+    return static_cast<std::uint64_t>(std::ranges::count_if(found.pieces, is));
+  };
+  return {.friction = *options.mu,
+          .factor = !problems::uniform_friction(loaded.problem),
+          .cases = options.cases,
+          .pieces = found.pieces.size(),
+          .everything = count([](const auto& piece) { return piece.endless_all; }) > 0,
+          .outside = standing(found.proved),
+          .open = found.open,
+          .coarse = count([](const auto& piece) { return !piece.fine; })};
 }
 
 HoldingGrip grip_of(const wedged::GripRange& found) {
@@ -143,23 +178,6 @@ std::string reactions_text(const wedged::LoadedProblem& loaded, std::uint32_t bl
                      parts.empty() ? "none" : listed(parts));
 }
 
-std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
-                       const std::optional<wedged::LoadedPattern>& pattern) {
-  if (!pattern) return "-";
-  const auto own = problems::blocks_of(loaded.problem)[block];
-  const auto names = candidate_names(loaded.problem, problems::in_whole(pattern->contact, own));
-  return names.empty() ? "none" : listed(names);
-}
-
-ordered_json pattern_names(const wedged::LoadedProblem& loaded, std::uint32_t block,
-                           const std::optional<wedged::LoadedPattern>& pattern) {
-  if (!pattern) return nullptr;
-  const auto own = problems::blocks_of(loaded.problem)[block];
-  return {
-      {"contact", candidate_names(loaded.problem, problems::in_whole(pattern->contact, own))},
-      {"separated", candidate_names(loaded.problem, problems::in_whole(pattern->separated, own))}};
-}
-
 ordered_json costs_json(const HoldFindings& findings) {
   auto searches = ordered_json::array();
   for (const auto& cost : findings.costs()) {
@@ -172,7 +190,8 @@ ordered_json costs_json(const HoldFindings& findings) {
   return {{"searches", std::move(searches)}};
 }
 
-ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
+ordered_json result_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                         const HoldFindings& findings) {
   ordered_json holding;
   auto intervals = ordered_json::array();
   if (findings.friction) {
@@ -183,7 +202,7 @@ ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings
                {"upper_proved", found.upper && found.upper_proved},
                {"pattern", pattern_names(loaded, found.block, found.pattern)},
                {"state", state_json(loaded, found.block, found.pattern, found.state)}};
-  } else {
+  } else if (findings.factors) {
     for (const auto& each : findings.factors->intervals) {
       intervals.push_back({{"low", number_or_null(each.low)},
                            {"low_out", number_or_null(each.low_out)},
@@ -199,6 +218,7 @@ ordered_json result_json(const wedged::LoadedProblem& loaded, const HoldFindings
   ordered_json result{{"holding_friction", std::move(holding)},
                       {"intervals", findings.factors ? std::move(intervals) : ordered_json()}};
   if (findings.grip) result["grip"] = grip_json(*findings.grip);
+  if (findings.diagram) result["diagram"] = diagram_json(options, loaded, *findings.diagram);
   return result;
 }
 
@@ -211,6 +231,8 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
   if (findings.friction) {
     verdict.answer = bracket_of(loaded, *findings.friction);
     any = findings.friction->any_by_supports;
+  } else if (findings.diagram) {
+    verdict.answer = diagram_of(options, loaded, *findings.diagram);
   } else if (findings.factors) {
     verdict.answer = factors_of(options, loaded, *findings.factors);
     any = findings.factors->any_by_supports;
@@ -244,6 +266,8 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
                      contact_of(loaded, found.block, found.pattern));
       text += reactions_text(loaded, found.block, found.pattern, found.state);
     }
+  } else if (findings.diagram) {
+    text += diagram_table(loaded, *findings.diagram);
   } else {
     fmt::format_to(out, "\n{:>5}  {:>18}  {:>18}  {}\n", "", "held from", "held to",
                    "in contact at an end");
@@ -273,12 +297,13 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
                      {"case", options.load_case}};
   if (options.question.total) given["total"] = *options.question.total;
   if (options.grip) given["grip"] = true;
+  if (options.diagram) given["diagram"] = true;
   return {{"command", "hold"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(structure, loaded.problem, options.input.file)},
           {"options", std::move(given)},
           {"status", status_text(hold_verdict(options, loaded, findings))},
-          {"result", result_json(loaded, findings)},
+          {"result", result_json(options, loaded, findings)},
           {"statistics", costs_json(findings)}};
 }
 

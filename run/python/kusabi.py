@@ -97,8 +97,9 @@ class Result(dict):
 
     def rows(self, of=None):
         """Table of the answer as a list of dicts with the names of the result file: one row per
-        pattern (`patterns`, `critical`, `sweep` of friction), interval of load factors (`hold`),
-        ray, member (`limit`), point (`sweep` of loads), or nonzero column of the program (`mip`).
+        pattern (`patterns`, `critical`, `sweep` of friction), interval of load factors (`hold`)
+        or piece of its diagram, ray, member (`limit`), point (`sweep` of loads), or nonzero column
+        of the program (`mip`).
 
         of: name of another list of the answer, such as "staircase" of `sweep`, "groups" of
         `patterns`.
@@ -329,7 +330,8 @@ def _list(answer, name):
 
 
 def _intervals(result):
-    return result.answer["intervals"] or []
+    diagram = result.answer.get("diagram")
+    return (diagram["pieces"] if diagram else result.answer["intervals"]) or []
 
 
 def _rays(result):

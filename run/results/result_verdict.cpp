@@ -35,6 +35,8 @@ class WrittenVerdict {
       verdict.answer = holding_friction(answer);
     } else if (kind == "holding-factors") {
       verdict.answer = holding_factors(answer);
+    } else if (kind == "holding-diagram") {
+      verdict.answer = holding_diagram(answer);
     } else if (kind == "friction-steps") {
       verdict.answer = friction_steps(answer);
     } else if (kind == "load-interval") {
@@ -150,7 +152,8 @@ class WrittenVerdict {
                          .intervals = {},
                          .outside = standing(answer, "outside"),
                          .open = truth(answer, "open"),
-                         .reason = hold_reason(answer)};
+                         .reason = hold_reason(answer),
+                         .total = some_number(answer, "total")};
     for (const auto& each : reader_.list(answer, "intervals")) {
       found.intervals.push_back({some_number(each, "low").value_or(-unbounded),
                                  some_number(each, "high").value_or(unbounded),
@@ -158,6 +161,16 @@ class WrittenVerdict {
                                  bracket(each, "above")});
     }
     return found;
+  }
+  [[nodiscard]] HoldingDiagram holding_diagram(const ResultJson& answer) const {
+    return {.friction = reader_.number(answer, "friction"),
+            .factor = truth(answer, "factor"),
+            .cases = reader_.names(answer, "cases"),
+            .pieces = count(answer, "pieces"),
+            .everything = truth(answer, "everything"),
+            .outside = standing(answer, "outside"),
+            .open = truth(answer, "open"),
+            .coarse = count(answer, "coarse")};
   }
   [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),

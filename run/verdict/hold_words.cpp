@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "run/output/values.hpp"
 #include "run/verdict/answer_words.hpp"
 #include "run/verdict/shown_bracket.hpp"
 
@@ -128,6 +129,35 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
                           : fmt::format(", and no other{}", unless_proved(found.outside));
   return fmt::format("It can hold these factors of the reference load {}: {}{}.", where, parts,
                      others);
+}
+
+std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
+  const auto where =
+      fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
+  const auto pairs = fmt::format("pairs of factors of the reference loads \"{}\" and \"{}\"",
+                                 found.cases.front(), found.cases.back());
+  const bool partial = found.open || ended != engine::Status::solved;
+  if (found.everything) return fmt::format("It can hold all {} {}.", pairs, where);
+  if (found.pieces == 0) {
+    if (partial) return fmt::format("{} that it can hold {} are not known.", pairs, where);
+    return fmt::format("It can hold no {} {}{}.", pairs, where, unless_proved(found.outside));
+  }
+  return fmt::format("It can hold the {} in {} {}{}.", pairs, counted(found.pieces, "convex piece"),
+                     where,
+                     partial ? std::string("; others are not known")
+                             : fmt::format(", and no other{}", unless_proved(found.outside)));
+}
+
+void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Reservation>& all) {
+  if (found.open && ended == engine::Status::solved)
+    all.push_back({"Some sign patterns are undecided; pieces may be missing.", true});
+  if (found.outside == Standing::computed && !found.open && !found.everything)
+    all.push_back({"That it holds no other pair is computed, not proved.", true});
+  if (found.coarse > 0) {
+    all.push_back({fmt::format("{} may be larger than drawn, by more than the usual width.",
+                               counted(found.coarse, "piece")),
+                   false});
+  }
 }
 
 std::string grip_sentence(const HoldingGrip& grip) {

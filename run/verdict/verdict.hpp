@@ -122,6 +122,18 @@ struct HoldingFactors {
   std::optional<HoldingGrip> grip{};  ///< if it was requested
 };
 
+/// Pairs of factors of two reference loads that can be held at one coefficient: `hold --diagram`.
+struct HoldingDiagram {
+  double friction = 0;
+  bool factor = false;
+  std::vector<std::string> cases{};     ///< names of both loads
+  std::uint64_t pieces = 0;             ///< convex ones, each of a sign pattern
+  bool everything = false;              ///< one of them contains all pairs
+  Standing outside = Standing::proved;  ///< of the claim that no other pair is held
+  bool open = false;                    ///< pieces may be missing
+  std::uint64_t coarse = 0;  ///< pieces that contain more pairs than their vertices and rays do
+};
+
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
 struct FrictionSteps {
   double most = 0;      ///< upper limit of the sweep
@@ -262,8 +274,8 @@ struct Measurement {
 
 /// Absent: the command answers no question.
 using AnyAnswer = std::variant<std::monostate, Sticking, CriticalBracket, HoldingBracket,
-                               HoldingFactors, FrictionSteps, LoadInterval, MemberLoss, LoadSteps,
-                               MixedOptimum, CertificateCheck, Measurement>;
+                               HoldingFactors, HoldingDiagram, FrictionSteps, LoadInterval,
+                               MemberLoss, LoadSteps, MixedOptimum, CertificateCheck, Measurement>;
 
 struct Verdict {
   engine::Status ended = engine::Status::solved;  ///< of the searches

@@ -100,6 +100,18 @@ ordered_json answer_json(const HoldingFactors& found) {
   return json;
 }
 
+ordered_json answer_json(const HoldingDiagram& found) {
+  return {{"kind", "holding-diagram"},
+          {"friction", found.friction},
+          {"factor", found.factor},
+          {"cases", found.cases},
+          {"pieces", found.pieces},
+          {"everything", found.everything},
+          {"outside", standing_name(found.outside)},
+          {"open", found.open},
+          {"coarse", found.coarse}};
+}
+
 ordered_json answer_json(const FrictionSteps& found) {
   return {{"kind", "friction-steps"},
           {"most", found.most},

@@ -39,6 +39,8 @@ WEDGED = {
 HOLD = {
     "ladder.toml": ((), ("--mu", 0.4), ("--mu", 0.6), ("--mu", 1.4), ("--node-limit", 1), ("--mu", 0.4, "--grip"),
                     ("--mu", 0.3, "--grip"), ("--mu", 1.4, "--grip"), ("--mu", 0.4, "--total", 2)),
+    "press-fit.toml": (("--mu", 0.2, "--grip"),),
+    "peg-under-two-loads.toml": (("--mu", 0.5, "--diagram"), ("--mu", 0.8, "--diagram")),
     "peg-under-load.toml": ((), ("--mu", 0.5), ("--mu", 0.5, "--node-limit", 3)),
 }
 LIMIT = {

@@ -146,6 +146,12 @@ class Warnings(Problems):
         # At a coefficient of 5 they differ by less than the friction angle.
         self.assertNotIn("faces that differ", self.said("patterns", self.plug('"surface"'), "--mu", 5, "--node-limit", 1).stderr)
 
+    def test_hold_says_it_as_well(self):
+        file = self.plug('"surface"\ninterference = 0.001')
+        for mu, is_doubted in ((0.05, True), (5, False)):
+            message = self.said("hold", file, "--mu", mu, "--node-limit", 1).stderr
+            self.assertEqual("is the mean of faces that differ by up to" in message, is_doubted)
+
     def test_a_factor_that_was_meant_as_the_coefficient(self):
         message = self.said("critical", self.groove("friction = 0.15\n")).stderr
         self.assertIn("friction = 0.15 is the former name of friction_factor", message)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/transport/single_process.hpp"
+#include "nodes/wedged/hold/half_planes.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_structure.hpp"
@@ -212,6 +213,26 @@ TEST(HoldingFriction, IsThatFromWhichOnSomePatternHoldsTheDeadLoad) {
   }
   EXPECT_GT(compared, 30);
   EXPECT_GT(inside, 10);
+}
+
+TEST(HalfPlanes, HaveTheVerticesOfAPolygonAndTheDirectionsOfACone) {
+  const auto planes_of = [](const std::vector<Eigen::Vector2d>& normals) {
+    std::vector<HalfPlane> planes;
+    for (const auto& normal : normals) planes.push_back({normal.normalized(), 1});
+    return planes;
+  };
+  const auto square = intersection(planes_of({{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}}));
+  ASSERT_EQ(square.vertices.size(), 4U);
+  for (const auto& vertex : square.vertices) EXPECT_NEAR(vertex.cwiseAbs().minCoeff(), 1, 1e-14);
+  EXPECT_TRUE(square.rays.empty());
+  const auto corner = intersection(planes_of({{-1, 0}, {0, -1}}));
+  ASSERT_EQ(corner.vertices.size(), 1U);
+  EXPECT_NEAR((corner.vertices.front() + Eigen::Vector2d(1, 1)).norm(), 0, 1e-14);
+  ASSERT_EQ(corner.rays.size(), 2U);
+  EXPECT_NEAR((corner.rays[0] + corner.rays[1] - Eigen::Vector2d(1, 1)).norm(), 0, 1e-14);
+  const auto strip = intersection(planes_of({{0, 1}, {0, -1}}));
+  EXPECT_TRUE(strip.vertices.empty());
+  EXPECT_EQ(strip.rays.size(), 2U);
 }
 
 /// A ladder against a wall with slope 4/3, and a climber at a tenth of its length.

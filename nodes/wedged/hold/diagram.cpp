@@ -1,0 +1,287 @@
+// One tree for each quadrant about a point lists the patterns; each is then enclosed by
+// half-planes, which multipliers of infeasible points prove, until all vertices have a state.
+#include "nodes/wedged/hold/diagram.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "nodes/wedged/hold/half_planes.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Doublings and halvings of a distance, as of a load factor.
+constexpr int most_extensions = 60;
+constexpr int first_directions = 8;
+/// Maximum number of half-planes of a piece: enough for the friction cones in space.
+constexpr std::size_t most_planes = 96;
+/// The point about which the quadrants are, in units of the loads: of no particular pattern.
+const Eigen::Vector2d off_the_axes(0.0137, -0.0239);
+/// Distance of a vertex from a held point on the line to it, relative to that from a point inside.
+constexpr double piece_width = 1e-5;
+/// Distance of two vertices that are printed as one, relative to that from a point inside.
+constexpr double same_vertex = 1e-4;
+/// Turn of a direction towards the inside for a direction without end at a limit.
+constexpr double small_turn = 1e-6;
+
+/// The factors of one leaf, in units of the loads.
+class PieceSearch {
+ public:
+  PieceSearch(engine::Analysis& analysis, const LoadedProblem& block, double mu,
+              Precision precision, LoadedPattern pattern, Eigen::Vector2d unit)
+      : analysis_(analysis),
+        block_(block),
+        mu_(mu),
+        precision_(precision),
+        pattern_(std::move(pattern)),
+        unit_(std::move(unit)) {}
+
+  /// @param from a point with a state
+  DiagramPiece around(const Eigen::Vector2d& from);
+
+ private:
+  struct Shot {
+    bool endless = false;
+    double held = 0;  ///< distance from the point inside
+  };
+
+  [[nodiscard]] LoadShare share(double dead, const Eigen::Vector2d& at) const {
+    return {dead, at.x() * unit_.x(), at.y() * unit_.y()};
+  }
+  HoldSign sign(LoadShare share);
+  bool is_endless(const Eigen::Vector2d& along);
+  Shot shoot(const Eigen::Vector2d& along);
+  void approach_origin();
+  std::optional<Eigen::Vector2d> nearest_endless(const Eigen::Vector2d& ray,
+                                                 const std::vector<Eigen::Vector2d>& endless);
+  void enclose();
+
+  engine::Analysis& analysis_;
+  const LoadedProblem& block_;
+  double mu_;
+  Precision precision_;
+  LoadedPattern pattern_;
+  Eigen::Vector2d unit_;
+  Eigen::Vector2d inside_;
+  std::array<double, 3> works_{};  // of the loads, by the multipliers of the last infeasible point
+  std::vector<HalfPlane> planes_;  // about `inside_`
+};
+
+HoldSign PieceSearch::sign(LoadShare share) {
+  HoldNodes nodes(block_, std::array{share}, mu_, precision_);
+  nodes.end_when(analysis_.budget().stop());
+  const HoldSign sign = nodes.sign(pattern_);
+  if (sign == HoldSign::infeasible) works_ = nodes.works();
+  return sign;
+}
+
+// A direction at a limit counts if directions beside it on one side have no end.
+bool PieceSearch::is_endless(const Eigen::Vector2d& along) {
+  const auto at = sign(share(0, along));
+  if (at == HoldSign::feasible) return true;
+  if (at == HoldSign::infeasible) return false;
+  const Eigen::Vector2d across(-along.y(), along.x());
+  return sign(share(0, along + small_turn * across)) == HoldSign::feasible ||
+         sign(share(0, along - small_turn * across)) == HoldSign::feasible ||
+         at == HoldSign::limit || at == HoldSign::face;
+}
+
+PieceSearch::Shot PieceSearch::shoot(const Eigen::Vector2d& along) {
+  if (is_endless(along)) return {.endless = true};
+  const auto feasible = [&](double distance) {
+    return sign(share(1, inside_ + distance * along)) == HoldSign::feasible;
+  };
+  double held = 0;
+  double out = std::max(1.0, inside_.norm());
+  int doubling = 0;
+  for (; doubling < most_extensions && feasible(out); ++doubling) {
+    held = out;
+    out *= 2;
+  }
+  if (doubling == most_extensions) return {.endless = true};
+  for (int step = 0; step < most_extensions && out - held > diagram_width / 8 * out; ++step) {
+    const double middle = held + (out - held) / 2;
+    (feasible(middle) ? held : out) = middle;
+  }
+  for (double beyond = diagram_width / 8; beyond < 1; beyond *= 4) {  // degenerate at the boundary
+    if (sign(share(1, inside_ + out * along)) == HoldSign::infeasible) {
+      enclose();
+      break;
+    }
+    out *= 1 + beyond;
+  }
+  return {.endless = false, .held = held};
+}
+
+// works_ . (1, factors) >= 0 for all states of the pattern.
+void PieceSearch::enclose() {
+  const Eigen::Vector2d rise(works_[1] * unit_.x(), works_[2] * unit_.y());
+  if (rise.norm() == 0) return;
+  const HalfPlane plane{-rise.normalized(), (works_[0] + rise.dot(inside_)) / rise.norm()};
+  if (plane.most >= 0) planes_.push_back(plane);
+}
+
+// Distances are known relative to themselves: a point inside that is not much farther from the
+// nearest boundary than this is from the origin.
+void PieceSearch::approach_origin() {
+  const double size = inside_.norm();
+  if (size <= 1) return;
+  const auto [endless, held] = shoot(-inside_ / size);
+  planes_.clear();
+  const double there = endless ? size : std::min(held, size);
+  const double apart = std::min(there, size - there + 1) / 2;
+  inside_ *= (size - there + apart) / size;
+}
+
+// The last direction without end between a given one and one with an end; nothing if none is given
+// within a right angle.
+std::optional<Eigen::Vector2d> PieceSearch::nearest_endless(
+    const Eigen::Vector2d& ray, const std::vector<Eigen::Vector2d>& endless) {
+  if (endless.empty()) return {};
+  Eigen::Vector2d inner =
+      *std::ranges::max_element(endless, {}, [&](const auto& along) { return along.dot(ray); });
+  if (inner.dot(ray) <= 0) return {};
+  Eigen::Vector2d outer = ray;
+  while ((outer - inner).norm() > diagram_width) {
+    const Eigen::Vector2d middle = (outer + inner).normalized();
+    (sign(share(0, middle)) == HoldSign::feasible ? inner : outer) = middle;
+  }
+  return inner;
+}
+
+DiagramPiece PieceSearch::around(const Eigen::Vector2d& from) {
+  DiagramPiece piece{.pattern = pattern_};
+  inside_ = from;
+  approach_origin();
+  std::vector<std::pair<Eigen::Vector2d, Shot>> known;
+  for (int k = 0; k < first_directions; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.3) / first_directions;
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    known.emplace_back(along, shoot(along));
+    const auto& shot = known.back().second;
+    if (!shot.endless) piece.vertices.emplace_back(inside_ + shot.held * along);
+    if (shot.endless) piece.rays.push_back(along);
+  }
+  const DiagramPiece first = piece;
+  piece.endless_all = piece.vertices.empty();
+  piece.fine = piece.endless_all;
+  for (std::size_t before = 0; planes_.size() > before && planes_.size() < most_planes;) {
+    before = planes_.size();
+    piece.fine = true;
+    const auto outer = intersection(planes_);
+    const bool pointed = !outer.vertices.empty();  // otherwise a half-plane or a strip
+    piece.vertices = pointed ? decltype(piece.vertices){} : first.vertices;
+    piece.rays = pointed ? decltype(piece.rays){} : first.rays;
+    const auto shot_at = [&](const Eigen::Vector2d& along) {
+      for (const auto& [direction, shot] : known)
+        if ((direction - along).norm() <= diagram_width / 8) return shot;
+      known.emplace_back(along, shoot(along));
+      return known.back().second;
+    };
+    for (const auto& vertex : outer.vertices) {
+      const auto [endless, held] = shot_at(vertex.normalized());
+      const double distance = endless ? vertex.norm() : std::min(held, vertex.norm());
+      piece.vertices.emplace_back(inside_ + distance * vertex.normalized());
+      piece.fine = piece.fine && vertex.norm() - distance <= piece_width * vertex.norm();
+    }
+    auto endless = first.rays;
+    if (pointed && outer.rays.size() == 2) {
+      const Eigen::Vector2d middle = (outer.rays[0] + outer.rays[1]).normalized();
+      if (is_endless(middle)) endless.push_back(middle);
+    }
+    for (const auto& ray : outer.rays) {
+      const auto inner = nearest_endless(ray, endless);
+      if (!shot_at(ray).endless && !inner) piece.fine = false;
+      if (shot_at(ray).endless)
+        piece.rays.push_back(ray);
+      else if (inner)
+        piece.rays.push_back(*inner);
+    }
+  }
+  std::vector<Eigen::Vector2d> apart;
+  for (const auto& vertex : piece.vertices) {
+    const bool is_there = std::ranges::any_of(apart, [&](const auto& other) {
+      return (other - vertex).norm() <= same_vertex * (vertex - inside_).norm();
+    });
+    if (!is_there) apart.push_back(vertex);
+  }
+  piece.vertices = std::move(apart);
+  const auto in_factors = [&](Eigen::Vector2d& point) { point = point.cwiseProduct(unit_); };
+  std::ranges::for_each(piece.vertices, in_factors);
+  std::ranges::for_each(piece.rays, in_factors);
+  return piece;
+}
+
+// Units of both loads: their ratio to the dead load in terms of displacements.
+Eigen::Vector2d units_of(const LoadedProblem& block) {
+  const double dead = scale_of(block, {1, 0, 0});
+  Eigen::Vector2d units;
+  for (int k = 0; k < 2; ++k) {
+    const double own = scale_of(block, k == 0 ? LoadShare{0, 1, 0} : LoadShare{0, 0, 1});
+    units[k] = dead > 0 && std::isfinite(dead / own) ? dead / own : 1;
+  }
+  return units;
+}
+
+/// A pattern and a point that it holds.
+struct Begin {
+  LoadedPattern pattern;
+  Eigen::Vector2d point;
+};
+
+std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& block, double mu,
+                               Precision precision, const Eigen::Vector2d& unit, Diagram& found) {
+  std::vector<Begin> all;
+  for (const double first : {1.0, -1.0}) {
+    for (const double second : {1.0, -1.0}) {
+      const LoadShare corner{1, off_the_axes.x() * unit.x(), off_the_axes.y() * unit.y()};
+      const std::array shares{corner, LoadShare{0, first * unit.x(), 0},
+                              LoadShare{0, 0, second * unit.y()}};
+      HoldTree tree(block, shares, mu, precision);
+      const auto outcome = all_leaves(analysis, tree);
+      found.costs.push_back({mu, 0, 0, outcome.opened, outcome.tally.iterations});
+      if (outcome.status != engine::Status::solved) {
+        found.status = outcome.status;
+        return all;
+      }
+      found.open = found.open || outcome.tally.undecided > 0;
+      found.proved = found.proved && outcome.tally.undecided + outcome.tally.computed == 0 &&
+                     outcome.tally.limits.empty();
+      for (const auto& leaf : outcome.leaf) {
+        const bool known = std::ranges::any_of(
+            all, [&](const Begin& each) { return each.pattern == leaf.pattern; });
+        if (known) continue;
+        const Eigen::Vector2d beside(first * leaf.amounts[1], second * leaf.amounts[2]);
+        all.push_back({leaf.pattern, off_the_axes + beside / leaf.amounts[0]});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
+                   Precision precision) {
+  Diagram found;
+  const auto blocks = problems::blocks_of(loaded.problem);
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+    if (!is_loaded(block)) continue;
+    found.block = number;
+    const auto unit = units_of(block);
+    const auto begins = patterns_of(analysis, block, mu, precision, unit, found);
+    if (found.status != engine::Status::solved) return found;
+    for (const auto& [pattern, point] : begins)
+      found.pieces.push_back(
+          PieceSearch(analysis, block, mu, precision, pattern, unit).around(point));
+  }
+  return found;
+}
+
+}  // namespace kusabi::wedged

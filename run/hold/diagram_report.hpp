@@ -1,0 +1,28 @@
+// Pairs of factors of two reference loads, and intervals of one: JSON, CSV and a chart.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "nodes/wedged/hold/load_program.hpp"
+#include "run/hold/hold.hpp"
+
+namespace kusabi::run {
+
+nlohmann::ordered_json diagram_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                    const wedged::Diagram& diagram);
+
+/// One row per piece.
+std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram);
+
+/// One row per vertex or direction of a piece, or per interval.
+void write_held_csv(std::ostream& out, const wedged::LoadedProblem& loaded,
+                    const HoldFindings& findings);
+
+/// Areas of the pieces, or a bar for each interval.
+void write_held_chart(std::ostream& out, const HoldOptions& options,
+                      const wedged::LoadedProblem& loaded, const HoldFindings& findings);
+
+}  // namespace kusabi::run

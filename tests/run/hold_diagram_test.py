@@ -1,0 +1,154 @@
+"""`kusabi hold --diagram`, and the load that each pattern of `kusabi patterns` holds: closed forms, and intervals of single
+loads along lines.
+
+    python3 hold_diagram_test.py KUSABI SOURCES
+"""
+import csv
+import math
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import EXAMPLES, KusabiCase, main  # noqa: E402: beside the folder of this file
+
+#: A moment and a side force at the tip.
+PEG = "peg-under-two-loads.toml"
+BOTH = (EXAMPLES / PEG).read_text()
+#: Length in the hole over radius.
+SLENDERNESS = 0.75 * 2
+
+
+def jams(mu, moment, side):
+    """Whitney: the push is 1 downwards, and moments are in units of radius times push."""
+    length = SLENDERNESS / (2 * mu)
+    return abs(side) >= 1 / mu or abs(moment + mu * (1 + length) * side) >= length
+
+
+def contains(piece, x, y, slack):
+    """True if a piece contains a point: no normal of its edges separates them by more than the slack."""
+    if piece["everything"]:
+        return True
+    points, rays = piece["vertices"], piece["rays"]
+    edges = [(a[0] - b[0], a[1] - b[1]) for a in points for b in points if a != b] + rays
+    for dx, dy in edges or [(1, 0), (0, 1)]:
+        size = math.hypot(dx, dy)
+        for nx, ny in ((-dy / size, dx / size), (dy / size, -dx / size)):
+            if any(nx * rx + ny * ry > 1e-9 for rx, ry in rays):
+                continue
+            if nx * x + ny * y > max(nx * px + ny * py for px, py in points) + slack:
+                return False
+    return True
+
+
+class HoldDiagram(KusabiCase):
+    def problem(self, text):
+        place = self.folder / "problem.toml"
+        place.write_text(text)
+        return place
+
+    def diagram(self, text, mu, *words):
+        result = self.solve("hold", self.problem(text), "--diagram", "--mu", mu, *words)
+        self.assertEqual(result["verdict"]["exit_code"], 0, result["verdict"])
+        return result["result"]["diagram"]
+
+    def test_a_peg_jams_by_whitneys_diagram(self):
+        for mu in (0.3, 0.5):
+            diagram = self.diagram(BOTH, mu)
+            self.assertEqual(diagram["cases"], ["moment", "side"])
+            checked = {True: 0, False: 0}
+            for i in range(-20, 21):
+                for k in range(-20, 21):
+                    moment, side = 0.41 * i + 0.01, 0.23 * k + 0.003
+                    inside = any(contains(piece, moment, side, 1e-7) for piece in diagram["pieces"])
+                    jammed = jams(mu, moment, side)
+                    near = any(jams(mu, moment + a, side + b) != jammed for a in (-1e-3, 1e-3) for b in (-1e-3, 1e-3))
+                    if not near:
+                        self.assertEqual(inside, jammed, (mu, moment, side))
+                        checked[jammed] += 1
+            self.assertGreater(min(checked.values()), 20)
+
+    def test_above_the_critical_coefficient_it_holds_everything(self):
+        self.assertTrue(any(piece["everything"] for piece in self.diagram(BOTH, 0.76)["pieces"]))
+
+    def test_lines_are_intervals_of_one_load(self):
+        text = (EXAMPLES / "ladder.toml").read_text()
+        first, second = text.replace('kind = "reference"', 'kind = "reference"\ncase = "climber"'), """
+[[loads]]
+kind = "reference"
+case = "pull"
+nodes = ["ladder.5,1"]
+force = [1, 0.5]
+"""
+        mu, slant = 0.4, 0.3
+        pieces = self.diagram(first + second, mu)["pieces"]
+        # The pull is slant times the climber's factor.
+        both = text + second.replace('case = "pull"\n', "").replace("[1, 0.5]", f"[{slant}, {0.5 * slant}]")
+        held = self.solve("hold", self.problem(both), "--mu", mu)["result"]["intervals"]
+        ends = [(each["low"], each["high"]) for each in held]
+        for i in range(-400, 401):
+            factor = 0.013 * i + 0.001
+            inside = any(contains(piece, factor, slant * factor, 1e-9) for piece in pieces)
+            wanted = any((low is None or low <= factor) and (high is None or factor <= high) for low, high in ends)
+            if all(end is None or abs(end - factor) > 1e-5 for pair in ends for end in pair):
+                self.assertEqual(inside, wanted, factor)
+        self.assertTrue(any(end is not None for pair in ends for end in pair))
+
+    def test_files(self):
+        self.diagram(BOTH, 0.5, "--csv", self.folder / "a.csv", "--svg", self.folder / "a.svg")
+        rows = list(csv.DictReader((self.folder / "a.csv").read_text().splitlines()))
+        self.assertEqual(set(rows[0]), {"piece", "what", "first", "second", "contact"})
+        self.assertEqual({row["what"] for row in rows}, {"vertex", "direction"})
+        picture = xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()
+        areas = [each for each in picture.iter() if each.tag.endswith("polygon") and each.get("class", "").startswith("area")]
+        # Pieces with three candidates in contact begin where loads close the gap, far from the others.
+        two = {row["piece"] for row in rows if len(row["contact"].split()) == 2}
+        self.assertEqual((len(areas), len(two)), (4, 4))
+        self.solve("hold", "peg-under-load.toml", "--mu", 0.5, "--csv", self.folder / "b.csv", "--svg", self.folder / "b.svg")
+        rows = list(csv.DictReader((self.folder / "b.csv").read_text().splitlines()))
+        self.assertEqual([(row["low"] == "", row["high"] == "") for row in rows], [(True, False), (False, True)])
+        xml.etree.ElementTree.parse(self.folder / "b.svg")
+
+    def test_refusals(self):
+        self.assertIn("expected two, each with a reference load", self.refused("hold", EXAMPLES / "ladder.toml", "--mu", 0.4, "--diagram"))
+        dead = BOTH.replace('kind = "dead"', 'kind = "dead"\ncase = "side"')
+        self.assertIn("a dead load is of a load case", self.refused("hold", self.problem(dead), "--mu", 0.4, "--diagram"))
+        self.assertIn("expected it without", self.refused("hold", self.problem(BOTH), "--mu", 0.4, "--diagram", "--grip"))
+        self.assertIn("--mu", self.refused("hold", EXAMPLES / "ladder.toml", "--csv", self.folder / "a.csv"))
+
+
+class Firmness(KusabiCase):
+    def test_two_bars(self):
+        text = (EXAMPLES / "two-bars.toml").read_text()
+        place = self.folder / "bars.toml"
+        place.write_text(text + f'\n[[loads]]\nkind = "reference"\nnodes = ["tip"]\nforce = [{-math.sqrt(0.5)}, {math.sqrt(0.5)}]\n')
+        for mu in (2.5, 3):
+            result = self.solve("patterns", place, "--mu", mu)
+            (pattern,) = result["result"]["patterns"]
+            found = pattern["firmness"]
+            for end, wanted in (("low", -(mu + 2) / 2), ("high", (mu - 2) / 2)):
+                self.assertAlmostEqual(found[end], wanted, delta=2e-6)
+                self.assertTrue(min(found[end], found[end + "_out"]) <= wanted <= max(found[end], found[end + "_out"]))
+            self.assertIn("load held from", self.kusabi("patterns", place, "--mu", mu).stdout)
+            self.assertTrue(any("holds the reference load up to" in each for each in result["verdict"]["details"]))
+
+    def test_a_groove(self):
+        # Of the pattern with all candidates in contact; the others hold no more: theory/loads.md.
+        angle, mu = math.radians(15), 0.4
+        text = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
+        place = self.folder / "groove.toml"
+        place.write_text(text + '\n[[loads]]\nkind = "dead"\nnodes = ["block.0,1"]\nforce = [3, 7]\n'
+                                '\n[[loads]]\nkind = "reference"\nnodes = ["block.0,1", "block.1,1"]\nforce = [0, 0.5]\n')
+        patterns = self.solve("patterns", place, "--mu", mu)["result"]["patterns"]
+        low = min(each["firmness"]["low"] for each in patterns)
+        high = max(each["firmness"]["high"] for each in patterns)
+        self.assertAlmostEqual(low, -(mu * math.cos(angle) + math.sin(angle)), delta=2e-6)
+        self.assertAlmostEqual(high, mu * math.cos(angle) - math.sin(angle), delta=2e-6)
+
+    def test_files_without_a_reference_load_have_none(self):
+        for pattern in self.solve("patterns", "wedge-in-groove.toml", "--mu", 0.4, "--pattern-limit", 2)["result"]["patterns"]:
+            self.assertNotIn("firmness", pattern)
+
+
+if __name__ == "__main__":
+    main()
