@@ -140,7 +140,9 @@ void add_origin(Markup& page, const ResultReader& reader) {
                 *value);
   }
   if (const auto* const statistics = ResultReader::find(all, "statistics")) {
+    // The page of a result does not depend on the speed of the machine.
     auto counts = *statistics;
+    counts.erase("seconds");
     const auto* const ranks = ResultReader::find(counts, "ranks");
     if (ranks != nullptr && ranks->is_array()) counts["ranks"] = ranks->size();
     add_facts(page, "Run statistics", counts);

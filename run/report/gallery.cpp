@@ -18,9 +18,20 @@ namespace {
 
 using pictures::Markup;
 
+/// Maximum number of characters of the names in a line of the choice.
+constexpr std::size_t longest_choice = 40;
+
 std::string description(const AnswerList& list, const Answer& answer) {
   return fmt::format("In contact: {}. Separated: {}.", list.names.of(answer.contact),
                      list.names.of(answer.separated));
+}
+
+// Legend of a large picture. @pre it has a scene
+std::string large_legend(const ResultReader& reader, const Answer& answer, const std::string& id) {
+  const auto& units = reader.at(reader.at(reader.all(), "problem"), "units");
+  return inline_legend(
+      {id, "Legend", "Legend of the large picture."},
+      legend(*answer.scene, {reader.text(units, "length"), reader.text(units, "force")}));
 }
 
 class Gallery {
@@ -51,6 +62,9 @@ class Gallery {
   void draw() {
     std::size_t bytes = 0;
     pictures_.resize(list_.answers.size());
+    views_.resize(list_.answers.size());
+    const auto* const leading = list_.answers[list_.order.front()].scene;
+    const auto turning = leading == nullptr ? std::string() : turning_data(*leading);
     for (const auto i : list_.order) {
       const auto& answer = list_.answers[i];
       if (answer.scene == nullptr || bytes > most_picture_bytes) continue;
@@ -58,6 +72,9 @@ class Gallery {
                                  description(list_, answer)},
                                 *answer.scene);
       bytes += pictures_[i].size();
+      if (turning.empty() || bytes > most_picture_bytes) continue;
+      views_[i] = turning_difference(*answer.scene, turning);
+      bytes += views_[i].size();
     }
   }
 
@@ -112,9 +129,11 @@ class Gallery {
     const auto& answer = list_.answers[i];
     open_answer(page_, "li", rank_[i] < most_printed ? "answer firm" : "answer", answer, rank_[i]);
     page_.element(list_.groups.groups.size() > 1 ? "h4" : "h3", title_of(list_, answer));
-    page_.verbatim(pictures_[i]);
+    page_.open("div", {{"data-view", views_[i]}}).verbatim(pictures_[i]).close();
     add_terms(page_, list_, answer);
     add_reactions(page_, reader_, list_, answer);
+    page_.open("div", {{"class", "legend"}, {"hidden", ""}});
+    page_.verbatim(large_legend(reader_, answer, fmt::format("legend-{}", answer.number))).close();
     page_.close();
   }
 
@@ -163,6 +182,7 @@ class Gallery {
   const AnswerList& list_;
   std::vector<std::size_t> rank_;      // of each answer
   std::vector<std::string> pictures_;  // empty: none
+  std::vector<std::string> views_;     // data of views that turn, as far as they differ
 };
 
 }  // namespace
@@ -200,10 +220,30 @@ std::vector<std::size_t> pictured(const AnswerList& list) {
   return indices;
 }
 
+namespace {
+
+// Choice of the answer in the large picture; hidden until the script shows it.
+void add_choice(Markup& page, const AnswerList& list) {
+  page.open("p", {{"id", "choice"}, {"hidden", ""}});
+  page.element("label", "Shown large: ", {{"for", "chosen"}}).open("select", {{"id", "chosen"}});
+  for (const auto i : list.order) {
+    const auto& answer = list.answers[i];
+    if (answer.scene == nullptr) continue;
+    page.element("option",
+                 fmt::format("{}: {}", title_of(list, answer),
+                             list.names.of(answer.contact, longest_choice)),
+                 {{"value", fmt::format("answer-{}", answer.number)}});
+  }
+  page.close().close();
+}
+
+}  // namespace
+
 void add_leading(Markup& page, const ResultReader& reader, const AnswerList& list) {
   const auto& answer = list.answers[list.order.front()];
   const bool alone = list.answers.size() == 1;
   page.open("section", {{"id", "leading"}, {"class", "beside"}});
+  if (!alone) add_choice(page, list);
   if (answer.scene != nullptr) {
     open_figure(page, turning_data(*answer.scene));
     page.verbatim(
@@ -214,18 +254,13 @@ void add_leading(Markup& page, const ResultReader& reader, const AnswerList& lis
   if (alone) {
     open_answer(page, "div", "answer firm", answer, 0);
   } else {
-    page.open("div");
+    page.open("div", {{"id", "leading-text"}, {"aria-live", "polite"}});
   }
   page.element("h2", alone ? title_of(list, answer)
                            : fmt::format("{}, {}", title_of(list, answer), list.ranked_by));
   add_terms(page, list, answer);
   add_reactions(page, reader, list, answer);
-  if (answer.scene != nullptr) {
-    const auto& units = reader.at(reader.at(reader.all(), "problem"), "units");
-    page.verbatim(inline_legend(
-        {"legend", "Legend", "Legend of the picture above."},
-        legend(*answer.scene, {reader.text(units, "length"), reader.text(units, "force")})));
-  }
+  if (answer.scene != nullptr) page.verbatim(large_legend(reader, answer, "legend"));
   page.close().close();
 }
 

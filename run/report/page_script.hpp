@@ -55,6 +55,30 @@ inline constexpr std::string_view page_script = R"(
   form.addEventListener("reset", () => setTimeout(() => { show(); sort(); }));
   form.hidden = false;
   show();
+
+  // The choice puts the picture, the terms and the reactions of a card in the large view.
+  const chosen = document.getElementById("chosen");
+  const text = document.getElementById("leading-text");
+  const figure = document.querySelector("#leading figure");
+  if (!chosen || !figure || chosen.options.length < 2) return;
+  // Each id is used once in a page.
+  const copied = svg => {
+    const copy = svg.cloneNode(true);
+    for (const each of [copy, ...copy.querySelectorAll("[id]")]) each.id = "large-" + each.id;
+    copy.setAttribute("aria-labelledby", copy.getAttribute("aria-labelledby").replace(/\S+/g, "large-$&"));
+    return copy;
+  };
+  chosen.addEventListener("change", () => {
+    const card = document.getElementById(chosen.value);
+    const title = document.createElement("h2");
+    title.textContent = card.querySelector("h3, h4").textContent;
+    const parts = [...card.querySelectorAll(":scope > dl, :scope > details")].map(part => part.cloneNode(true));
+    text.replaceChildren(title, ...parts, copied(card.querySelector(".legend svg")));
+    const view = card.querySelector("[data-view]");
+    figure.querySelector("svg.picture").replaceWith(copied(view.querySelector("svg")));
+    figure.dispatchEvent(new CustomEvent("view", { detail: view.dataset.view }));
+  });
+  document.getElementById("choice").hidden = false;
 })();
 )";
 

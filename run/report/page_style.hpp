@@ -30,6 +30,7 @@ figure input[type="range"] { vertical-align: middle; padding: 0; }
 h4 { font-size: 1rem; margin: .3rem 0; }
 .ungrouped .group h3, .ungrouped .group .remark, .on-paper { display: none; }
 svg.picture { display: block; max-width: 100%; height: auto; }
+#leading figure svg.picture { width: 100%; }
 .scroll { overflow-x: auto; margin: .6rem 0; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: .3rem 0; }
@@ -49,12 +50,13 @@ dd { margin: 0; }
 #controls { display: flex; flex-wrap: wrap; gap: .4rem 1.2rem; }
 #controls p { margin: 0; }
 [hidden], #controls[hidden] { display: none; }
+#choice { margin: 0 0 .6rem; }
 input, select, button { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--faint); border-radius: .3rem; padding: .25rem .5rem; max-width: 100%; }
 :focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
 summary { cursor: pointer; }
 @media screen and (min-width: 60rem) {
 .beside { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 2rem; align-items: start; }
-.beside > :only-child { grid-column: 1 / 3; }
+.beside > :only-child, #choice { grid-column: 1 / 3; }
 .beside h2 { margin-top: 0; }
 #problem { display: grid; grid-template-columns: minmax(0, 2fr) minmax(0, 3fr); grid-template-rows: auto auto auto 1fr; column-gap: 2rem; align-items: start; }
 #problem h2 { grid-column: 1 / 3; }
@@ -62,7 +64,7 @@ summary { cursor: pointer; }
 #problem > :not(h2):not(#structure) { grid-column: 2; }
 }
 @media print {
-#controls { display: none; }
+#controls, #choice { display: none; }
 body { max-width: none; padding: 0; font-size: .8rem; }
 figure.turns svg.picture { display: block; }
 figure canvas, figure .remark, figure label, .gallery li.answer:not(.firm), tr.late { display: none; }

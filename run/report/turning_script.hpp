@@ -10,8 +10,8 @@ namespace kusabi::run {
 inline constexpr std::string_view turning_script = R"js(
 "use strict";
 for (const figure of document.querySelectorAll("figure[data-scene]")) {
-  const data = JSON.parse(figure.dataset.scene);
-  const count = data.places.length / 3;
+  const leading = JSON.parse(figure.dataset.scene);
+  let data = leading;
   const canvas = document.createElement("canvas");
   const pen = canvas.getContext("2d");
   if (!pen) continue;
@@ -20,8 +20,9 @@ for (const figure of document.querySelectorAll("figure[data-scene]")) {
   let motion = data.motions ? 1 : 0;
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", figure.querySelector("svg title").textContent +
+  const name = () => canvas.setAttribute("aria-label", figure.querySelector("svg title").textContent +
     ". Arrow keys turn it, plus and minus change its size, 0 returns to the first view.");
+  name();
   figure.prepend(canvas);
   figure.classList.add("turns");
 
@@ -75,7 +76,7 @@ for (const figure of document.querySelectorAll("figure[data-scene]")) {
     const [right, up, to] = axes();
     const scale = 0.44 * Math.min(across, high) * eye.zoom;
     const flat = p => [across / 2 + scale * dot(right, p), high / 2 - scale * dot(up, p)];
-    const nodes = Array.from({ length: count }, (_, i) => place(i));
+    const nodes = Array.from({ length: data.places.length / 3 }, (_, i) => place(i));
     const light = unit(plus(plus(to, right, -0.5), up, 0.6));
     const items = [];
     const add = (depth, paint) => items.push({ depth, paint });
@@ -198,6 +199,13 @@ for (const figure of document.querySelectorAll("figure[data-scene]")) {
     label.append("Displacements ", slider);
     note.after(label);
   }
+  // The detail of another answer has the members that differ from those of the leading one.
+  figure.addEventListener("view", event => {
+    if (!event.detail) return;
+    data = { ...leading, ...JSON.parse(event.detail) };
+    name();
+    redraw();
+  });
   let opening = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   const turn = (yaw, pitch) => {
     opening = false;

@@ -143,4 +143,18 @@ std::string turning_data(const Scene& scene) {
   return scene.dimension == 3 && few ? TurningData(scene).text() : std::string();
 }
 
+std::string turning_difference(const Scene& scene, const std::string& leading) {
+  const auto other = ResultJson::parse(leading);
+  const auto own = ResultJson::parse(turning_data(scene));
+  auto different = ResultJson::object();
+  for (const auto& [key, value] : own.items()) {
+    const auto known = other.find(key);
+    if (known == other.end() || *known != value) different[key] = value;
+  }
+  for (const auto& [key, value] : other.items()) {
+    if (!own.contains(key)) different[key] = nullptr;
+  }
+  return different.dump();
+}
+
 }  // namespace kusabi::run

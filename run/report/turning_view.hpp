@@ -12,4 +12,9 @@ namespace kusabi::run {
 /// or has too many faces to be drawn at each step.
 std::string turning_data(const pictures::Scene& scene);
 
+/// The members of these data that differ from those of another scene of the same structure, as
+/// JSON; null: only the other has it.
+/// @param leading turning_data() of the other scene, not empty
+std::string turning_difference(const pictures::Scene& scene, const std::string& leading);
+
 }  // namespace kusabi::run

@@ -170,9 +170,22 @@ class Report(KusabiCase):
             self.assertNotIn("remark", shown_terms)
             rows = {next(row.all("th")).text(): self.numbers(row) for row in next(card.all("tbody")).all("tr")}
             self.assertEqual(rows, {name: force for name, force in zip(names, pattern["reaction"]) if any(force)})
-            self.assertEqual(len(list(card.all("svg"))), 1)
-            marks = [mark for mark in card.all("circle") if "contact" in mark.kinds()]
+            self.assertEqual([each.attributes["id"] for each in card.all("svg")], [f"picture-{number}", f"legend-{number}"])
+            picture = next(card.all("svg"))
+            marks = [mark for mark in picture.all("circle") if "contact" in mark.kinds()]
             self.assertEqual(len(marks), len(pattern["contact"]))
+        # Each may be chosen for the large view, whose data then have its states.
+        self.assertIn("hidden", page.with_id("choice").attributes)
+        self.assertEqual([each.attributes["value"] for each in page.with_id("chosen").all("option")],
+                         [card.attributes["id"] for card in ranked])
+        scene = json.loads(next(page.root.all("figure")).attributes["data-scene"])
+        for card, pattern in zip(cards, patterns):
+            view = next(each.attributes["data-view"] for each in card.all("div") if "data-view" in each.attributes)
+            drawn = {**scene, **json.loads(view)}
+            self.assertEqual({each["name"] for each in drawn["candidates"] if each["state"] == "in contact"},
+                             set(pattern["contact"]))
+            self.assertEqual(len(drawn["places"]), len(drawn["motions"]))
+            self.assertNotIn("faces", json.loads(view))
         problem = page.with_id("problem").text()
         for known in (result["problem"]["units"]["force"], "space truss",
                       f"{len(result['problem']['structure']['fixed']['x'])} nodes along x"):
