@@ -46,9 +46,13 @@ constexpr double factor_metric = 0.1;
 constexpr double near = 1e-3;
 
 /// Steps after which the face of a collapse is examined: once for each collapse, and again when the
-/// number of steps has grown by a share.
+/// number of steps has grown by a factor, since fewer steps on the face are needed from there.
 constexpr int first_face = 50;
-constexpr double again_share = 0.5;
+constexpr int again_after = 8;
+
+/// A face may take as many times more steps than came before it, unless it is almost solved.
+constexpr int face_steps_a_step = 8;
+constexpr double almost_solved = 1e-5;
 
 /// Criteria for leaving a face: its residual has not fallen to a share in so many steps. Far from
 /// the end it is most likely not the face of the worst case; near it a residual may stay the same
@@ -212,7 +216,9 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
     const bool ends = good || done;
     good = gap() <= good_gap;
     if (gap() <= closed_gap || (ends && good)) return RootStatus::closed;
-    if (done) return RootStatus::open;
+    const bool too_long = face.steps() >= face_steps_a_step * iteration.steps() &&
+                          face.residual() > almost_solved && !good;
+    if (done || too_long) return RootStatus::open;
     const bool far = face.residual() > far_residual;
     if (face.steps() - last_steps < (far ? far_steps : near_steps)) continue;
     if (!good && face.residual() > (far ? far_fall : near_fall) * last) return RootStatus::open;
@@ -246,7 +252,7 @@ void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
 }
 
 RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
-  double next_face = first_face;
+  int next_face = first_face;
   int tries = first_tries;
   while (iteration.steps() < most_steps) {
     if (!try_disturbed(tries)) return RootStatus::not_carried;
@@ -267,7 +273,7 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
     improved_ = false;
     const auto status = look_at_face(iteration);
     if (status != RootStatus::open) return status;
-    next_face = (1 + again_share) * steps;
+    next_face = again_after * steps;
     tries = first_tries;
   }
   return RootStatus::open;
