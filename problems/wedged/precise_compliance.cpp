@@ -17,6 +17,7 @@
 #include "problems/structure/model/elongation.hpp"
 #include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/truss.hpp"
+#include "problems/wedged/precise_residual.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
 #include "problems/wedged/tangential_springs.hpp"
@@ -46,7 +47,7 @@ constexpr double frame_roundings = 32;
 constexpr int most_refinements = 12;
 
 /// Number of columns refined at once; more would only increase memory.
-constexpr Eigen::Index columns_at_once = 32;
+constexpr Eigen::Index columns_at_once = PreciseResidual::columns_at_once;
 
 /// Unit loads along the directions of all candidates, times D: f x dm, columns n, t1[, t2] of each,
 /// and the norm of the rounding errors of each column.
@@ -102,21 +103,6 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
   return loads;
 }
 
-/// K X as a product of a sparse and a dense matrix, column by column.
-numbers::PreciseMatrix residual(const SparseMatrix& matrix, const numbers::PreciseMatrix& solution,
-                                const numbers::PreciseMatrix& right) {
-  numbers::PreciseMatrix left = right;
-  for (Eigen::Index column = 0; column < right.cols(); ++column) {
-    for (int k = 0; k < matrix.outerSize(); ++k) {
-      const Precise factor = solution(k, column);
-      if (factor.is_zero()) continue;
-      for (SparseMatrix::InnerIterator entry(matrix, k); entry; ++entry)
-        left(entry.row(), column) -= entry.value() * factor;
-    }
-  }
-  return left;
-}
-
 Eigen::VectorXd column_norms(const numbers::PreciseMatrix& matrix) {
   return matrix.cast<double>().colwise().stableNorm().transpose();
 }
@@ -131,7 +117,8 @@ struct Solution {
   Eigen::VectorXd residuals;  ///< norm of K X - B for each column
 };
 
-/// Refines the columns from `first` on until the residual no longer decreases.
+/// Refines the columns from `first` on until the residual no longer decreases, or is below the
+/// bound of its own rounding errors.
 template <class Real>
 void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
             const Loads& loads, Eigen::Index first, double rounding, const support::Stop& stop,
@@ -141,6 +128,7 @@ void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& facto
   const Eigen::VectorXd certain =
       2 * unit * column_norms(right) + loads.errors.segment(first, count);
   auto best = solution.residuals.segment(first, count);
+  const PreciseResidual residual(stiffness.matrix);
   numbers::PreciseMatrix displacements = numbers::PreciseMatrix::Zero(right.rows(), count);
   numbers::PreciseMatrix left = right;
   for (int step = 0; step < most_refinements; ++step) {
@@ -148,15 +136,16 @@ void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& facto
     typename StiffnessFactor<Real>::Matrix correction = left.cast<Real>();
     factor.solve(correction);
     displacements += correction.template cast<Precise>();
-    left = residual(stiffness.matrix, displacements, right);
-    const Eigen::VectorXd residuals =
-        safety * (column_norms(left) + rounding * column_norms(displacements) + certain);
+    left = residual(displacements, right);
+    const Eigen::VectorXd computed = column_norms(left);
+    const Eigen::VectorXd rounded_off = rounding * column_norms(displacements) + certain;
+    const Eigen::VectorXd residuals = safety * (computed + rounded_off);
     const double before = best.maxCoeff();
     const double now = residuals.maxCoeff();
     if (!(now < before)) break;
     solution.displacements.middleCols(first, count) = displacements;
     best = residuals;
-    if (now > before / 4) break;
+    if (now > before / 4 || (computed.array() <= rounded_off.array()).all()) break;
   }
 }
 

@@ -21,7 +21,8 @@ constexpr double each_counts = 4;
 /// Factor for the rounding errors of sums of some thousand nonnegative numbers.
 constexpr double sum_safety = 1.001;
 
-constexpr std::size_t block = 8;
+/// Columns solved at once: the factor is read once for all of them.
+constexpr std::size_t block = 32;
 
 template <class Real>
 using Block = std::vector<std::array<Real, block>>;

@@ -92,7 +92,8 @@ class BlockProof {
                                     std::span<const double> numbers) const;
 
   /// Proves that no configuration of the block is wedged, by a quadratic form.
-  /// @param numbers m^2 multipliers of products, (d - 1) m^2 of slips and m of squares
+  /// @param numbers m^2 multipliers of products, (d - 1) m^2 of slips, m of squares and, with
+  ///        motions, m^2 of products of displacements
   /// @pre least_eigenvalue()
   [[nodiscard]] Judgement judge_form(std::span<const double> numbers) const;
 
@@ -288,6 +289,14 @@ class BlockProof {
                                                          const DyadicList& w, const Dyadic& error,
                                                          const Dyadic& epsilon,
                                                          const std::vector<Dyadic>& works) const;
+
+  // Rigid-body motions in a form, for springs on as many normals as possible.
+  struct MotionsOfForm {
+    std::vector<NearList> lifting;  // those of springs on normals
+    Dyadic lifted_by_sliding;  // bound of the normal displacements by the others, over |u| s / |r|
+  };
+  [[nodiscard]] std::optional<MotionsOfForm> motions_of_form(
+      const RegularisedStiffness& held) const;
 
   // True if the reactions of all candidates displaced by a mode do negative work on it or on its
   // opposite, and at least one of them is in U.

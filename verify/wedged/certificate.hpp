@@ -63,7 +63,8 @@ struct Record {
   /// coefficients of the block's rigid-body modes in the mean motion of w (infeasible) or u
   /// (feasible). cut: the numbers of infeasible, then multipliers of cuts, one for each candidate,
   /// >= 0. form: those of products of u_ni and r_nj, by rows; for each pair (j, k) the d - 1
-  /// components of that of r_nj and r_tk; one for the square of each candidate's friction cone.
+  /// components of that of r_nj and r_tk; one for the square of each candidate's friction
+  /// cone; with modes, those of products of u_ni and u_nj, by rows.
   std::vector<double> numbers;
 };
 

@@ -1,170 +1,79 @@
-// Proof by a quadratic form: not below zero in any wedged configuration, but negative definite.
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+// Proof by a quadratic form: not below zero in any wedged configuration, but negative definite for
+// reactions in equilibrium.
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "verify/arithmetic/wide.hpp"
-#include "verify/arithmetic/word_grid.hpp"
 #include "verify/wedged/block_proof.hpp"
+#include "verify/wedged/form_matrix.hpp"
 
 namespace kusabi::verify {
 namespace {
 
-// The recorded numbers of a block with m candidates.
-struct FormNumbers {
-  std::span<const double> products;  // P, m x m, by rows
-  std::span<const double> slips;     // S, for each pair (j, k) its d - 1 components
-  std::span<const double> squares;   // sigma, m
-};
-
 FormNumbers parts_of_form(std::span<const double> numbers, std::size_t m, std::size_t d) {
-  return {numbers.first(m * m), numbers.subspan(m * m, m * m * (d - 1)), numbers.last(m)};
+  return {numbers.first(m * m), numbers.subspan(m * m, m * m * (d - 1)),
+          numbers.subspan(m * m * d, m), numbers.subspan(m * m * d + m)};
 }
 
-bool has_allowed_signs(const FormNumbers& form) {
-  const auto m = form.squares.size();
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t j = 0; j < m; ++j)
-      if (i != j && form.products[m * i + j] < 0) return false;
-    if (form.squares[i] <= 0) return false;
-  }
-  return true;
-}
+}  // namespace
 
-// P'F~ by rows, m x dm, exactly: sums of products of words.
-struct Responses {
-  std::vector<Wide> sums;
-  long exponent = 0;
-  std::size_t columns = 0;
-
-  [[nodiscard]] Dyadic at(std::size_t row, std::size_t column) const {
-    return {integer(sums[columns * row + column]), exponent};
-  }
-};
-
-Responses responses_of(const WordGrid& products, const InverseColumns& inverse, std::size_t m,
-                       std::size_t size) {
-  Responses result{std::vector<Wide>(m * size), products.exponent + inverse.exponent, size};
-  for (std::size_t i = 0; i < m; ++i) {
-    const auto* const own = inverse.words.data() + size * i;
-    for (std::size_t j = 0; j < m; ++j) {
-      const auto factor = static_cast<Wide>(products.words[m * i + j]);
-      if (factor == 0) continue;
-      auto* const row = result.sums.data() + size * j;
-      for (std::size_t k = 0; k < size; ++k) row[k] += factor * own[k];
+// u - F_P r = sum_j a_j G b_j with a_j = l_j u_j and l_j G_j b_k = [j = k] at the springs j.
+std::optional<BlockProof::MotionsOfForm> BlockProof::motions_of_form(
+    const RegularisedStiffness& held) const {
+  const auto d = block_.dimension;
+  const auto& springs = held.springs();
+  std::vector<Rationals> rows;
+  for (const auto spring : springs) rows.push_back(block_.motions.rows[spring]);
+  MotionsOfForm result;
+  for (std::size_t j = 0; j < springs.size(); ++j) {
+    Rationals right(springs.size());
+    right[j] = 1;
+    const auto shares = solution(rows, std::move(right));
+    if (!shares) return {};
+    auto seen = seen_of(block_.motions, *shares);
+    if (springs[j] % d == 0) {
+      result.lifting.push_back(std::move(seen));
+      continue;
     }
+    Dyadic sum;
+    for (std::size_t row = 0; row < d * candidates(); row += d)
+      if (sgn(dot(block_.motions.rows[row], *shares)) != 0)
+        sum = sum + square(absolute(seen.values[row]) + seen.error);
+    const auto length = block_.motions.lengths[springs[j]] * (Dyadic(1.0) + block_.motions.spread);
+    result.lifted_by_sliding = result.lifted_by_sliding +
+                               quotient_above(length * sqrt_above(sum), *held.least_eigenvalue());
   }
   return result;
 }
 
-Dyadic size_of(const WordGrid& grid) {
-  Dyadic sum;
-  for (const auto word : grid.words) sum = sum + square(Dyadic(mpz_class(long{word}), 0));
-  return sqrt_above(sum.scaled(2 * grid.exponent));
-}
-
-// E diag(omega) with 4 sigma omega^2 >= 1, truncated to a grid, and sizes of S, which include the
-// truncated part.
-class SlipPart {
- public:
-  SlipPart(const FormNumbers& form, const Responses& responses, std::span<const Dyadic> friction,
-           std::size_t d)
-      : m_(friction.size()), tangents_(d - 1), exact_(m_ * m_ * tangents_), sizes_(m_ * m_) {
-    std::vector<Dyadic> roots(m_);
-    Dyadic largest;
-    for (std::size_t k = 0; k < m_; ++k) {
-      if (friction[k].sign() == 0) continue;  // r_tk = 0
-      roots[k] = sqrt_above(quotient_above(Dyadic(0.25), Dyadic(form.squares[k])));
-      for (std::size_t j = 0; j < m_; ++j) {
-        for (std::size_t c = 0; c < tangents_; ++c) {
-          auto& sum = exact_[place(j, k, c)];
-          sum = roots[k] * (responses.at(j, d * k + 1 + c) + Dyadic(form.slips[place(j, k, c)]));
-          largest = larger(largest, absolute(sum));
-        }
-      }
-    }
-    exponent_ = largest.magnitude() - word_bits(m_ * tangents_);
-    words_.resize(exact_.size());
-    for (std::size_t at = 0; at < exact_.size(); ++at)
-      words_[at] = exact_[at].multiples(exponent_).get_si();
-    measure(form, friction, roots);
-  }
-
-  // Upper bound of mu_k |S_jk|.
-  [[nodiscard]] const Dyadic& size(std::size_t j, std::size_t k) const {
-    return sizes_[m_ * j + k];
-  }
-
-  [[nodiscard]] Dyadic product(std::size_t j, std::size_t l) const {
-    const auto* const row = words_.data() + m_ * tangents_ * j;
-    const auto* const other = words_.data() + m_ * tangents_ * l;
-    Wide sum = 0;
-    for (std::size_t at = 0; at < m_ * tangents_; ++at)
-      sum += static_cast<Wide>(row[at]) * other[at];
-    return {integer(sum), 2 * exponent_};
-  }
-
- private:
-  [[nodiscard]] std::size_t place(std::size_t j, std::size_t k, std::size_t c) const {
-    return (m_ * j + k) * tangents_ + c;
-  }
-
-  void measure(const FormNumbers& form, std::span<const Dyadic> friction,
-               std::span<const Dyadic> roots) {
-    const Dyadic unit(mpz_class(static_cast<long>(tangents_)), exponent_);
-    for (std::size_t k = 0; k < m_; ++k) {
-      if (friction[k].sign() == 0) continue;
-      const auto off = quotient_above(unit, roots[k]);
-      for (std::size_t j = 0; j < m_; ++j) {
-        Dyadic sum;
-        for (std::size_t c = 0; c < tangents_; ++c)
-          sum = sum + square(Dyadic(form.slips[place(j, k, c)]));
-        sizes_[m_ * j + k] = friction[k] * (sqrt_above(sum) + off);
-      }
-    }
-  }
-
-  std::size_t m_;
-  std::size_t tangents_;
-  std::vector<Dyadic> exact_;
-  std::vector<Dyadic> sizes_;
-  std::vector<std::int64_t> words_;
-  long exponent_ = 0;
-};
-
-}  // namespace
-
-// Proves that minus the form has a least eigenvalue larger than the effect of the error of F~.
+// Proves that minus the form has a least eigenvalue larger than the effect of all errors.
 Judgement BlockProof::judge_form(std::span<const double> numbers) const {
-  if (motions() > 0) return {"a form proves nothing about unconstrained bodies"};
   const auto m = candidates();
   const auto d = block_.dimension;
   const auto form = parts_of_form(numbers, m, d);
-  if (!has_allowed_signs(form))
-    return {"a multiplier of two different candidates is below zero, or one of squares not above"};
+  if (!form.has_allowed_signs())
+    return {"a multiplier of two candidates is below zero, or one of squares not above"};
+  const auto& stiffness = held(hold(support::IndexSet::below(static_cast<int>(m))).springs);
+  if (!stiffness.least_eigenvalue())
+    return {"K is too ill-conditioned to compute its displacements"};
   std::vector<std::size_t> normals;
   for (std::size_t i = 0; i < m; ++i) normals.push_back(d * i);
-  const auto inverse = held_.front().inverse_columns(normals);
-  if (!inverse) return {"K is too ill-conditioned to compute its displacements"};
-  const auto products = words_of(form.products, d * m);
-  const auto responses = responses_of(products, *inverse, m, d * m);
-  const SlipPart slips(form, responses, friction_, d);
-  std::vector<Dyadic> lower;
-  for (std::size_t j = 0; j < m; ++j) {
-    for (std::size_t l = 0; l <= j; ++l) {
-      const auto twice =
-          responses.at(j, d * l) + responses.at(l, d * j) + slips.size(j, l) + slips.size(l, j);
-      auto entry = twice.scaled(-1) + slips.product(j, l);
-      if (j == l) entry = entry + square(friction_[j]) * Dyadic(form.squares[j]);
-      lower.push_back(Dyadic() - entry);
-    }
-  }
-  const auto least = verify::least_eigenvalue(Profile::full(m), DyadicList(lower));
-  const auto off = size_of(products) * inverse->error * (Dyadic(1.0) + steepest_);
-  if (!least || !(*least > off)) return {"its form is not negative definite"};
-  return {};
+  const auto inverse = stiffness.inverse_columns(normals);
+  const auto moving = motions_of_form(stiffness);
+  if (!inverse || !moving) return {"K is too ill-conditioned to compute its displacements"};
+  auto rows = normal_rows(*inverse, moving->lifting, m, d);
+  const bool far = moving->lifted_by_sliding.sign() > 0;
+  rows.error = rows.error + Dyadic(farthest_motion) * moving->lifted_by_sliding;
+  FormMatrix matrix(form, rows, d);
+  matrix.add_friction(form, friction_, d);
+  std::vector<NearList> motions_of_block;
+  const Elimination all(motions());
+  for (const auto& motion : all.left()) motions_of_block.push_back(seen_of(block_.motions, motion));
+  if (!matrix.restrict_to_equilibrium(motions_of_block))
+    return {"its numbers are too large to compute with"};
+  const auto least = matrix.least_opposite();
+  if (!least || !(*least > matrix.error())) return {"its form is not negative definite"};
+  return {{}, far};
 }
 
 }  // namespace kusabi::verify

@@ -40,8 +40,8 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
       break;
     case Claim::form:
       if (!known.empty()) lines.refuse("two empty sets, '0 0'");
-      lines.numbers(certificate.dimension * own * own + own, record.numbers,
-                    "multipliers of products, slips and squares");
+      lines.numbers((certificate.dimension + (moving > 0 ? 1 : 0)) * own * own + own,
+                    record.numbers, "multipliers of products, slips and squares");
       break;
     case Claim::feasible:
       lines.numbers(

@@ -13,7 +13,6 @@ namespace kusabi::wedged {
 QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                const CriticalGrid& grid, const NarrowingBracket& bracket) {
   QuadraticForms result;
-  if (problem.modes.matrix.cols() > 0) return result;
   double least = std::min(grid.most, bracket.upper_or_infinity());
   for (const auto& block : problems::blocks_of(problem)) {
     auto own = analysis.by_first_rank([&] {

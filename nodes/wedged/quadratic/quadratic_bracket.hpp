@@ -23,7 +23,7 @@ struct QuadraticForms {
 };
 
 /// Forms of all blocks at the least of their coefficients; none if that is not above the lower
-/// bound of the bracket, or if a block has unconstrained bodies. On all ranks.
+/// bound of the bracket. On all ranks.
 QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                const CriticalGrid& grid, const NarrowingBracket& bracket);
 

@@ -1,10 +1,8 @@
 // Products of inequalities that hold in every wedged configuration, added up with multipliers: a
-// quadratic form in the normal reactions. If it is negative definite at a friction coefficient,
-// nothing is wedged there or below (docs/theory/wedged.md, "Lower bound by one matrix").
-//
-// With B = sym(P'F_nn), E = P'F_nt + S and sigma = s / f, the form at the coefficient f is
-//
-//   B + f M,   M = sym|S| + diag(s) + E diag(1/(4 s)) E'.
+// quadratic form in reactions and rigid-body motions. If it is negative definite at a friction
+// coefficient, nothing is wedged there or below (docs/theory/wedged.md, "Lower bound by one
+// matrix"). Two kinds of forms share their multipliers and the potential -log det(-form) - w log f:
+// ReducedForm and WholeForm.
 #pragma once
 
 #include <vector>
@@ -23,32 +21,39 @@ struct QuadraticMultipliers {
   Eigen::MatrixXd slips;
   /// sigma, m, > 0, length/force, of mu_k^2 r_nk^2 - |r_tk|^2.
   Eigen::VectorXd squares;
+  /// N, m x m, >= 0, symmetric, force/length, of u_ni u_nj; no rows: zero.
+  Eigen::MatrixXd pairs{};
 
   [[nodiscard]] bool is_known() const { return squares.size() > 0; }
 
-  /// As in certificates: P by rows, S of each pair (j, k), sigma.
+  /// As in certificates: P by rows, S of each pair (j, k), sigma, and N by rows unless it is zero.
   [[nodiscard]] std::vector<double> numbers() const;
 };
 
 /// Rows of normal displacements of F, m x dm: F_nn, then F_nt component by component.
 Eigen::MatrixXd normal_rows(const problems::WedgedProblem& block);
 
-/// Variables of the optimisation: logarithms of -P_ii and of s, S, and square roots of P_ij.
+enum class PairProducts { none, all };
+
+/// Variables of the optimisation: logarithms of -P_ii and of s, S, square roots of P_ij and, with
+/// products of displacements, of N_ij.
 class QuadraticPoint {
  public:
-  QuadraticPoint(Eigen::Index candidates, Eigen::Index tangents)
-      : values(
-            Eigen::VectorXd::Zero(2 * candidates + (tangents + 1) * candidates * candidates + 1)),
-        m_(candidates),
-        e_(tangents) {}
+  QuadraticPoint(Eigen::Index candidates, Eigen::Index tangents, PairProducts pairs)
+      : m_(candidates), e_(tangents), with_pairs_(pairs == PairProducts::all) {
+    values.setZero(2 * m_ + (e_ + (with_pairs_ ? 2 : 1)) * m_ * m_ + 1);
+  }
 
   using List = Eigen::Map<Eigen::VectorXd>;
   using Matrix = Eigen::Map<Eigen::MatrixXd>;
 
+  [[nodiscard]] bool has_pairs() const { return with_pairs_; }
   List log_weights() { return {values.data(), m_}; }
   List log_squares() { return {values.data() + m_, m_}; }
   Matrix slips() { return {values.data() + 2 * m_, m_, e_ * m_}; }
   Matrix roots() { return {values.data() + 2 * m_ + e_ * m_ * m_, m_, m_}; }
+  /// @pre has_pairs()
+  Matrix pair_roots() { return {values.data() + 2 * m_ + (e_ + 1) * m_ * m_, m_, m_}; }
   double& log_factor() { return values[values.size() - 1]; }
 
   Eigen::VectorXd values;
@@ -56,13 +61,16 @@ class QuadraticPoint {
  private:
   Eigen::Index m_;
   Eigen::Index e_;
+  bool with_pairs_;
 };
 
-/// -B and M at a point, and intermediate results for their derivatives.
 class QuadraticForm {
  public:
-  /// @param block a problem of one block whose bodies are constrained
+  /// @param block a problem of one block
   explicit QuadraticForm(const problems::WedgedProblem& block);
+  QuadraticForm(const QuadraticForm&) = delete;
+  QuadraticForm& operator=(const QuadraticForm&) = delete;
+  virtual ~QuadraticForm() = default;
 
   [[nodiscard]] Eigen::Index candidates() const { return rows_.rows(); }
   [[nodiscard]] Eigen::Index tangents() const { return tangents_; }
@@ -70,37 +78,57 @@ class QuadraticForm {
   /// friction.
   [[nodiscard]] const Eigen::MatrixXd& rows() const { return rows_; }
 
+  /// P = -I, S = 0 and s = 1; N, if any, such that the form is negative in the motions.
+  [[nodiscard]] virtual QuadraticPoint first_point() const = 0;
+
   /// @param rounded_off |S_jk| is smooth below this, in units of the mean of F_nn's diagonal
   void set(QuadraticPoint& point, double rounded_off);
 
-  /// -log det(-B - f M) - weight log f; infinity if the form is not negative definite.
-  [[nodiscard]] double potential(double factor, double weight);
+  /// -log det(-form) - weight log f; infinity if the form is not negative definite.
+  [[nodiscard]] virtual double potential(double factor, double weight) = 0;
   /// Its derivatives at the point and coefficient last given. @pre the potential was finite
   void derivatives(QuadraticPoint& point, double weight, QuadraticPoint& result);
   /// Inverses of estimated second derivatives there.
   void scales(QuadraticPoint& point, double weight, QuadraticPoint& result);
 
-  /// The largest coefficient at which the form of the point last set is not positive.
-  [[nodiscard]] double largest_factor() const;
+  /// The largest coefficient up to which the form of the point last set is negative definite; 0 if
+  /// that is not above a given one.
+  [[nodiscard]] virtual double largest_factor(double above) = 0;
 
   /// The multipliers of the point last set at a coefficient, in units of the block.
   [[nodiscard]] QuadraticMultipliers multipliers(QuadraticPoint& point, double factor) const;
 
- private:
-  [[nodiscard]] auto component(const Eigen::MatrixXd& matrix, Eigen::Index k) const {
-    return matrix.middleCols(k * candidates(), candidates());
-  }
+ protected:
+  /// Derivatives of -log det(-form).
+  struct Slopes {
+    Eigen::MatrixXd by_products;  ///< by P
+    Eigen::MatrixXd by_slips;     ///< by S, without its sizes
+    Eigen::VectorXd by_squares;   ///< by s
+    Eigen::MatrixXd by_pairs;     ///< by N; no rows without
+    double by_log_factor = 0;
+  };
+  [[nodiscard]] virtual Slopes slopes() = 0;
+  /// Block of the inverse of -form of the normal reactions, m x m.
+  [[nodiscard]] virtual Eigen::MatrixXd normal_inverse() const = 0;
+  /// Products u'W u of the rows u of u_n and the inverse W of -form; m.
+  [[nodiscard]] virtual Eigen::VectorXd row_sizes() const = 0;
+  virtual void assemble(QuadraticPoint& point) = 0;
 
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] const Eigen::VectorXd& friction() const { return friction_; }
+
+  Eigen::VectorXd weights_, squares_;  // -P_ii and s
+  Eigen::MatrixXd products_, sizes_;   // P, |S|
+  double factor_ = 0;
+
+ private:
   Eigen::Index tangents_;
   double unit_;
   Eigen::VectorXd friction_;
   Eigen::MatrixXd rows_;
-  Eigen::VectorXd weights_, squares_;             // -P_ii and s
-  Eigen::MatrixXd products_, responses_;          // P, P'[F_nn, F_nt]
-  Eigen::MatrixXd sums_, shares_, sizes_;         // E, E diag(1/s), |S|
-  Eigen::MatrixXd minus_linear_, friction_part_;  // -B, M
-  Eigen::MatrixXd inverse_;                       // of -B - f M
-  double factor_ = 0;
 };
+
+/// N of a point, symmetric.
+Eigen::MatrixXd pairs_of(QuadraticPoint& point);
 
 }  // namespace kusabi::wedged

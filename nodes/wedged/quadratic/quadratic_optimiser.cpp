@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "nodes/wedged/quadratic/quadratic_form.hpp"
 #include "nodes/wedged/quadratic/quadratic_proof.hpp"
+#include "nodes/wedged/quadratic/reduced_form.hpp"
+#include "nodes/wedged/quadratic/whole_form.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 
 namespace kusabi::wedged {
@@ -33,12 +35,18 @@ constexpr double enough_decrease = 1e-4;
 constexpr double least_curvature_of_pair = 1e-15;
 constexpr int most_halvings = 25;
 
+/// Factor of the roots of N, and how often it is applied, if the first form is not definite.
+constexpr double reduction = 0.3;
+constexpr int most_reductions = 4;
+
 /// Root of P_ij at the start.
 constexpr double first_root = 0.02;
 /// Share of the largest coefficient of the first multipliers at which the search starts.
 constexpr double inside = 0.9;
-/// Shares of that coefficient that are tried for the proof, which needs a margin for rounding.
+/// Shares of that coefficient that are tried for the proof, which needs a margin for rounding. The
+/// exact one needs more where springs hold a body.
 constexpr std::array room_for_proof{1 - 1e-6, 1 - 1e-4, 1 - 1e-2};
+constexpr std::array room_with_motions{1 - 5e-3, 1 - 2e-2, 1 - 1e-1};
 
 // Past steps and changes of the derivatives.
 class Memory {
@@ -85,7 +93,7 @@ class Optimiser {
   Optimiser(QuadraticForm& form, support::Stop stop)
       : form_(form),
         stop_(std::move(stop)),
-        point_(form.candidates(), form.tangents()),
+        point_(form.first_point()),
         slopes_(point_),
         scales_(point_) {}
 
@@ -94,9 +102,10 @@ class Optimiser {
 
   [[nodiscard]] bool ended() const { return support::asked(stop_); }
   [[nodiscard]] int evaluations() const { return evaluations_; }
-  [[nodiscard]] double factor() {
+  /// 0 if it is not above a given one.
+  [[nodiscard]] double factor(double above = 0) {
     form_.set(point_, 0);
-    return form_.largest_factor();
+    return form_.largest_factor(above);
   }
   QuadraticPoint& point() { return point_; }
 
@@ -107,7 +116,7 @@ class Optimiser {
     return form_.potential(std::exp(point.log_factor()), weight);
   }
   bool step(double weight);
-  double clip(double threshold, double log_square);
+  double clip(double threshold, double log_square, double above);
 
   QuadraticForm& form_;
   support::Stop stop_;
@@ -118,7 +127,7 @@ class Optimiser {
 };
 
 // Start: P = -I, and S is F_nt after soft thresholding.
-double Optimiser::clip(double threshold, double log_square) {
+double Optimiser::clip(double threshold, double log_square, double above) {
   const auto m = form_.candidates();
   Eigen::MatrixXd excess = Eigen::MatrixXd::Zero(m, m);
   for (Eigen::Index k = 1; k <= form_.tangents(); ++k)
@@ -130,7 +139,7 @@ double Optimiser::clip(double threshold, double log_square) {
     point_.slips().middleCols(k * m, m) =
         form_.rows().middleCols((k + 1) * m, m).cwiseProduct(excess);
   point_.log_squares().setConstant(log_square);
-  return factor();
+  return factor(above);
 }
 
 void Optimiser::start() {
@@ -142,17 +151,25 @@ void Optimiser::start() {
   std::ranges::sort(sizes);
   double best = 0;
   std::pair<double, double> chosen{0, 0};
-  for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
-    for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
-      const auto place = static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
-      const double threshold = std::sqrt(sizes[place]);
-      const double own = clip(threshold, log_square);
-      if (!(own > best)) continue;
-      best = own;
-      chosen = {threshold, log_square};
-      if (ended()) return;
-    }
-  clip(chosen.first, chosen.second);
+  const auto try_all = [&] {
+    for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
+      for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
+        const auto place =
+            static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
+        const double threshold = std::sqrt(sizes[place]);
+        const double own = clip(threshold, log_square, best);
+        if (!(own > best)) continue;
+        best = own;
+        chosen = {threshold, log_square};
+        if (ended()) return;
+      }
+  };
+  try_all();
+  for (int k = 0; k < most_reductions && !(best > 0) && point_.has_pairs(); ++k) {
+    point_.pair_roots() *= reduction;
+    try_all();
+  }
+  clip(chosen.first, chosen.second, 0);
   point_.roots().setConstant(first_root);
   point_.roots().diagonal().setZero();
   for (double root = first_root; !(factor() > best / 2) && root > first_root / 100; root /= 2) {
@@ -198,14 +215,23 @@ void Optimiser::round(double weight) {
     if (!step(weight)) return;
 }
 
+// Null: a motion lifts the body off all candidates.
+std::unique_ptr<QuadraticForm> form_of(const problems::WedgedProblem& block) {
+  if (block.modes.matrix.cols() == 0) return std::make_unique<ReducedForm>(block);
+  auto motions = form_motions(block);
+  auto pairs = opposite_pairs(motions.lifting);
+  if (pairs.rows() == 0) return nullptr;
+  return std::make_unique<WholeForm>(block, std::move(motions), std::move(pairs));
+}
+
 }  // namespace
 
 QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
                                const QuadraticQuestion& question) {
   QuadraticBound bound;
-  if (block.modes.matrix.cols() > 0) return bound;
-  QuadraticForm form(block);
-  Optimiser optimiser(form, question.stop);
+  const auto form = form_of(block);
+  if (!form) return bound;
+  Optimiser optimiser(*form, question.stop);
   optimiser.start();
   double best = 0;
   double weight = first_weight;
@@ -218,10 +244,10 @@ QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
   }
   bound.evaluations = optimiser.evaluations();
   const double reached = std::min(optimiser.factor(), question.most);
-  for (const double room : room_for_proof) {
+  for (const double room : block.modes.matrix.cols() > 0 ? room_with_motions : room_for_proof) {
     const double factor = room * reached;
     if (!(factor > question.enough)) break;
-    const auto multipliers = form.multipliers(optimiser.point(), factor);
+    const auto multipliers = form->multipliers(optimiser.point(), factor);
     auto friction = candidate_friction(block, factor);
     if (friction.empty()) friction.assign(block.contact_names.size(), factor);
     if (!quadratic_is_infeasible(block, friction, multipliers)) continue;

@@ -8,6 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "nodes/wedged/quadratic/whole_form.hpp"
+
 namespace kusabi::wedged {
 namespace {
 
@@ -21,13 +23,54 @@ double gamma(Eigen::Index k) {
   return share / (1 - share);
 }
 
+bool is_nonnegative(const Eigen::MatrixXd& matrix, bool with_diagonal) {
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+      if ((i != j || with_diagonal) && !(matrix(i, j) >= 0)) return false;
+  return matrix.allFinite();
+}
+
 bool allowed(const QuadraticMultipliers& multipliers) {
-  const auto& products = multipliers.products;
-  for (Eigen::Index j = 0; j < products.cols(); ++j)
-    for (Eigen::Index i = 0; i < products.rows(); ++i)
-      if (i != j && !(products(i, j) >= 0)) return false;
-  return (multipliers.squares.array() > 0).all() && products.allFinite() &&
-         multipliers.slips.allFinite() && multipliers.squares.allFinite();
+  return is_nonnegative(multipliers.products, false) && is_nonnegative(multipliers.pairs, true) &&
+         (multipliers.squares.array() > 0).all() && multipliers.slips.allFinite() &&
+         multipliers.squares.allFinite();
+}
+
+// Displacements and multipliers in units of length/force near the mean of the diagonal of F_nn, a
+// power of two: the change of units is exact.
+struct ScaledForm {
+  Eigen::MatrixXd rows;  // U = [F_n, H]
+  double row_error = 0;  // of U, in the Frobenius norm
+  Eigen::MatrixXd equilibrium;
+  double equilibrium_error = 0;  // of G
+  QuadraticMultipliers multipliers;
+};
+
+ScaledForm scaled_form(const problems::WedgedProblem& block,
+                       const QuadraticMultipliers& multipliers) {
+  const double unit = std::exp2(std::round(std::log2(problems::mean_normal_compliance(block))));
+  auto motions = form_motions(block);
+  const auto m = multipliers.squares.size();
+  const auto dm = block.dimension * m;
+  ScaledForm form{.rows = Eigen::MatrixXd(m, dm + motions.lifting.cols()),
+                  .equilibrium = std::move(motions.equilibrium),
+                  .multipliers = multipliers};
+  form.rows << normal_rows(block) / unit, motions.lifting;
+  form.multipliers.slips /= unit;
+  form.multipliers.squares /= unit;
+  if (multipliers.pairs.rows() > 0)
+    form.multipliers.pairs *= unit;
+  else
+    form.multipliers.pairs.setZero(m, m);
+  double normal = 0;
+  for (Eigen::Index i = 0; i < dm; i += block.dimension) normal += block.compliance.matrix(i, i);
+  const double size = std::sqrt(normal * block.compliance.matrix.trace());
+  const auto error_of = [&](const Eigen::MatrixXd& matrix) {
+    return motions.error * std::sqrt(static_cast<double>(matrix.size()));
+  };
+  form.row_error = 2 * block.compliance.error * size / unit + error_of(motions.lifting);
+  form.equilibrium_error = error_of(form.equilibrium);
+  return form;
 }
 
 // The form in doubles, symmetric, and a bound of its error in the Frobenius norm.
@@ -36,52 +79,55 @@ struct RoundedForm {
   double error = 0;
 };
 
+// (U'Q + Q'U)/2 with Q = P R + N U, R x = r_n.
+RoundedForm products_of_rows(const ScaledForm& form) {
+  const auto& [products, slips, squares, pairs] = form.multipliers;
+  const auto m = squares.size();
+  Eigen::MatrixXd acting = pairs * form.rows;
+  acting.leftCols(m) += products;
+  const Eigen::MatrixXd matrix = form.rows.transpose() * acting;
+  const double u = form.rows.norm();
+  const double own = form.row_error;
+  const double rounding = gamma(m) * u * (acting.norm() + pairs.norm() * u);
+  const double of_rows = own * (products.norm() + 2 * pairs.norm() * u + pairs.norm() * own);
+  return {(matrix + matrix.transpose()) / 2, 2 * rounding + of_rows};
+}
+
 RoundedForm rounded_form(const problems::WedgedProblem& block, std::span<const double> friction,
-                         const QuadraticMultipliers& multipliers) {
-  const auto m = multipliers.products.rows();
-  const Eigen::Index e = block.dimension - 1;
-  const auto rows = normal_rows(block);
-  const double size = multipliers.products.norm();
-  const double off = gamma(m);
-  const Eigen::MatrixXd responses = multipliers.products.transpose() * rows;
-  const double product_error = off * size * rows.norm();
-  Eigen::MatrixXd sums = responses.rightCols(e * m) + multipliers.slips;
+                         const QuadraticMultipliers& unscaled) {
+  const auto form = scaled_form(block, unscaled);
+  const auto& [products, slips, squares, pairs] = form.multipliers;
+  const auto m = squares.size();
+  const auto e = block.dimension - 1;
   const Eigen::Map<const Eigen::VectorXd> mu(friction.data(), m);
+  auto [matrix, error] = products_of_rows(form);
   Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(m, m);
-  Eigen::VectorXd shares(m);  // scales of the columns of E; 0 without friction
-  for (Eigen::Index k = 0; k < m; ++k)
-    shares[k] = mu[k] > 0 ? 1 / (2 * std::sqrt(multipliers.squares[k])) : 0;
-  for (Eigen::Index c = 0; c < e; ++c) {
-    sizes += multipliers.slips.middleCols(c * m, m).cwiseAbs2();
-    sums.middleCols(c * m, m) *= shares.asDiagonal();
-  }
+  for (Eigen::Index c = 0; c < e; ++c) sizes += slips.middleCols(c * m, m).cwiseAbs2();
   sizes = sizes.cwiseSqrt() * mu.asDiagonal();
-  Eigen::MatrixXd form = responses.leftCols(m) + sizes;
-  form.diagonal() += (mu.array().square() * multipliers.squares.array()).matrix();
-  form.noalias() += sums * sums.transpose();
-  const double scaled = sums.norm();
-  const double sum_error = product_error * shares.maxCoeff() + off * scaled;
-  // Error of F: P'(F* - F) acts on r_n and r_t, and |r_t| <= mu |r_n|.
-  double normal = 0;
-  double trace = 0;
-  for (Eigen::Index i = 0; i < block.compliance.matrix.rows(); ++i) {
-    trace += block.compliance.matrix(i, i);
-    if (i % block.dimension == 0) normal += block.compliance.matrix(i, i);
+  matrix.topLeftCorner(m, m) += (sizes + sizes.transpose()) / 2;
+  matrix.block(0, m, m, e * m) += slips / 2;
+  matrix.block(m, 0, e * m, m) += slips.transpose() / 2;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    matrix(i, i) += mu[i] * mu[i] * squares[i];
+    for (Eigen::Index k = i + m; k < block.dimension * m; k += m) {
+      if (!(mu[i] > 0)) matrix.row(k).setZero(), matrix.col(k).setZero();  // r_t = 0
+      matrix(k, k) -= squares[i];
+    }
   }
-  const double compliance_error = 2 * block.compliance.error * std::sqrt(normal * trace);
-  const double of_compliance = compliance_error * size * (1 + mu.maxCoeff());
-  const double of_terms = off * (size * rows.norm() + sizes.norm() + form.norm());
-  return {(form + form.transpose()) / 2,
-          raised * (product_error + 2 * scaled * sum_error + sum_error * sum_error +
-                    off * scaled * scaled + of_terms + of_compliance)};
+  error += gamma(0) * (matrix.norm() + sizes.norm() + slips.norm() +
+                       (1 + mu.cwiseAbs2().maxCoeff()) * squares.norm());
+  const double level = matrix.diagonal().cwiseAbs().mean();
+  const auto factors = restrict_to_equilibrium(form.equilibrium, level, matrix);
+  const double size = form.equilibrium.norm() * factors.norm();
+  error += form.equilibrium_error * factors.norm() + gamma(factors.rows()) * (size + matrix.norm());
+  return {std::move(matrix), raised * error};
 }
 
 }  // namespace
 
 bool quadratic_is_infeasible(const problems::WedgedProblem& block, std::span<const double> friction,
                              const QuadraticMultipliers& multipliers) {
-  if (block.modes.matrix.cols() > 0 || !multipliers.is_known() || !allowed(multipliers))
-    return false;
+  if (!multipliers.is_known() || !allowed(multipliers)) return false;
   auto [matrix, error] = rounded_form(block, friction, multipliers);
   if (!matrix.allFinite() || !std::isfinite(error)) return false;
   // If the factor exists, no eigenvalue is below -gamma |L|_F^2; |L|_F^2 is the trace up to gamma.

@@ -1,10 +1,13 @@
 // Quadratic forms compared with all leaves of small problems; the proof in doubles and that of the
 // verifier both refuse altered multipliers.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +17,10 @@
 #include "nodes/wedged/quadratic/quadratic_optimiser.hpp"
 #include "nodes/wedged/quadratic/quadratic_proof.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
+#include "nodes/wedged/tree/evidence_check.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "random_problem.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/proof.hpp"
@@ -64,10 +71,40 @@ TEST(QuadraticBound, MeetsTheCoefficientOfASingleCandidate) {
   }
 }
 
-TEST(QuadraticBound, IsNoneForUnconstrainedBodies) {
-  auto problem = random_problem(2, 3, 1);
-  problem.modes.matrix = Eigen::MatrixXd::Ones(6, 1);
-  EXPECT_EQ(bound_of(problem).factor, 0);
+// A block with two sides in contact, across which the mesh has one element.
+problems::Structure loose_block(const std::string& corners, int along, const std::string& left,
+                                const std::string& right) {
+  return problems::read_structure(
+      fmt::format("name = \"block\"\ndimension = 2\nunits = {{ length = \"mm\", force = \"N\" }}\n"
+                  "[[mesh]]\nname = \"b\"\ncorners = {}\ndivisions = [1, {}]\nE = 1e3\nnu = 0.3\n"
+                  "thickness = 1\nplane = \"strain\"\n"
+                  "[[contact]]\nnodes = [\"b.left\"]\nnormal = {}\n"
+                  "[[contact]]\nnodes = [\"b.right\"]\nnormal = {}\n",
+                  corners, along, left, right),
+      "block.toml");
+}
+
+// Sides parallel to a direction (a, 1), along which the block may slide; b = a, except for digits
+// of the right wall.
+problems::Structure between_parallel_walls(double a, double b) {
+  return loose_block(fmt::format("[[0, 0], [1, 0.2], [{}, 1.5], [{}, 1]]", 1 + 1.3 * a, a), 2,
+                     fmt::format("[1, {}]", -a), fmt::format("[-1, {}]", b));
+}
+
+TEST(QuadraticBound, IsBelowAllLeavesBetweenParallelWalls) {
+  for (const double a : {0.0, 0.5}) {
+    const auto problem = problems::wedged_problem(problems::checked(between_parallel_walls(a, a)));
+    ASSERT_EQ(problem.modes.matrix.cols(), 3);
+    const auto bound = bound_of(problem);
+    EXPECT_GT(bound.factor, 0.1) << a;
+    EXPECT_FALSE(sticks(problem, bound.factor)) << a;
+  }
+}
+
+TEST(QuadraticBound, IsNoneForBodiesThatAMotionLiftsOff) {
+  const auto wedge =
+      loose_block("[[-0.5, 0], [0.5, 0], [0.8, 1], [-0.8, 1]]", 2, "[1, 0.3]", "[-1, 0.3]");
+  EXPECT_EQ(bound_of(problems::wedged_problem(problems::checked(wedge))).factor, 0);
 }
 
 verify::Certificate certificate_of(const problems::WedgedProblem& problem, double factor,
@@ -104,6 +141,58 @@ TEST(QuadraticForm, IsProvedByTheVerifier) {
       EXPECT_THAT(refusal(problem, bound.factor * 1.05, bound.numbers),
                   testing::HasSubstr("not negative definite"));
     }
+}
+
+// Verdicts of the verifier on forms of a structure.
+struct LooseProof {
+  explicit LooseProof(const problems::Structure& structure)
+      : problem(problems::wedged_problem(problems::checked(structure))),
+        enclosed(std::get<verify::EnclosedProblem>(enclosed_stiffness(structure))),
+        bound(bound_of(problem)) {}
+
+  [[nodiscard]] bool holds(double factor, const std::vector<double>& numbers,
+                           FarMotion far = FarMotion::counted) const {
+    const EvidenceCheck check(problem, enclosed, candidate_friction(problem, factor), {}, far);
+    return check.holds({.kind = Evidence::Kind::form, .block = 0, .node = {}, .numbers = numbers});
+  }
+  [[nodiscard]] bool holds_altered(std::size_t at, double value) const {
+    auto numbers = bound.numbers;
+    numbers[at] = value;
+    return holds(bound.factor, numbers, FarMotion::left_out);
+  }
+
+  problems::WedgedProblem problem;
+  verify::EnclosedProblem enclosed;
+  QuadraticBound bound;
+};
+
+TEST(QuadraticForm, IsProvedForUnconstrainedBodies) {
+  const LooseProof proof(between_parallel_walls(0, 0));
+  EXPECT_GT(proof.bound.factor, 0);
+  EXPECT_TRUE(proof.holds(proof.bound.factor, proof.bound.numbers));
+  EXPECT_FALSE(proof.holds(proof.bound.factor * 1.05, proof.bound.numbers));
+}
+
+// The sides slide along walls that are parallel up to the sixteenth digit.
+TEST(QuadraticForm, IsProvedButForLargeDisplacementsAlongInclinedWalls) {
+  const LooseProof proof(between_parallel_walls(0.3, std::nextafter(0.3, 1)));
+  EXPECT_TRUE(proof.holds(proof.bound.factor, proof.bound.numbers, FarMotion::left_out));
+  EXPECT_FALSE(proof.holds(proof.bound.factor, proof.bound.numbers, FarMotion::counted));
+}
+
+TEST(QuadraticForm, IsRefusedForUnconstrainedBodiesWithAlteredNumbers) {
+  const LooseProof proof(between_parallel_walls(0, 0));
+  constexpr std::size_t m = 6, first_pair = 2 * m * m + m;
+  ASSERT_EQ(proof.bound.numbers.size(), 3 * m * m + m);
+  EXPECT_FALSE(proof.holds_altered(1, -1e-9));
+  EXPECT_FALSE(proof.holds_altered(first_pair, -1e-9));
+  EXPECT_FALSE(proof.holds_altered(0, 1));
+  EXPECT_FALSE(proof.holds_altered(m * m + 3, 10));
+  EXPECT_FALSE(proof.holds_altered(2 * m * m, 0));
+  EXPECT_FALSE(proof.holds_altered(first_pair, 1e9));
+  auto unbounded = proof.bound.numbers;  // without N no motion is bounded
+  std::fill(unbounded.begin() + first_pair, unbounded.end(), 0);
+  EXPECT_FALSE(proof.holds(proof.bound.factor / 2, unbounded));
 }
 
 TEST(QuadraticForm, IsRefusedWithAlteredNumbers) {

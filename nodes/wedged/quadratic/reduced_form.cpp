@@ -1,0 +1,88 @@
+// One Cholesky factorisation and some products of m x m matrices for a value and its derivatives.
+#include "nodes/wedged/quadratic/reduced_form.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace kusabi::wedged {
+namespace {
+
+Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& matrix) {
+  return (matrix + matrix.transpose()) / 2;
+}
+
+}  // namespace
+
+QuadraticPoint ReducedForm::first_point() const {
+  return {candidates(), tangents(), PairProducts::none};
+}
+
+void ReducedForm::assemble(QuadraticPoint& point) {
+  const auto m = candidates();
+  responses_.noalias() = products_.transpose() * rows();
+  sums_ = responses_.rightCols(tangents() * m) + point.slips();
+  shares_ = sums_;
+  for (Eigen::Index k = 0; k < tangents(); ++k)
+    shares_.middleCols(k * m, m) *= squares_.cwiseInverse().asDiagonal();
+  minus_linear_ = -symmetric_part(responses_.leftCols(m));
+  friction_part_ = symmetric_part(sizes_);
+  friction_part_.diagonal() += squares_;
+  friction_part_.noalias() += sums_ * shares_.transpose() / 4;
+}
+
+double ReducedForm::potential(double factor, double weight) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  factor_ = factor;
+  const Eigen::LLT<Eigen::MatrixXd> factors(minus_linear_ - factor * friction_part_);
+  if (factors.info() != Eigen::Success) return infinity;
+  const double value =
+      -2 * factors.matrixLLT().diagonal().array().log().sum() - weight * std::log(factor);
+  if (!std::isfinite(value)) return infinity;
+  inverse_ = factors.solve(Eigen::MatrixXd::Identity(candidates(), candidates()));
+  return value;
+}
+
+QuadraticForm::Slopes ReducedForm::slopes() {
+  const auto m = candidates();
+  const auto e = tangents();
+  Slopes by{.by_products = Eigen::MatrixXd(m, m),
+            .by_slips = Eigen::MatrixXd(m, e * m),
+            .by_squares = factor_ * inverse_.diagonal(),
+            .by_pairs = {},
+            .by_log_factor = factor_ * inverse_.cwiseProduct(friction_part_).sum()};
+  by.by_slips.noalias() = factor_ / 2 * inverse_ * shares_;
+  for (Eigen::Index k = 0; k < e; ++k)
+    by.by_squares -= by.by_slips.middleCols(k * m, m)
+                         .cwiseProduct(shares_.middleCols(k * m, m))
+                         .colwise()
+                         .sum()
+                         .transpose() /
+                     2;
+  by.by_products.noalias() = rows().leftCols(m) * inverse_;
+  by.by_products.noalias() += rows().rightCols(e * m) * by.by_slips.transpose();
+  return by;
+}
+
+Eigen::VectorXd ReducedForm::row_sizes() const {
+  const auto m = candidates();
+  const auto normal = rows().leftCols(m);
+  Eigen::VectorXd sizes = (normal * inverse_).cwiseProduct(normal).rowwise().sum();
+  for (Eigen::Index k = 1; k <= tangents(); ++k)
+    sizes += factor_ / 2 * rows().middleCols(k * m, m).cwiseAbs2() * squares_.cwiseInverse();
+  return sizes;
+}
+
+double ReducedForm::largest_factor(double above) {
+  const Eigen::LLT<Eigen::MatrixXd> factors(minus_linear_);
+  if (factors.info() != Eigen::Success) return 0;
+  Eigen::MatrixXd ratio = factors.matrixL().solve(friction_part_);
+  ratio = factors.matrixL().solve(ratio.transpose().eval());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values(ratio, Eigen::EigenvaluesOnly);
+  const double largest = 1 / values.eigenvalues()[candidates() - 1];
+  return largest > above ? largest : 0;
+}
+
+}  // namespace kusabi::wedged
