@@ -67,8 +67,8 @@ def main():
         def watch():
             for line in run.stderr:
                 row = line.split()
-                if len(row) == 8 and row[4].isdigit():
-                    found[0] = int(row[4])
+                if len(row) == 9 and re.fullmatch(r"[0-9.]+[kM]?", row[4]):
+                    found[0] = float(row[4].rstrip("kM")) * {"k": 1e3, "M": 1e6}.get(row[4][-1], 1)
         threading.Thread(target=watch, daemon=True).start()
         ended = None
         while run.poll() is None:

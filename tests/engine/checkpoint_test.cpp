@@ -428,5 +428,49 @@ TEST_F(Checkpoint, TheEpochBeforeServesWhenTheNewestIsDamaged) {
   EXPECT_THAT(warning, HasSubstr("resuming from"));
 }
 
+/// Binary tree whose leaves are counted only.
+struct CountedLeaves {
+  using Node = int;  // depth
+  using Solution = int;
+  static constexpr int depth = 11;
+
+  [[nodiscard]] int root() const { return 0; }
+  void expand(int node, Expansion<CountedLeaves>& out) const {
+    if (node == depth) return out.count_solution();
+    out.branch(node + 1);
+    out.branch(node + 1);
+  }
+};
+
+std::uint64_t found_in(const Outcome<CountedLeaves>& outcome) {
+  std::uint64_t found = 0;
+  for (const auto& reports : {outcome.earlier, outcome.ranks}) {
+    for (const auto& report : reports) found += report.statistics.found;
+  }
+  return found;
+}
+
+TEST_F(Checkpoint, SolutionsThatTheProblemKeepsAreCountedOverAllRuns) {
+  int pieces = 0;
+  const auto outcome = in_pieces(CountedLeaves(), 700, 1, Goal::all, &pieces);
+  EXPECT_GT(pieces, 3);
+  EXPECT_EQ(found_in(outcome), std::uint64_t{1} << CountedLeaves::depth);
+  EXPECT_TRUE(outcome.solutions.empty());
+}
+
+TEST_F(Checkpoint, TheirLimitCountsThoseOfEarlierRuns) {
+  auto choice = options();
+  choice.limits.nodes = 2000;
+  const auto first = simulate(CountedLeaves(), 3, 1, {}, choice).outcome;
+  ASSERT_EQ(first.status, Status::node_limit);
+  std::string warning;
+  choice.checkpoint.resume_from = usable_checkpoint(file_, problem, warning);
+  choice.limits = {};
+  choice.limits.solutions = found_in(first) + 1;
+  const auto second = simulate(CountedLeaves(), 2, 1, {}, choice).outcome;
+  EXPECT_EQ(second.status, Status::solution_limit);
+  EXPECT_GE(found_in(second), choice.limits.solutions);
+}
+
 }  // namespace
 }  // namespace kusabi::engine

@@ -153,7 +153,9 @@ TEST(Assembly, WarnsOnceForEachThingThatIsLeftOut) {
                           "a.inp:44: *BOUNDARY of a displacement that is not zero is left out",
                           "a.inp:45: *EQUATION is not understood and left out: the structure is "
                           "without it",
-                          "a.inp:47: *END STEP is left out"));
+                          "a.inp:47: *END STEP is left out",
+                          "a.inp:40:1: loads are left out: kusabi import writes a problem file "
+                          "with them"));
 }
 
 TEST(Assembly, RefusesAKeywordThatIsAlmostOneOfItsOwn) {
