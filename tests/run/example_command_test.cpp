@@ -1,5 +1,6 @@
 // kusabi example and kusabi bench: structures that the other subcommands read, and measurements.
 #include <cstdio>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -70,6 +71,29 @@ TEST_F(Command, ShowsHowFarTheSearchScales) {
   ASSERT_EQ(std::sscanf(run.output.c_str() + last, "%d %lf", &ranks, &efficiency), 2);
   EXPECT_EQ(ranks, 64);
   EXPECT_GE(efficiency, 0.9);
+}
+
+TEST_F(Command, PredictsTheTimeOfARecordedTree) {
+  // A root of 1 ms with two children of 3 ms and 2 ms.
+  const auto tree = in_folder("tree");
+  std::ofstream(tree) << "0 1000000\n1 3000000\n1 2000000\n";
+  const auto call = command + " bench scaling --most-ranks 4 --trace ";
+  const auto run = shell(call + quoted(tree));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("The longest path takes 0.004000 s"));
+  const auto last = run.output.rfind("\n", run.output.size() - 2) + 1;
+  int ranks = 0;
+  double efficiency = 0;
+  double seconds = 0;
+  ASSERT_EQ(std::sscanf(run.output.c_str() + last, "%d %lf %lf", &ranks, &efficiency, &seconds), 3);
+  EXPECT_EQ(ranks, 4);
+  EXPECT_GE(seconds, 0.004);
+  EXPECT_LT(seconds, 0.006);
+
+  std::ofstream(tree) << "0 1000000\n2 3000000\n";
+  const auto wrong = shell(call + quoted(tree));
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("tree, line 2: expected a depth from 1 to 1"));
 }
 
 }  // namespace
