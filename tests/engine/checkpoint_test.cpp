@@ -428,7 +428,7 @@ TEST_F(Checkpoint, TheEpochBeforeServesWhenTheNewestIsDamaged) {
   EXPECT_THAT(warning, HasSubstr("resuming from"));
 }
 
-/// Binary tree whose leaves are counted only.
+/// Binary tree that takes all of its leaves itself.
 struct CountedLeaves {
   using Node = int;  // depth
   using Solution = int;
@@ -436,10 +436,11 @@ struct CountedLeaves {
 
   [[nodiscard]] int root() const { return 0; }
   void expand(int node, Expansion<CountedLeaves>& out) const {
-    if (node == depth) return out.count_solution();
+    if (node == depth) return out.solution(node);
     out.branch(node + 1);
     out.branch(node + 1);
   }
+  bool emit(const Path& /*path*/, Solution& /*leaf*/) const { return true; }
 };
 
 std::uint64_t found_in(const Outcome<CountedLeaves>& outcome) {

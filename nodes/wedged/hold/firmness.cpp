@@ -71,12 +71,7 @@ class FirmnessSearch {
   [[nodiscard]] Node root() const { return {0, leaves_.size()}; }
 
   void expand(Node&& node, engine::Expansion<FirmnessSearch>& out) {
-    if (node.size() > 1) {
-      const auto [lower, upper] = node.halves();
-      out.branch(lower);
-      out.branch(upper);
-      return;
-    }
+    if (engine::branch_into_halves(node, 1, out)) return;
     const auto& leaf = leaves_[node.first];
     const auto& block = blocks_[leaf.block];
     ++tally_.patterns;
