@@ -81,7 +81,9 @@ TEST(CommandLineOfASearch, HelpHasOnlyWhatTheProblemCan) {
 
 class Run : public testing::Test {
  protected:
-  Run() : folder_(testing::TempDir() + "run_test") {
+  Run()
+      : folder_(testing::TempDir() + "run_test_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

@@ -397,7 +397,7 @@ class Report(KusabiCase):
 
     def test_a_sweep_with_a_point_that_is_not_decided(self):
         self.solve("sweep", "two-bars.toml", "--mu", "1,2,3")  # 2 is critical
-        self.assertIn("At 1 of the points", self.page().with_id("reservations").text())
+        self.assertIn("at 1 of the points", self.page().with_id("reservations").text())
         self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
         page = self.page()
         self.assertIn("node-limit", page.with_id("reservations").text())

@@ -55,7 +55,7 @@ class Keys(KusabiCase):
                 self.assertEqual(self.known(f"\n{BEFORE.get(name, '')}{HEADERS.get(name, f'[[{name}]]')}\n{start}\nzzz = 1\n"), keys)
 
     def test_lists_of_nodes_have_two_more(self):
-        besides = PAGE.read_text().split("Wherever there are `nodes`, there may be besides\n\n")[1].split("\n\n")[0]
+        besides = PAGE.read_text().split("Wherever a table has `nodes`, it may also have\n\n")[1].split("\n\n")[0]
         self.assertEqual(set(re.findall(r"(?m)^\| `(\w+)` \|", besides)), WITH_NODES)
 
 

@@ -94,12 +94,12 @@ TEST(CoarseMatrix, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(large * DyadicList(std::size_t{1025}));
 }
 
-// K = diag(1, 2^-100) + 2^-200: the coarse matrix has lost the second unknown.
+// K = diag(1, 2^-30) + 2^-200: the coarse matrix has lost the last term.
 TEST(RegularisedStiffness, ChecksExactlyWhatACoarseMatrixLeavesOpen) {
   DyadicMatrix middle{.size = 2, .entries = DyadicList(std::size_t{4})};
   middle.entries.exponent = -200;
   middle.entries.mantissas[0] = (mpz_class(1) << 200U) + 1;
-  middle.entries.mantissas[3] = (mpz_class(1) << 100U) + 1;
+  middle.entries.mantissas[3] = (mpz_class(1) << 170U) + 1;
   const RegularisedStiffness held({middle, {}}, {});
   const auto all = first_numbers(2);
   const std::vector<double> right{1, 1};

@@ -71,7 +71,8 @@ std::string node_line(const wedged::Evidence& evidence) {
 }  // namespace
 
 std::string written(const problems::WedgedProblem& problem, double mu) {
-  const std::vector<double> friction(problem.contact_names.size(), mu);
+  auto friction = problem.friction;
+  for (double& factor : friction) factor *= mu;
   std::string text = run::certificate_header(problem, friction);
   std::size_t count = 0;
   wedged::SignPatternTree tree(problem, friction, {.tolerances = {}, .thorough = true});
