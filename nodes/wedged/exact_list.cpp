@@ -48,7 +48,8 @@ void add(ExactTest& test, const PatternFindings& list) {
   test.doubted += list.exact.doubted;
   test.unable = list.exact.unable;
   if (test.unable.empty() && !list.whole()) test.unable = "the exact test was stopped early";
-  if (test.unable.empty() && list.open() > 0) test.unable = "the exact test leaves patterns undecided";
+  if (test.unable.empty() && list.open() > 0)
+    test.unable = "the exact test leaves patterns undecided";
   test.done = test.unable.empty();
 }
 

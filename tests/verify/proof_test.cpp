@@ -292,8 +292,9 @@ TEST(Proof, RefusesMultipliersOfTheWrongSign) {
   auto draft = searched(example("two-bars.toml"), 1.0);
   // K = [2 1; 1 2], and without contact only u_n >= 0: no positive multiplier can help.
   draft.nodes = {"dead 0 0 -0x1p+0\n"};
-  EXPECT_THAT(verdict(draft.text()).refusals,
-              testing::ElementsAre(HasSubstr("margin of its multipliers is within the rounding errors")));
+  EXPECT_THAT(
+      verdict(draft.text()).refusals,
+      testing::ElementsAre(HasSubstr("margin of its multipliers is within the rounding errors")));
 }
 
 TEST(Proof, RefusesOtherReactions) {
