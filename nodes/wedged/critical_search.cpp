@@ -101,8 +101,8 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
 class SmallestStrategies {
  public:
   SmallestStrategies(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                     const CriticalQuestion& question, const CriticalGrid& grid, CriticalEnds& ends,
-                     NarrowingBracket& bracket, CriticalFindings& findings)
+                     const CriticalQuestion& question, const CriticalGrid& grid,
+                     CriticalBounds& ends, NarrowingBracket& bracket, CriticalFindings& findings)
       : analysis_(analysis),
         problem_(problem),
         question_(question),
@@ -209,7 +209,7 @@ class SmallestStrategies {
   const problems::WedgedProblem& problem_;
   const CriticalQuestion& question_;
   CriticalGrid grid_;
-  CriticalEnds& ends_;
+  CriticalBounds& ends_;
   NarrowingBracket& bracket_;
   CriticalFindings& findings_;
 };
@@ -310,12 +310,12 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   const auto grid = grid_of(problem, question);
   CriticalFindings findings;
   NarrowingBracket bracket(analysis, grid.most);
-  CriticalEnds ends(analysis, structure, problem,
-                    {.grid = grid,
-                     .tightening = question.tightening,
-                     .list = question.list && looks_for_smallest(question.way),
-                     .list_nodes = question.list_nodes},
-                    recorder, bracket, findings.costs);
+  CriticalBounds ends(analysis, structure, problem,
+                      {.grid = grid,
+                       .tightening = question.tightening,
+                       .list = question.list && looks_for_smallest(question.way),
+                       .list_nodes = question.list_nodes},
+                      recorder, bracket, findings.costs);
   SmallestStrategies strategies(analysis, problem, question, grid, ends, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
     auto costs = std::move(findings.costs);

@@ -5,7 +5,7 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
-#include "nodes/wedged/critical_ends.hpp"
+#include "nodes/wedged/critical_bounds.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 

@@ -218,11 +218,11 @@ support::ExactCount PatternFindings::count() const {
   return combinations(cones);
 }
 
-support::IndexSet PatternFindings::idle() const {
+support::IndexSet PatternFindings::inactive() const {
   support::IndexSet candidates;
   if (!whole()) return candidates;
   for (const auto& block : blocks) {
-    if (block.rests()) candidates |= block.candidates;
+    if (block.is_inactive()) candidates |= block.candidates;
   }
   return candidates;
 }

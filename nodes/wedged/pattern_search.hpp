@@ -26,7 +26,7 @@ struct PatternBlock {
   std::uint64_t cones = 0;
   std::uint64_t open = 0;  ///< numerically undecided leaves
 
-  [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
+  [[nodiscard]] bool is_inactive() const { return cones == 0 && open == 0; }
 };
 
 /// Verification of every node by the exact test of `kusabi verify` during the search.
@@ -88,7 +88,7 @@ struct PatternFindings {
 
   /// The candidates of blocks that cannot wedge, which are always inactive. None if the search
   /// stopped early.
-  [[nodiscard]] support::IndexSet idle() const;
+  [[nodiscard]] support::IndexSet inactive() const;
 };
 
 /// Options of the analysis.

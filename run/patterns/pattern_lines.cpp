@@ -148,18 +148,18 @@ void PatternLines::close(wedged::PatternFindings& findings) {
 void PatternLines::keep_flat_of_earlier(wedged::PatternFindings& findings) const {
   std::ifstream file(owner_.name, std::ios::binary);
   std::set<std::string> lines;
-  for (const auto& leaf : findings.leaves) lines.insert(line_of(leaf, findings.idle()));
+  for (const auto& leaf : findings.leaves) lines.insert(line_of(leaf, findings.inactive()));
   std::set<std::string> kept;
   for (std::string line; next_line(file, line);) {
     if (lines.contains(line)) kept.insert(line);
   }
-  const auto idle = findings.idle();
+  const auto idle = findings.inactive();
   findings.remove_flat([&](const auto& flat) { return !kept.contains(line_of(flat, idle)); });
 }
 
 bool PatternLines::write(std::ostream& out, const std::string& head,
                          const wedged::PatternFindings& findings) {
-  const auto idle = findings.idle();
+  const auto idle = findings.inactive();
   std::vector<std::string> largest;
   largest.reserve(findings.largest.size());
   for (const auto& leaf : findings.largest) largest.push_back(line_of(leaf, idle));

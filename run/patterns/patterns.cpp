@@ -331,7 +331,8 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
         numbered_vtu("pattern", i + 1, count),
         grids.grid({fmt::format("pattern {} at friction coefficient {}", i + 1, options_.friction),
                     options_.friction, leaf.lower},
-                   leaf.block, leaf.pattern, findings_->idle(), leaf.reaction, leaf.displacement));
+                   leaf.block, leaf.pattern, findings_->inactive(), leaf.reaction,
+                   leaf.displacement));
   }
   series.finish("patterns.pvd", problem_line(contact_.problem));
 }

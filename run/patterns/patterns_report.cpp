@@ -185,7 +185,7 @@ std::string PatternsReport::details() const {
                    findings_.blocks.size());
     for (const auto& block : findings_.blocks) {
       fmt::format_to(out, "  {}: {}\n", with_ranges(candidate_names(problem_, block.candidates)),
-                     block.rests() ? "always inactive" : patterns(block.cones));
+                     block.is_inactive() ? "always inactive" : patterns(block.cones));
     }
     const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
                                        [](const auto& b) { return b.cones != 0; });
@@ -236,7 +236,7 @@ void PatternsReport::write_csv(std::ostream& out) const {
   std::size_t number = 0;
   for (const auto& leaf : findings_.leaves) {
     csv.count(++number);
-    add_pattern(csv, problem_, leaf.block, leaf.pattern, findings_.idle());
+    add_pattern(csv, problem_, leaf.block, leaf.pattern, findings_.inactive());
     csv.word(state_name(leaf.state)).number(leaf.lower).number(leaf.upper);
     add_configuration(csv, problem_, of_all_candidates(problem_, leaf.block, leaf.reaction),
                       of_all_candidates(problem_, leaf.block, leaf.displacement));
@@ -250,7 +250,7 @@ void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whol
   json.begin_list();
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const auto& leaf = leaves[i];
-    auto pattern = lean_pattern(problem_, leaf, findings_.idle());
+    auto pattern = lean_pattern(problem_, leaf, findings_.inactive());
     if (!brackets_.empty()) {
       pattern["critical_friction"] = {{"lower", brackets_[i].lower},
                                       {"upper", number_or_null(brackets_[i].upper)}};

@@ -61,12 +61,12 @@ inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
 }
 
 /// True if the bracket of a marginal result lies within the tolerance.
-inline bool is_tie(const ConicResult& answer, const Tolerances& tolerances) {
+inline bool is_within_tolerance(const ConicResult& answer, const Tolerances& tolerances) {
   return answer.upper <= tolerances.sign && answer.lower >= -tolerances.sign;
 }
 
 /// True if the bracket is so narrow about zero that its sign is not resolved.
-inline bool is_resolved_tie(const ConicResult& answer, const Tolerances& tolerances) {
+inline bool is_unresolvable(const ConicResult& answer, const Tolerances& tolerances) {
   const double least = tolerances.least_resolved();
   return answer.upper <= least && answer.lower >= -least;
 }
@@ -79,7 +79,7 @@ inline bool is_settled(const ConicResult& answer, StopEarly stop, const Toleranc
   // A bound this low means that u_n = 0 on U has no solution: t* is minus infinity, and further
   // iterations would lower the bound without end.
   constexpr double bottom = -1e9;
-  if (answer.upper < bottom || is_resolved_tie(answer, tolerances)) return true;
+  if (answer.upper < bottom || is_unresolvable(answer, tolerances)) return true;
   if (answer.lower >= stop.above || answer.upper <= stop.below ||
       answer.upper - answer.lower <= stop.width)
     return true;

@@ -104,7 +104,7 @@ std::optional<RelativeInterior> NodeSolver<D, Real>::relative_interior(const Ind
     iterate(answer, Keep::latest, ends);
   } while (lift_off());
   program_.displacement(reaction_, motion_, displacement_);
-  if (!is_tie(answer, tolerances_)) return std::nullopt;
+  if (!is_within_tolerance(answer, tolerances_)) return std::nullopt;
   // Infeasible by more than the rounding of the file: X is empty.
   if (answer.upper < 0 && violation() > 10 * file_rounding) return RelativeInterior{};
   const IndexSet carriers = set_of(program_.cones());

@@ -33,7 +33,7 @@ BlockProof::BlockProof(ContactBlock block)
   steepest_ = sqrt_above(steepest);
   near_motions_ = block_.motions.nearest();
   const auto p = motions();
-  const auto [springs, sliding] = hold({});
+  const auto [springs, sliding] = grounding({});
   if (springs.size() != p) return;  // the modes are dependent
   // Column by column: the recorded mode as a combination of the block's modes.
   own_of_recorded_.resize(p * p);
@@ -45,7 +45,7 @@ BlockProof::BlockProof(ContactBlock block)
     if (!own) return;
     for (std::size_t k = 0; k < p; ++k) own_of_recorded_[p * k + column] = (*own)[k];
   }
-  least_ = held(springs).least_eigenvalue();
+  least_ = regularised(springs).least_eigenvalue();
 }
 
 void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double negligible,
@@ -69,9 +69,9 @@ void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double neg
   }
 }
 
-BlockProof::Hold BlockProof::hold(const IndexSet& contact) const {
+BlockProof::Grounding BlockProof::grounding(const IndexSet& contact) const {
   const auto d = block_.dimension;
-  Hold result;
+  Grounding result;
   if (motions() == 0) return result;
   std::vector<std::size_t> normals;
   std::vector<std::size_t> others;
@@ -87,19 +87,19 @@ BlockProof::Hold BlockProof::hold(const IndexSet& contact) const {
   return result;
 }
 
-const RegularisedStiffness& BlockProof::held(const std::vector<std::size_t>& springs) const {
-  for (const auto& each : held_) {
+const RegularisedStiffness& BlockProof::regularised(const std::vector<std::size_t>& springs) const {
+  for (const auto& each : regularised_) {
     if (each.springs() == springs) return each;
   }
-  if (held_.size() == most_kept) held_.pop_back();
-  held_.emplace_back(block_.stiffness, springs);
-  return held_.back();
+  if (regularised_.size() == most_kept) regularised_.pop_back();
+  regularised_.emplace_back(block_.stiffness, springs);
+  return regularised_.back();
 }
 
 // The springs act on normal displacements of U: no rigid-body mode leaves all of these zero.
 const RegularisedStiffness* BlockProof::regularised_at_normals(const IndexSet& contact) const {
   const auto d = block_.dimension;
-  for (const auto& each : held_) {
+  for (const auto& each : regularised_) {
     const bool all = std::all_of(each.springs().begin(), each.springs().end(),
                                  [&](auto row) { return row % d == 0 && holds(contact, row / d); });
     if (all) return &each;

@@ -162,16 +162,17 @@ class BlockProof {
 
   // Grounding springs for the rigid-body modes, and the sliding modes: those that leave all normal
   // displacements of U zero up to nearly_sliding.
-  struct Hold {
+  struct Grounding {
     std::vector<std::size_t> springs;
     std::vector<Rationals> sliding;
   };
-  [[nodiscard]] Hold hold(const support::IndexSet& contact) const;
+  [[nodiscard]] Grounding grounding(const support::IndexSet& contact) const;
   // Adds equations for rows of G, those of the largest products first, until the remaining products
   // are below a share of the first.
   void demand_largest(const std::vector<std::size_t>& rows, double negligible, Elimination& rest,
                       std::vector<std::size_t>& chosen) const;
-  [[nodiscard]] const RegularisedStiffness& held(const std::vector<std::size_t>& springs) const;
+  [[nodiscard]] const RegularisedStiffness& regularised(
+      const std::vector<std::size_t>& springs) const;
   [[nodiscard]] const RegularisedStiffness* regularised_at_normals(
       const support::IndexSet& contact) const;
 
@@ -211,10 +212,10 @@ class BlockProof {
                                    const support::IndexSet& contact) const;
   // Bound of the error of the tangential reactions caused by the normal displacements of sliding
   // modes on U; nothing if it is too large. `pressures` is the norm of r_n.
-  [[nodiscard]] std::optional<Dyadic> error_of_lift(const RegularisedStiffness& held,
+  [[nodiscard]] std::optional<Dyadic> error_of_lift(const RegularisedStiffness& regularised,
                                                     const Leaf& leaf, const NearList& shift,
                                                     const Dyadic& pressures) const;
-  [[nodiscard]] std::optional<std::string> check_feasible(const RegularisedStiffness& held,
+  [[nodiscard]] std::optional<std::string> check_feasible(const RegularisedStiffness& regularised,
                                                           const Leaf& leaf, const DyadicList& u,
                                                           const DyadicList& r,
                                                           const Dyadic& unknown) const;
@@ -296,7 +297,7 @@ class BlockProof {
     Dyadic lifted_by_sliding;  // bound of the normal displacements by the others, over |u| s / |r|
   };
   [[nodiscard]] std::optional<MotionsOfForm> motions_of_form(
-      const RegularisedStiffness& held) const;
+      const RegularisedStiffness& regularised) const;
 
   // True if the reactions of all candidates displaced by a mode do negative work on it or on its
   // opposite, and at least one of them is in U.
@@ -325,7 +326,7 @@ class BlockProof {
   ProvedBounds bounds_;
   bool far_bounds_ = false;  // some bounds hold only for configurations that do not move far
   mutable std::list<RegularisedStiffness>
-      held_;  // the first for infeasible nodes; others for leaves
+      regularised_;  // the first for infeasible nodes; others for leaves
 };
 
 /// True if a candidate is in a set of them.

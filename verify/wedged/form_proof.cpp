@@ -19,9 +19,9 @@ FormNumbers parts_of_form(std::span<const double> numbers, std::size_t m, std::s
 
 // u - F_P r = sum_j a_j G b_j with a_j = l_j u_j and l_j G_j b_k = [j = k] at the springs j.
 std::optional<BlockProof::MotionsOfForm> BlockProof::motions_of_form(
-    const RegularisedStiffness& held) const {
+    const RegularisedStiffness& regularised) const {
   const auto d = block_.dimension;
-  const auto& springs = held.springs();
+  const auto& springs = regularised.springs();
   std::vector<Rationals> rows;
   for (const auto spring : springs) rows.push_back(block_.motions.rows[spring]);
   MotionsOfForm result;
@@ -40,8 +40,9 @@ std::optional<BlockProof::MotionsOfForm> BlockProof::motions_of_form(
       if (sgn(dot(block_.motions.rows[row], *shares)) != 0)
         sum = sum + square(absolute(seen.values[row]) + seen.error);
     const auto length = block_.motions.lengths[springs[j]] * (Dyadic(1.0) + block_.motions.spread);
-    result.lifted_by_sliding = result.lifted_by_sliding +
-                               quotient_above(length * sqrt_above(sum), *held.least_eigenvalue());
+    result.lifted_by_sliding =
+        result.lifted_by_sliding +
+        quotient_above(length * sqrt_above(sum), *regularised.least_eigenvalue());
   }
   return result;
 }
@@ -53,7 +54,8 @@ Judgement BlockProof::judge_form(std::span<const double> numbers) const {
   const auto form = parts_of_form(numbers, m, d);
   if (!form.has_allowed_signs())
     return {"a multiplier of two candidates is below zero, or one of squares not above"};
-  const auto& stiffness = held(hold(support::IndexSet::below(static_cast<int>(m))).springs);
+  const auto& stiffness =
+      regularised(grounding(support::IndexSet::below(static_cast<int>(m))).springs);
   if (!stiffness.least_eigenvalue())
     return {"K is too ill-conditioned to compute its displacements"};
   std::vector<std::size_t> normals;

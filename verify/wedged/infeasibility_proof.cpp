@@ -54,10 +54,10 @@ Judgement BlockProof::judge_unconstrained(const Combination& combination) const 
   const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
     if (!y) return not_in_equilibrium;
     const auto all = first_numbers(block_.dimension * candidates());
-    return held_.front().solve(all, y->near.values,
-                               [&](const auto& w, const auto& nu, const auto& off) {
-                                 return check_unconstrained(combination, *y, mean, w, nu, off);
-                               });
+    return regularised_.front().solve(
+        all, y->near.values, [&](const auto& w, const auto& nu, const auto& off) {
+          return check_unconstrained(combination, *y, mean, w, nu, off);
+        });
   };
   std::optional<std::string> first;
   // The attempts: all multipliers; without those that are positive only by the barrier; the
@@ -87,10 +87,10 @@ std::optional<std::string> BlockProof::refusal_of_constrained(
     }
     if (!std::isfinite(own)) return "its numbers are too large to compute with";
   }
-  return held_.front().solve(all, DyadicList(y),
-                             [&](const auto& w, const auto& nu, const auto& off) {
-                               return check_constrained(combination, w, nu, off);
-                             });
+  return regularised_.front().solve(all, DyadicList(y),
+                                    [&](const auto& w, const auto& nu, const auto& off) {
+                                      return check_constrained(combination, w, nu, off);
+                                    });
 }
 
 // Lower bound of the force: y_k is the force times a length with a bounded relative error, and at
@@ -164,7 +164,7 @@ std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combin
 
 std::optional<Dyadic> BlockProof::carried_by_springs(const std::vector<Rationals>& rows,
                                                      const Rationals& forces) const {
-  const auto& springs = held_.front().springs();
+  const auto& springs = regularised_.front().springs();
   std::vector<Rationals> equations;
   Rationals loads;
   for (std::size_t motion = 0; motion < motions(); ++motion) {

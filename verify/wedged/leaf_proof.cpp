@@ -28,9 +28,9 @@ std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
   const auto& contact = leaf.contact;
   const auto* stiffness = regularised_at_normals(contact);
   if (stiffness == nullptr) {
-    auto [springs, sliding] = hold(contact);
+    auto [springs, sliding] = grounding(contact);
     leaf.sliding = std::move(sliding);
-    stiffness = &held(springs);
+    stiffness = &regularised(springs);
   }
   if (auto why = read_leaf(numbers, leaf)) return why;
   if (!stiffness->least_eigenvalue())

@@ -57,7 +57,7 @@ bool CriticalFriction::is_degenerate(const SignPattern& leaf, double factor,
                                      const conic::Tolerances& zero) {
   ++programs_;
   set_friction(factor);
-  return conic::is_tie(solver_.solve(leaf.contact, leaf.separated, {}), zero);
+  return conic::is_within_tolerance(solver_.solve(leaf.contact, leaf.separated, {}), zero);
 }
 
 LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
@@ -71,7 +71,7 @@ LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   if (answer.sign == conic::Sign::infeasible) return {Kind::infeasible, {}, {}};
   if (answer.sign == conic::Sign::feasible) return {Kind::solid, {}, {}};
   const LeafStage open{Kind::open, {}, {}};
-  if (!conic::is_tie(answer, of_tree)) return open;
+  if (!conic::is_within_tolerance(answer, of_tree)) return open;
   const auto inside = solver_.relative_interior(leaf.contact, leaf.separated);
   if (!inside) return open;
   if (inside->loaded.empty()) return {Kind::infeasible, {}, {}};  // by less than the tolerance

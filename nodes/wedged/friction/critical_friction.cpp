@@ -90,13 +90,13 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   set_friction(factor);
   const auto answer = solver_.solve(node.contact, node.separated, stop);
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
-  FrictionProbe probe{
-      .sign = answer.sign,
-      .degenerate = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
-      .infeasible_below = least_coefficient(pull_, node),
-      .feasible_from = 0,
-      .newton = infinity,
-      .level = 0.5 * (answer.lower + answer.upper)};
+  FrictionProbe probe{.sign = answer.sign,
+                      .degenerate = answer.sign == conic::Sign::marginal &&
+                                    conic::is_within_tolerance(answer, tolerances),
+                      .infeasible_below = least_coefficient(pull_, node),
+                      .feasible_from = 0,
+                      .newton = infinity,
+                      .level = 0.5 * (answer.lower + answer.upper)};
 
   // The multipliers are normal forces y, and w their displacements. For every configuration of the
   // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: the node is

@@ -82,11 +82,12 @@ HoldSign HoldNodes::sign(const LoadedPattern& node) {
   multipliers_ = solver_.multipliers();
   if (answer.sign == conic::Sign::infeasible) return HoldSign::infeasible;
   if (answer.sign == conic::Sign::feasible) return leaf ? HoldSign::feasible : HoldSign::open;
-  return conic::is_resolved_tie(answer, hold_tolerances) ? tie(node, answer.upper) : HoldSign::open;
+  return conic::is_unresolvable(answer, hold_tolerances) ? degenerate(node, answer.upper)
+                                                         : HoldSign::open;
 }
 
 // Some candidate of U has no reaction: all states are also those of the node with it in R.
-HoldSign HoldNodes::tie(const LoadedPattern& node, double upper) {
+HoldSign HoldNodes::degenerate(const LoadedPattern& node, double upper) {
   const auto inside = solver_.relative_interior(node.contact, node.separated);
   if (!inside) return HoldSign::open;
   if (inside->loaded.empty() && upper < 0) return HoldSign::infeasible;

@@ -135,7 +135,7 @@ class HoldNodes {
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
-  HoldSign tie(const LoadedPattern& node, double upper);
+  HoldSign degenerate(const LoadedPattern& node, double upper);
 
   support::IndexSet all_;
   std::vector<double> scales_;  // of the loads

@@ -8,8 +8,9 @@ namespace kusabi::wedged {
 using support::IndexSet;
 
 bool DegenerateClassifier::is_degenerate(const conic::ConicResult& answer) const {
-  return tolerances_.resolution >= rounding_of_files ? conic::is_tie(answer, tolerances_)
-                                                     : conic::is_resolved_tie(answer, tolerances_);
+  return tolerances_.resolution >= rounding_of_files
+             ? conic::is_within_tolerance(answer, tolerances_)
+             : conic::is_unresolvable(answer, tolerances_);
 }
 
 DegenerateNode DegenerateClassifier::classify(BlockRelaxation& block, const PatternNode& node,

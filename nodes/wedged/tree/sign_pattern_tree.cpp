@@ -111,7 +111,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
       if (leaf) return close(node, block.configuration(node, LeafState::feasible, answer));
       break;
     case conic::Sign::marginal:
-      return decide_doubt(node, answer);
+      return decide_undecided(node, answer);
   }
   return branch_feasible(node);
 }
@@ -153,8 +153,8 @@ void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
                            .upper = answer.upper});
 }
 
-SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
-                                                    const conic::ConicResult& answer) {
+SignPatternTree::Fate SignPatternTree::decide_undecided(const Node& node,
+                                                        const conic::ConicResult& answer) {
   using Kind = DegenerateNode::Kind;
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);

@@ -107,7 +107,7 @@ class SignPatternTree {
   // Decision by bounds at a node that is not a leaf; nothing if the program without cuts is
   // required.
   std::optional<Fate> decide_with_cuts(const Node& node);
-  Fate decide_doubt(const Node& node, const conic::ConicResult& answer);
+  Fate decide_undecided(const Node& node, const conic::ConicResult& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::ConicResult& answer);
   Fate branch(const Node& node, const support::IndexSet& open);
   Fate branch_feasible(const Node& node);

@@ -113,7 +113,7 @@ TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
 std::vector<problems::Structure> unconstrained_bodies(int dimension, std::size_t count) {
   std::vector<problems::Structure> bodies;
   for (std::uint64_t seed = 1; bodies.size() < count; ++seed) {
-    auto structure = random_loose_structure(dimension, seed);
+    auto structure = random_unconstrained_structure(dimension, seed);
     if (structure.contact.size() < 3) continue;
     try {
       if (problems::wedged_problem(checked(structure)).modes.matrix.cols() > 0)

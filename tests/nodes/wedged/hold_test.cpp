@@ -127,7 +127,7 @@ bool near(double a, double b) {
 /// clearances. Nothing: the seed gives a mechanism, a constrained body, or too few or many
 /// contacts.
 std::optional<LoadedProblem> loaded_body(std::uint64_t seed) {
-  auto structure = random_loose_structure(2, seed);
+  auto structure = random_unconstrained_structure(2, seed);
   std::mt19937_64 generator(seed + 77);
   std::uniform_real_distribution<double> uniform(-1, 1);
   structure.coordinates += 0.2 * Eigen::MatrixXd::NullaryExpr(2, structure.coordinates.cols(),

@@ -93,7 +93,7 @@ inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
 /// An unconstrained body, or one with a hinge: up to six nodes at integer coordinates, a bar
 /// between every two, and walls at most of them with inward normals along an axis or a diagonal.
 /// May be a mechanism.
-inline problems::Structure random_loose_structure(int dimension, std::uint64_t seed) {
+inline problems::Structure random_unconstrained_structure(int dimension, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto pick = [&](int count) { return static_cast<int>(generator() % std::uint64_t(count)); };
   std::vector<Eigen::VectorXd> places;

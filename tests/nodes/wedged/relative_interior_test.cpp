@@ -54,7 +54,7 @@ void expect_rest(double angle, unsigned seed) {
                                           << (touches ? " and c" : ""));
         const std::uint64_t with = contact | (touches ? 8U : 0U);
         const auto answer = solver.solve(with, 15 & ~with, {});
-        EXPECT_TRUE(conic::is_tie(answer, tight));
+        EXPECT_TRUE(conic::is_within_tolerance(answer, tight));
         const auto found = solver.relative_interior(with, 15 & ~with);
         ASSERT_TRUE(found);
         EXPECT_EQ(found->loaded, contact);

@@ -52,7 +52,7 @@ using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, do
                                                              std::span<const double> friction)>;
 
 /// Parameters of the verification.
-struct EndsQuestion {
+struct BoundsQuestion {
   CriticalGrid grid;
   Tightening tightening = Tightening::automatic;
   bool list = false;             ///< true if all patterns are listed
@@ -63,12 +63,12 @@ struct EndsQuestion {
 struct DecidedEnd;
 
 /// Verification on all ranks, which make the same calls. @pre arguments outlive this object
-class CriticalEnds {
+class CriticalBounds {
  public:
-  CriticalEnds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
-               const problems::WedgedProblem& problem, const EndsQuestion& question,
-               const EndRecorder& recorder, NarrowingBracket& bracket,
-               std::vector<CriticalCost>& costs);
+  CriticalBounds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
+                 const problems::WedgedProblem& problem, const BoundsQuestion& question,
+                 const EndRecorder& recorder, NarrowingBracket& bracket,
+                 std::vector<CriticalCost>& costs);
 
   /// Tests both bounds without relaxing them: the lower one by the roots alone, the upper one by
   /// its leaf.
@@ -126,7 +126,7 @@ class CriticalEnds {
   engine::Analysis& analysis_;
   const problems::CheckedStructure& structure_;
   const problems::WedgedProblem& problem_;
-  EndsQuestion question_;
+  BoundsQuestion question_;
   const EndRecorder& recorder_;
   NarrowingBracket& bracket_;
   std::vector<CriticalCost>& costs_;

@@ -1,5 +1,5 @@
 // Verification of one leaf or of one tree of sign patterns, repeated if a bound has to be relaxed.
-#include "nodes/wedged/critical_ends.hpp"
+#include "nodes/wedged/critical_bounds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ struct DecidedEnd {
 };
 
 /// A leaf at one coefficient.
-struct CriticalEnds::DecidedLeaf {
+struct CriticalBounds::DecidedLeaf {
   std::vector<Configuration> found;  ///< the leaf, if it is not infeasible
   bool holds = false;                ///< feasible by the exact test
   bool degenerate = false;           ///< t* = 0 within the tolerance: undecided
@@ -92,10 +92,11 @@ CriticalEntry entry_of(const Configuration& leaf, const NarrowingBracket& bracke
 
 }  // namespace
 
-CriticalEnds::CriticalEnds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
-                           const problems::WedgedProblem& problem, const EndsQuestion& question,
-                           const EndRecorder& recorder, NarrowingBracket& bracket,
-                           std::vector<CriticalCost>& costs)
+CriticalBounds::CriticalBounds(engine::Analysis& analysis,
+                               const problems::CheckedStructure& structure,
+                               const problems::WedgedProblem& problem,
+                               const BoundsQuestion& question, const EndRecorder& recorder,
+                               NarrowingBracket& bracket, std::vector<CriticalCost>& costs)
     : analysis_(analysis),
       structure_(structure),
       problem_(problem),
@@ -106,12 +107,12 @@ CriticalEnds::CriticalEnds(engine::Analysis& analysis, const problems::CheckedSt
       far_apart_(problem.modes.matrix.cols() > 0 &&
                  problems::scale_ratio(structure, problem) > wide_scales) {}
 
-bool CriticalEnds::enclose() {
+bool CriticalBounds::enclose() {
   if (!stiffness_) stiffness_ = enclosed_within(analysis_, structure_, enclosed_stiffness);
   return stiffness_.has_value();
 }
 
-std::shared_ptr<const EvidenceCheck> CriticalEnds::check(
+std::shared_ptr<const EvidenceCheck> CriticalBounds::check(
     std::span<const double> friction, std::span<const ProvedBound> bounds) const {
   const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_);
   if (stiffness == nullptr) return nullptr;
@@ -120,24 +121,24 @@ std::shared_ptr<const EvidenceCheck> CriticalEnds::check(
       far_apart_ ? FarMotion::counted : FarMotion::left_out);
 }
 
-CriticalEnds::Test CriticalEnds::test(std::shared_ptr<const EvidenceCheck> check) const {
+CriticalBounds::Test CriticalBounds::test(std::shared_ptr<const EvidenceCheck> check) const {
   return [far_apart = far_apart_, check = std::move(check)](const Evidence& evidence) {
     return check ? check->holds(evidence) : !far_apart && evidence.kind != Evidence::Kind::marginal;
   };
 }
 
-conic::Tolerances CriticalEnds::tolerances() const {
+conic::Tolerances CriticalBounds::tolerances() const {
   auto tolerances = CriticalFriction::tolerances;
   if (far_apart_) tolerances.resolution = finest;
   return tolerances;
 }
 
-void CriticalEnds::set_known(std::vector<Configuration> found) {
+void CriticalBounds::set_known(std::vector<Configuration> found) {
   known_ = std::move(found);
   known_leaf_ = bracket_.leaf();
 }
 
-void CriticalEnds::prove_at_once() {
+void CriticalBounds::prove_at_once() {
   if (!enclose()) return;
   if (bracket_.leaf() && !bracket_.upper_proved()) {
     const double factor = *bracket_.upper();
@@ -155,13 +156,13 @@ void CriticalEnds::prove_at_once() {
   bracket_.show();
 }
 
-Evidence CriticalEnds::form_of(std::uint32_t block) const {
+Evidence CriticalBounds::form_of(std::uint32_t block) const {
   return {
       .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
 // If K cannot be enclosed, the proof in doubles (quadratic_is_infeasible) is sufficient.
-void CriticalEnds::prove_by_forms(QuadraticForms forms) {
+void CriticalBounds::prove_by_forms(QuadraticForms forms) {
   if (!enclose()) {
     bracket_.raise_lower(forms.factor);
     return;
@@ -183,7 +184,7 @@ void CriticalEnds::prove_by_forms(QuadraticForms forms) {
 }
 
 // Written by one rank.
-void CriticalEnds::record_forms() {
+void CriticalBounds::record_forms() {
   const auto record =
       recorder_(CriticalEnd::lower, forms_.factor, candidate_friction(problem_, forms_.factor));
   if (!record) return;
@@ -192,7 +193,7 @@ void CriticalEnds::record_forms() {
   record->end({}, EndClaim::all_patterns, true);
 }
 
-bool CriticalEnds::roots_are_infeasible(double factor) {
+bool CriticalBounds::roots_are_infeasible(double factor) {
   return analysis_.by_first_rank([&] {
     const auto friction = candidate_friction(problem_, factor);
     SignPatternTree tree(
@@ -217,8 +218,8 @@ bool CriticalEnds::roots_are_infeasible(double factor) {
   });
 }
 
-CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, double factor,
-                                                    bool recorded) {
+CriticalBounds::DecidedLeaf CriticalBounds::decide_leaf(const PatternNode& leaf, double factor,
+                                                        bool recorded) {
   const auto friction = candidate_friction(problem_, factor);
   const auto record = recorded ? recorder_(CriticalEnd::upper, factor, friction) : nullptr;
   const auto decide = [&] {
@@ -251,8 +252,8 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
 /// Decides all sign patterns at one coefficient and adds the costs.
 /// @param wanted true for results to be recorded
 template <class Wanted>
-DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase,
-                                const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {
+DecidedEnd CriticalBounds::decide(CriticalEnd end, double factor, CriticalPhase phase,
+                                  const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {
   const auto friction = candidate_friction(problem_, factor);
   const SignPatternOptions options{.tolerances = tolerances(),
                                    .tightening = question_.tightening,
@@ -287,7 +288,7 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
 
 // Bisection by the exact test alone: a leaf feasible at a coefficient is feasible at all larger
 // ones. The bracket of the search is tested first.
-engine::Status CriticalEnds::bisect() {
+engine::Status CriticalBounds::bisect() {
   const double width = question_.grid.width;
   const FrictionGrid grid(width);
   const auto most = multiples(question_.grid.most, width);
@@ -327,7 +328,7 @@ engine::Status CriticalEnds::bisect() {
 
 // Decreases the lower bound until the exact test proves infeasibility. Without friction nothing is
 // wedged, since K is definite; smaller coefficients than the least supported one are not computed.
-engine::Status CriticalEnds::prove_lower() {
+engine::Status CriticalBounds::prove_lower() {
   if (bracket_.lower_proved() && !recorder_) return engine::Status::solved;
   if (forms_are_the_bound()) {
     record_forms();
@@ -356,7 +357,7 @@ engine::Status CriticalEnds::prove_lower() {
 
 // Increases the upper bound until the exact test proves the leaf feasible. A flat leaf remains
 // degenerate at larger coefficients; then another pattern may be solid there.
-engine::Status CriticalEnds::prove_upper() {
+engine::Status CriticalBounds::prove_upper() {
   const bool recorded = recorder_ && !question_.list;
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
@@ -389,7 +390,7 @@ engine::Status CriticalEnds::prove_upper() {
 }
 
 // Proves the upper bound by any feasible pattern, if the known leaf is degenerate.
-engine::Status CriticalEnds::prove_by_any(double factor) {
+engine::Status CriticalBounds::prove_by_any(double factor) {
   if (question_.list || question_.grid.precision == Precision::doubles)
     return engine::Status::solved;
   const auto decided = decide(
@@ -409,7 +410,7 @@ engine::Status CriticalEnds::prove_by_any(double factor) {
   return engine::Status::solved;
 }
 
-engine::Status CriticalEnds::list(CriticalFindings& findings) {
+engine::Status CriticalBounds::list(CriticalFindings& findings) {
   const double factor = bracket_.upper().value_or(question_.grid.most);
   const auto decided = decide(
       CriticalEnd::upper, factor, CriticalPhase::list, recorder_,
@@ -431,7 +432,7 @@ engine::Status CriticalEnds::list(CriticalFindings& findings) {
   return engine::Status::solved;
 }
 
-void CriticalEnds::note_patterns(CriticalFindings& findings) const {
+void CriticalBounds::note_patterns(CriticalFindings& findings) const {
   if (!bracket_.leaf() || !bracket_.upper()) return;
   if (known_leaf_ == bracket_.leaf())
     for (const auto& leaf : known_) findings.patterns.push_back(entry_of(leaf, bracket_));
@@ -449,7 +450,7 @@ void CriticalEnds::note_patterns(CriticalFindings& findings) const {
        .displacement = {}});
 }
 
-void CriticalEnds::note_undecided(CriticalFindings& findings) const {
+void CriticalBounds::note_undecided(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
   const double width = question_.grid.width;
   if (!findings.upper && findings.lower < question_.grid.most)
@@ -459,7 +460,7 @@ void CriticalEnds::note_undecided(CriticalFindings& findings) const {
   if (!findings.lower_proved) findings.open.push_back(CriticalDoubt::lower_not_proved);
 }
 
-void CriticalEnds::prove(CriticalFindings& findings) {
+void CriticalBounds::prove(CriticalFindings& findings) {
   const auto stopped = [&](CriticalPhase phase, engine::Status status) {
     findings.status = status;
     if (status != engine::Status::solved) findings.stopped_in = phase;
