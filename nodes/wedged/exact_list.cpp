@@ -54,8 +54,8 @@ void add(ExactTest& test, const PatternFindings& list) {
 }
 
 /// Records that the lists differ.
-void refute(ExactTest& test, std::string why) {
-  test.unable = std::move(why);
+void refute(ExactTest& test, const std::string& why) {
+  test.unable = why;
   test.done = false;
 }
 
