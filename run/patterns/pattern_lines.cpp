@@ -91,10 +91,11 @@ void read_lines(const std::vector<std::string>& parts,
   }
 }
 
-// The names of idle candidates, which are known at the end only, before the state of a pattern.
-std::string at_rest_member(const problems::WedgedProblem& problem, const support::IndexSet& idle) {
-  if (idle.empty()) return {};
-  return fmt::format("\"at_rest\":{},", json_line(candidate_names(problem, idle)));
+// The names of inactive candidates, which are known at the end only, before the state of a pattern.
+std::string at_rest_member(const problems::WedgedProblem& problem,
+                           const support::IndexSet& inactive) {
+  if (inactive.empty()) return {};
+  return fmt::format("\"at_rest\":{},", json_line(candidate_names(problem, inactive)));
 }
 
 }  // namespace
@@ -104,8 +105,8 @@ std::string json_line(const ordered_json& json) {
 }
 
 ordered_json lean_pattern(const problems::WedgedProblem& problem, const wedged::Configuration& leaf,
-                          const support::IndexSet& idle) {
-  auto json = pattern_json(problem, leaf.block, leaf.pattern, idle);
+                          const support::IndexSet& inactive) {
+  auto json = pattern_json(problem, leaf.block, leaf.pattern, inactive);
   json["state"] = state_name(leaf.state);
   json["margin"] = leaf.lower;
   json["margin_upper"] = leaf.upper;
@@ -120,8 +121,8 @@ PatternLines::PatternLines(Session& session, const problems::WedgedProblem& prob
 }
 
 std::string PatternLines::line_of(const wedged::Configuration& leaf,
-                                  const support::IndexSet& idle) const {
-  return json_line(lean_pattern(problem_, leaf, idle));
+                                  const support::IndexSet& inactive) const {
+  return json_line(lean_pattern(problem_, leaf, inactive));
 }
 
 void PatternLines::add(const wedged::Configuration& leaf) {
@@ -147,22 +148,22 @@ void PatternLines::close(wedged::PatternFindings& findings) {
 // Of a finished run: its file has the lines of the flat patterns that are contained in no other.
 void PatternLines::keep_flat_of_earlier(wedged::PatternFindings& findings) const {
   std::ifstream file(owner_.name, std::ios::binary);
+  const auto inactive = findings.inactive();
   std::set<std::string> lines;
-  for (const auto& leaf : findings.leaves) lines.insert(line_of(leaf, findings.inactive()));
+  for (const auto& leaf : findings.leaves) lines.insert(line_of(leaf, inactive));
   std::set<std::string> kept;
   for (std::string line; next_line(file, line);) {
     if (lines.contains(line)) kept.insert(line);
   }
-  const auto idle = findings.inactive();
-  findings.remove_flat([&](const auto& flat) { return !kept.contains(line_of(flat, idle)); });
+  findings.remove_flat([&](const auto& flat) { return !kept.contains(line_of(flat, inactive)); });
 }
 
 bool PatternLines::write(std::ostream& out, const std::string& head,
                          const wedged::PatternFindings& findings) {
-  const auto idle = findings.inactive();
+  const auto inactive = findings.inactive();
   std::vector<std::string> largest;
   largest.reserve(findings.largest.size());
-  for (const auto& leaf : findings.largest) largest.push_back(line_of(leaf, idle));
+  for (const auto& leaf : findings.largest) largest.push_back(line_of(leaf, inactive));
   const auto parts = parts_ ? parts_->all() : parts_of_finished(owner_);
   if (parts.empty()) {
     count_earlier(head, largest);
@@ -174,7 +175,7 @@ bool PatternLines::write(std::ostream& out, const std::string& head,
     sorter.add(fmt::format("{} {}", key_of(leaf, problem_.contact_names.size()), line_of(leaf)));
   }
   out << head << '\n';
-  const auto at_rest = at_rest_member(problem_, idle);
+  const auto at_rest = at_rest_member(problem_, inactive);
   std::size_t number = 0;
   std::string text;
   sorter.each([&](std::string_view line) {
@@ -182,10 +183,7 @@ bool PatternLines::write(std::ostream& out, const std::string& head,
     // An unescaped quotation mark is not within a name.
     if (!at_rest.empty()) text.insert(text.find(R"("state":)"), at_rest);
     out << text << '\n';
-    ++number;
-    const auto found = std::ranges::find(largest, text);
-    if (found != largest.end())
-      numbers_[static_cast<std::size_t>(found - largest.begin())] = number;
+    note_number(largest, text, ++number);
   });
   return true;
 }
@@ -200,11 +198,13 @@ void PatternLines::count_earlier(const std::string& head, const std::vector<std:
                     "another --resume",
                     owner_.name));
   }
-  for (std::size_t number = 1; next_line(file, line); ++number) {
-    const auto found = std::ranges::find(largest, line);
-    if (found != largest.end())
-      numbers_[static_cast<std::size_t>(found - largest.begin())] = number;
-  }
+  for (std::size_t number = 1; next_line(file, line); ++number) note_number(largest, line, number);
+}
+
+void PatternLines::note_number(const std::vector<std::string>& largest, const std::string& line,
+                               std::size_t number) {
+  const auto found = std::ranges::find(largest, line);
+  if (found != largest.end()) numbers_[static_cast<std::size_t>(found - largest.begin())] = number;
 }
 
 void PatternLines::end(bool goes_on) {

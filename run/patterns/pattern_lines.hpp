@@ -22,10 +22,10 @@
 namespace kusabi::run {
 
 /// A pattern as in the list of a result file, without its friction coefficient and displacements.
-/// @param idle candidates of blocks that cannot wedge
+/// @param inactive candidates of blocks that cannot wedge
 nlohmann::ordered_json lean_pattern(const problems::WedgedProblem& problem,
                                     const wedged::Configuration& leaf,
-                                    const support::IndexSet& idle = {});
+                                    const support::IndexSet& inactive = {});
 
 /// One line of JSON, without a line end.
 std::string json_line(const nlohmann::ordered_json& json);
@@ -58,9 +58,12 @@ class PatternLines {
 
  private:
   [[nodiscard]] std::string line_of(const wedged::Configuration& leaf,
-                                    const support::IndexSet& idle = {}) const;
+                                    const support::IndexSet& inactive = {}) const;
   void keep_flat_of_earlier(wedged::PatternFindings& findings) const;
   void count_earlier(const std::string& head, const std::vector<std::string>& largest);
+  // Sets the number of a pattern of largest margin, if the line is that of one.
+  void note_number(const std::vector<std::string>& largest, const std::string& line,
+                   std::size_t number);
 
   const problems::WedgedProblem& problem_;
   PartsOwner owner_;

@@ -23,11 +23,11 @@ void add_pattern_columns(CsvWriter& csv) {
 }
 
 void add_pattern(CsvWriter& csv, const problems::WedgedProblem& problem, std::uint32_t block,
-                 const wedged::SignPattern& pattern, const support::IndexSet& idle) {
+                 const wedged::SignPattern& pattern, const support::IndexSet& inactive) {
   csv.count(std::uint64_t{block} + 1);
   csv.names(candidate_names(problem, pattern.contact));
   csv.names(candidate_names(problem, pattern.separated));
-  csv.names(candidate_names(problem, pattern.at_rest | idle));
+  csv.names(candidate_names(problem, pattern.at_rest | inactive));
 }
 
 void add_configuration_columns(CsvWriter& csv, const problems::WedgedProblem& problem) {

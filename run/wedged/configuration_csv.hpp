@@ -12,9 +12,9 @@ namespace kusabi::run {
 
 /// block, contact, separated, at_rest.
 void add_pattern_columns(CsvWriter& csv);
-/// @param idle candidates of blocks that cannot wedge, which are inactive, too
+/// @param inactive candidates of blocks that cannot wedge, which are inactive, too
 void add_pattern(CsvWriter& csv, const problems::WedgedProblem& problem, std::uint32_t block,
-                 const wedged::SignPattern& pattern, const support::IndexSet& idle = {});
+                 const wedged::SignPattern& pattern, const support::IndexSet& inactive = {});
 
 /// "r_n a" of all candidates, then "r_t a" (in space "r_t1 a", "r_t2 a"), then the same for u.
 void add_configuration_columns(CsvWriter& csv, const problems::WedgedProblem& problem);

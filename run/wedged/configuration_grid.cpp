@@ -98,7 +98,7 @@ pictures::UnstructuredGrid ConfigurationGrids::grid(const GridFacts& facts,
 
 pictures::UnstructuredGrid ConfigurationGrids::grid(const GridFacts& facts, std::uint32_t block,
                                                     const wedged::SignPattern& pattern,
-                                                    const support::IndexSet& idle,
+                                                    const support::IndexSet& inactive,
                                                     std::span<const double> reactions,
                                                     std::span<const double> displacements) const {
   const auto& problem = states_.problem();
@@ -108,7 +108,7 @@ pictures::UnstructuredGrid ConfigurationGrids::grid(const GridFacts& facts, std:
   };
   set(pattern.contact, ContactState::contact);
   set(pattern.separated, ContactState::separated);
-  set(pattern.at_rest | idle, ContactState::at_rest);
+  set(pattern.at_rest | inactive, ContactState::at_rest);
   return grid(facts, of_all_candidates(problem, block, reactions),
               of_all_candidates(problem, block, displacements), contact);
 }

@@ -42,7 +42,7 @@ class ConfigurationGrids {
   /// Configuration of one block; candidates of other blocks are inactive.
   [[nodiscard]] pictures::UnstructuredGrid grid(const GridFacts& facts, std::uint32_t block,
                                                 const wedged::SignPattern& pattern,
-                                                const support::IndexSet& idle,
+                                                const support::IndexSet& inactive,
                                                 std::span<const double> reactions,
                                                 std::span<const double> displacements) const;
 

@@ -130,12 +130,12 @@ std::string contact_text(const problems::WedgedProblem& problem,
 }
 
 ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
-                          const wedged::SignPattern& pattern, const support::IndexSet& idle) {
+                          const wedged::SignPattern& pattern, const support::IndexSet& inactive) {
   ordered_json json;
   if (problem.blocks.size() > 1) json["block"] = block + 1;
   json["contact"] = candidate_names(problem, pattern.contact);
   json["separated"] = candidate_names(problem, pattern.separated);
-  const auto at_rest = pattern.at_rest | idle;
+  const auto at_rest = pattern.at_rest | inactive;
   if (!at_rest.empty()) json["at_rest"] = candidate_names(problem, at_rest);
   return json;
 }

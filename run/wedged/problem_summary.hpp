@@ -39,11 +39,11 @@ std::string contact_text(const problems::WedgedProblem& problem,
                          const wedged::SignPattern& pattern);
 
 /// Candidates in contact, separated and inactive; the number of the block, from 1, if there are
-/// several. Candidates of blocks that cannot wedge are inactive as well, see `idle`.
-/// @param idle candidates of such blocks
+/// several. Candidates of blocks that cannot wedge are inactive as well, see `inactive`.
+/// @param inactive candidates of such blocks
 nlohmann::ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
                                     const wedged::SignPattern& pattern,
-                                    const support::IndexSet& idle = {});
+                                    const support::IndexSet& inactive = {});
 
 /// Words as one cell of a table; "-" if there are none.
 std::string listed(const std::vector<std::string>& words);

@@ -3,12 +3,10 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 #include <boost/serialization/array.hpp>
 
-#include "engine/counts.hpp"
 #include "engine/index_range.hpp"
 #include "engine/search.hpp"
 #include "engine/together.hpp"
@@ -35,7 +33,8 @@ LoadedProblem without_dead(LoadedProblem loaded) {
   return loaded;
 }
 
-/// Problem type of engine::search: the patterns, one by one.
+/// Problem type of engine::search: the patterns, one by one. Unlike engine::share_work, a search
+/// obeys the limits of the run.
 class FirmnessSearch {
  public:
   using Node = engine::IndexRange;
@@ -48,12 +47,6 @@ class FirmnessSearch {
     void serialize(Archive& archive, unsigned /*version*/) {
       archive& number& ends;
     }
-  };
-
-  struct Tally : engine::Counts<Tally> {
-    std::uint64_t patterns = 0;
-
-    static constexpr auto fields() { return std::tuple{field("patterns", &Tally::patterns)}; }
   };
 
   FirmnessSearch(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
@@ -74,7 +67,6 @@ class FirmnessSearch {
     if (engine::branch_into_halves(node, 1, out)) return;
     const auto& leaf = leaves_[node.first];
     const auto& block = blocks_[leaf.block];
-    ++tally_.patterns;
     if (leaf.state != LeafState::feasible || !acts(block, 0)) return;
     const SignPattern own = own_leaf(leaf, candidates_[leaf.block]);
     std::vector<HoldCost> costs;
@@ -83,8 +75,6 @@ class FirmnessSearch {
     out.solution({node.first, {found.low_out, found.low, found.high, found.high_out}});
   }
 
-  [[nodiscard]] Tally tally() const { return tally_; }
-
  private:
   engine::Analysis& analysis_;
   double mu_;
@@ -92,7 +82,6 @@ class FirmnessSearch {
   HoldQuestion question_;
   std::vector<support::IndexSet> candidates_;
   std::vector<LoadedProblem> blocks_;
-  Tally tally_;
 };
 
 }  // namespace
