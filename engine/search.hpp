@@ -24,27 +24,18 @@
 #include <thread>
 #include <utility>
 
-#include "engine/detail/problem_check.hpp"
 #include "engine/detail/worker.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
+#include "engine/search_declaration.hpp"
 #include "engine/transport/single_process.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {
 
-/// Searches the tree of `problem` on all ranks of `transport`. Every rank makes the same call with
-/// its own copy of the problem.
-///
-/// @pre `P` is a Problem (engine/problem.hpp); otherwise compilation fails with a sentence
-/// @post every node is opened exactly once, on one rank; apart from the statistics, the outcome on
-///     rank 0 depends neither on the number of ranks nor on timing
-/// @return an Outcome<P>
-/// @throws ExpansionFailed if `expand` throws and the search runs in this process alone; over MPI
-///   one line is printed and all ranks end
 template <class P>
-OutcomeOf<P> search(P& problem, Transport& transport, const Options& options = {}) {
+OutcomeOf<P> search(P& problem, Transport& transport, const Options& options) {
   if constexpr (CheckedProblem<P>::sound) {
     try {
       Worker<P> worker(problem, transport, options);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/search.hpp"
+
 namespace kusabi::benchmark {
 namespace {
 
@@ -62,3 +64,6 @@ RecordedTree RecordedTree::read(std::istream& stream, const std::string& name) {
 }
 
 }  // namespace kusabi::benchmark
+
+template kusabi::engine::OutcomeOf<kusabi::benchmark::RecordedTree> kusabi::engine::search(
+    kusabi::benchmark::RecordedTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

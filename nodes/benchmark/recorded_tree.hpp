@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/search_declaration.hpp"
+
 namespace kusabi::benchmark {
 
 /// The tree as a problem of engine::simulate. Copies share the recording.
@@ -80,3 +82,6 @@ class RecordedTree {
 };
 
 }  // namespace kusabi::benchmark
+
+extern template kusabi::engine::OutcomeOf<kusabi::benchmark::RecordedTree> kusabi::engine::search(
+    kusabi::benchmark::RecordedTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

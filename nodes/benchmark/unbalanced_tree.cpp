@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/search.hpp"
+
 namespace kusabi::benchmark {
 namespace {
 
@@ -58,3 +60,6 @@ std::uint32_t UnbalancedTree::children(const Node& node) const {
 }
 
 }  // namespace kusabi::benchmark
+
+template kusabi::engine::OutcomeOf<kusabi::benchmark::UnbalancedTree> kusabi::engine::search(
+    kusabi::benchmark::UnbalancedTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

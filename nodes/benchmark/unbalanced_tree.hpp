@@ -14,6 +14,7 @@
 
 #include <boost/serialization/array.hpp>
 
+#include "engine/search_declaration.hpp"
 #include "support/sha1.hpp"
 
 namespace kusabi::benchmark {
@@ -125,3 +126,6 @@ class UnbalancedTree {
 };
 
 }  // namespace kusabi::benchmark
+
+extern template kusabi::engine::OutcomeOf<kusabi::benchmark::UnbalancedTree> kusabi::engine::search(
+    kusabi::benchmark::UnbalancedTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/search.hpp"
+
 namespace kusabi::zero_one {
 namespace {
 
@@ -276,3 +278,6 @@ void ZeroOneTree::branch(const Node& node, const Split& split, bool one_first, O
 }
 
 }  // namespace kusabi::zero_one
+
+template kusabi::engine::OutcomeOf<kusabi::zero_one::ZeroOneTree> kusabi::engine::search(
+    kusabi::zero_one::ZeroOneTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

@@ -20,6 +20,7 @@
 
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
+#include "engine/search_declaration.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
 #include "nodes/zero_one/relaxation.hpp"
@@ -134,3 +135,6 @@ class ZeroOneTree {
 };
 
 }  // namespace kusabi::zero_one
+
+extern template kusabi::engine::OutcomeOf<kusabi::zero_one::ZeroOneTree> kusabi::engine::search(
+    kusabi::zero_one::ZeroOneTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

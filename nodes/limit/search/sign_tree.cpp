@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/search.hpp"
+
 namespace kusabi::limit {
 namespace {
 
@@ -170,3 +172,6 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
 }
 
 }  // namespace kusabi::limit
+
+template kusabi::engine::OutcomeOf<kusabi::limit::SignTree> kusabi::engine::search(
+    kusabi::limit::SignTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

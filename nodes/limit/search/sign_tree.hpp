@@ -15,6 +15,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/expansion.hpp"
+#include "engine/search_declaration.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 
 namespace kusabi::limit {
@@ -111,3 +112,6 @@ class SignTree {
 };
 
 }  // namespace kusabi::limit
+
+extern template kusabi::engine::OutcomeOf<kusabi::limit::SignTree> kusabi::engine::search(
+    kusabi::limit::SignTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

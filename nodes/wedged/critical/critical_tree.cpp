@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/search.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -120,3 +121,6 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
 }
 
 }  // namespace kusabi::wedged
+
+template kusabi::engine::OutcomeOf<kusabi::wedged::CriticalTree> kusabi::engine::search(
+    kusabi::wedged::CriticalTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

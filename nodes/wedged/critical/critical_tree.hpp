@@ -17,6 +17,7 @@
 
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
+#include "engine/search_declaration.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/relaxation/branching.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
@@ -122,3 +123,6 @@ class CriticalTree {
 };
 
 }  // namespace kusabi::wedged
+
+extern template kusabi::engine::OutcomeOf<kusabi::wedged::CriticalTree> kusabi::engine::search(
+    kusabi::wedged::CriticalTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/search.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -84,3 +85,6 @@ void PatternBisection::begin(const Node& node, engine::Expansion<PatternBisectio
 }
 
 }  // namespace kusabi::wedged
+
+template kusabi::engine::OutcomeOf<kusabi::wedged::PatternBisection> kusabi::engine::search(
+    kusabi::wedged::PatternBisection&, kusabi::engine::Transport&, const kusabi::engine::Options&);

@@ -18,6 +18,7 @@
 
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
+#include "engine/search_declaration.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
 
@@ -90,3 +91,6 @@ class PatternBisection {
 };
 
 }  // namespace kusabi::wedged
+
+extern template kusabi::engine::OutcomeOf<kusabi::wedged::PatternBisection> kusabi::engine::search(
+    kusabi::wedged::PatternBisection&, kusabi::engine::Transport&, const kusabi::engine::Options&);

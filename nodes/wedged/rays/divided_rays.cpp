@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/search.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::wedged {
@@ -63,3 +64,6 @@ void DividedRays::expand(Node&& node, engine::Expansion<DividedRays>& out) {
 }
 
 }  // namespace kusabi::wedged
+
+template kusabi::engine::OutcomeOf<kusabi::wedged::DividedRays> kusabi::engine::search(
+    kusabi::wedged::DividedRays&, kusabi::engine::Transport&, const kusabi::engine::Options&);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/search_declaration.hpp"
 #include "nodes/wedged/rays/ray_tree.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
@@ -61,3 +62,6 @@ class DividedRays {
 };
 
 }  // namespace kusabi::wedged
+
+extern template kusabi::engine::OutcomeOf<kusabi::wedged::DividedRays> kusabi::engine::search(
+    kusabi::wedged::DividedRays&, kusabi::engine::Transport&, const kusabi::engine::Options&);

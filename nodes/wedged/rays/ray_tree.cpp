@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "engine/search.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::wedged {
@@ -64,3 +65,6 @@ RayTree::Opened RayTree::open(const Node& node) {
 }
 
 }  // namespace kusabi::wedged
+
+template kusabi::engine::OutcomeOf<kusabi::wedged::RayTree> kusabi::engine::search(
+    kusabi::wedged::RayTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

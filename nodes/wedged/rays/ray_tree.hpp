@@ -16,6 +16,7 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/search_declaration.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
@@ -106,3 +107,6 @@ class RayTree {
 };
 
 }  // namespace kusabi::wedged
+
+extern template kusabi::engine::OutcomeOf<kusabi::wedged::RayTree> kusabi::engine::search(
+    kusabi::wedged::RayTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "engine/search.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -54,3 +55,6 @@ void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
 }
 
 }  // namespace kusabi::wedged
+
+template kusabi::engine::OutcomeOf<kusabi::wedged::SweepTree> kusabi::engine::search(
+    kusabi::wedged::SweepTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

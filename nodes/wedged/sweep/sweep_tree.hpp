@@ -8,6 +8,7 @@
 
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
+#include "engine/search_declaration.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/sweep/leaf_history.hpp"
 #include "nodes/wedged/tree/pollable.hpp"
@@ -72,3 +73,6 @@ class SweepTree {
 };
 
 }  // namespace kusabi::wedged
+
+extern template kusabi::engine::OutcomeOf<kusabi::wedged::SweepTree> kusabi::engine::search(
+    kusabi::wedged::SweepTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

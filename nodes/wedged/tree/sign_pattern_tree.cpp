@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/search.hpp"
 #include "nodes/wedged/relaxation/degenerate_node.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -336,3 +337,6 @@ void SignPatternTree::report_open(const Node& node) {
 }
 
 }  // namespace kusabi::wedged
+
+template kusabi::engine::OutcomeOf<kusabi::wedged::SignPatternTree> kusabi::engine::search(
+    kusabi::wedged::SignPatternTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);

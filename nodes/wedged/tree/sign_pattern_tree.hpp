@@ -29,6 +29,7 @@
 
 #include "engine/expansion.hpp"
 #include "engine/path.hpp"
+#include "engine/search_declaration.hpp"
 #include "nodes/wedged/relaxation/block_relaxation.hpp"
 #include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
@@ -133,3 +134,6 @@ class SignPatternTree {
 };
 
 }  // namespace kusabi::wedged
+
+extern template kusabi::engine::OutcomeOf<kusabi::wedged::SignPatternTree> kusabi::engine::search(
+    kusabi::wedged::SignPatternTree&, kusabi::engine::Transport&, const kusabi::engine::Options&);
