@@ -83,7 +83,7 @@ class Expansion {
   void put_back(Node node) { put_back_ = std::move(node); }
 
   /// The node that was put back, if any; called by the engine.
-  [[nodiscard]] std::optional<Node> take_put_back() { return std::exchange(put_back_, {}); }
+  [[nodiscard]] std::optional<Node>& unopened() { return put_back_; }
 
   /// Path of the node being expanded.
   [[nodiscard]] Path path() const { return open_.path(); }

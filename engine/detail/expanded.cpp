@@ -1,9 +1,10 @@
-// Comparison of two expansions of a node.
+// Comparison of two expansions of a node, and the exceptions of expansions.
 #include "engine/detail/expanded.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <exception>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -23,6 +24,16 @@ std::string precise(double value) {
 }
 
 }  // namespace
+
+void rethrow_from_expand(const Path& path) {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    std::throw_with_nested(ExpansionFailed(path, error.what()));
+  } catch (...) {
+    std::throw_with_nested(ExpansionFailed(path, "an unknown exception"));
+  }
+}
 
 std::optional<std::string> difference(const Expanded& first, const Expanded& second) {
   const auto children = std::min(first.children.size(), second.children.size());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -27,21 +26,6 @@
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
-
-/// An exception thrown by `expand`, nested, with the path of the node.
-class ExpansionFailed : public std::runtime_error {
- public:
-  ExpansionFailed(const Path& path, const std::string& reason)
-      : std::runtime_error("node " + to_string(path) + ": " + reason) {}
-};
-
-/// Two expansions of a node that differ (Options::check_expand).
-class ExpansionDiffers : public std::logic_error {
- public:
-  ExpansionDiffers(const Path& path, const std::string& what)
-      : std::logic_error("node " + to_string(path) + ": opened twice, " + what +
-                         "; expected that expand depends on the node alone") {}
-};
 
 template <class P>
 class Explorer {
@@ -71,6 +55,7 @@ class Explorer {
         order_(options.order),
         check_share_(options.check_expand),
         record_(options.record),
+        watched_(check_share_ > 0 || record_),
         heap_(options.heap_nodes, options.heap_bytes),
         solutions_(problem, options),
         expansion_(
@@ -267,21 +252,19 @@ class Explorer {
   // @return whether it was opened, or pruned: not put back
   bool open_node() {
     Node node = frontier_.open();
-    bound_ = bound_of(node);
+    if (looks_at_bounds()) bound_ = rank_of(node);
     if (solutions_.incumbent().rules_out(bound_, frontier_.place())) {
       ++statistics_.pruned;
     } else {
       ++statistics_.opened;
       statistics_.fingerprint += frontier_.mark();
-      if (check_share_ > 0 && is_checked(frontier_.mark())) [[unlikely]] {
-        expand_twice(std::move(node));
+      if (watched_) [[unlikely]] {
+        expand_watched(std::move(node));
       } else {
         expand(std::move(node));
       }
-      if (auto unopened = expansion_.take_put_back()) [[unlikely]] {
-        --statistics_.opened;
-        statistics_.fingerprint -= frontier_.mark();
-        frontier_.put_back(stored<P>(*std::move(unopened)));
+      if (expansion_.unopened()) [[unlikely]] {
+        put_back();
         return false;
       }
     }
@@ -289,10 +272,23 @@ class Explorer {
     return true;
   }
 
+  void put_back() {
+    --statistics_.opened;
+    statistics_.fingerprint -= frontier_.mark();
+    frontier_.put_back(stored<P>(std::move(*std::exchange(expansion_.unopened(), {}))));
+  }
+
+  // Expands a node for Options::check_expand and Options::record.
+  void expand_watched(Node&& node) {
+    const double begun = record_ ? cpu_seconds() : 0;
+    is_checked(frontier_.mark()) ? expand_twice(std::move(node)) : expand(std::move(node));
+    if (record_) record_(frontier_.depth(), cpu_seconds() - begun);
+  }
+
   // A pseudo-random share of the nodes, the same for any number of ranks.
   [[nodiscard]] bool is_checked(std::uint64_t mark) const {
     constexpr double all_hashes = 0x1p64;
-    return static_cast<double>(hash_of_mark(mark)) <= check_share_ * all_hashes;
+    return check_share_ > 0 && static_cast<double>(hash_of_mark(mark)) <= check_share_ * all_hashes;
   }
 
   // Expands a node twice with the same incumbent; the first result is only compared.
@@ -321,23 +317,11 @@ class Explorer {
   }
 
   void expand(Node&& node) {
-    if (record_) [[unlikely]] {
-      const double begun = cpu_seconds();
-      expand_guarded(std::move(node));
-      record_(frontier_.depth(), cpu_seconds() - begun);
-    } else {
-      expand_guarded(std::move(node));
-    }
-  }
-
-  void expand_guarded(Node&& node) {
     expanding_ = true;
     try {
       problem_.expand(std::move(node_of(node)), expansion_);
-    } catch (const std::exception& error) {
-      std::throw_with_nested(ExpansionFailed(frontier_.path(), error.what()));
     } catch (...) {
-      std::throw_with_nested(ExpansionFailed(frontier_.path(), "an unknown exception"));
+      rethrow_from_expand(frontier_.path());
     }
     expanding_ = false;
   }
@@ -347,6 +331,7 @@ class Explorer {
   Order order_;
   double check_share_;  // share of the nodes that are expanded twice
   const std::function<void(std::size_t, double)>& record_;
+  bool watched_;  // nodes are expanded twice or recorded
   Expanded* expanded_ = nullptr;        // of the node that is being expanded twice
   Frontier<Node, WorkOf<P>> frontier_;  // the part searched depth first
   // bundles that follow the frontier; used with depth-first order only
@@ -355,7 +340,7 @@ class Explorer {
   Solutions<P> solutions_;
   Expansion<P> expansion_;
   bool expanding_ = false;
-  double bound_ = 0;  // of the node opened last, if the goal looks at bounds
+  double bound_ = bound_of_any();  // of the node opened last
   double closed_ = 0;
   RankStatistics statistics_;
 };

@@ -50,7 +50,6 @@ class Frontier {
     ensure(!nodes_.empty(), "a node is opened only if one waits");
     auto& next = nodes_.back();
     depth_ = next.depth;
-    branches_ = 0;
     if (depth_ == 0) {
       mark_ = root_mark;
       share_ = 1;
@@ -63,44 +62,42 @@ class Frontier {
     trail_[depth_].branch = next.branch;
     Node node = std::move(next.node);
     nodes_.pop_back();
-    first_child_ = nodes_.size();
     return node;
   }
 
   /// Adds a child of the node opened last; it is opened after the children added before it.
-  void branch(Node&& child) { nodes_.emplace_back(std::move(child), depth_ + 1, branches_++); }
+  void branch(Node&& child) { nodes_.emplace_back(std::move(child), depth_ + 1, children_++); }
 
   /// Calls `look(child)` for the children added so far to the node opened last.
   template <class Look>
   void for_each_child(Look look) const {
-    for (std::size_t place = first_child_; place < nodes_.size(); ++place) look(nodes_[place].node);
+    for (std::size_t place = settled(); place < nodes_.size(); ++place) look(nodes_[place].node);
   }
 
   /// Removes all children added to the node opened last.
   void take_back() {
-    nodes_.shorten(first_child_);
-    branches_ = 0;
+    nodes_.shorten(settled());
+    children_ = 0;
   }
 
   /// Ends the expansion of the node opened last as if it had not begun: the node is open again.
   void put_back(Node&& node) {
     take_back();
     nodes_.emplace_back(std::move(node), depth_, trail_[depth_].branch);
-    first_child_ = nodes_.size();
   }
 
   /// Ends the expansion of the node opened last: its first child moves to the top of the stack.
   /// @return the closed share of the tree: the share of the node if it has no children, otherwise 0
   double close() {
-    if (branches_ == 0) return share_;  // the frequent case returns early
-    TrailStep& step = trail_[depth_];
-    step.branches = branches_;
-    step.hash = hash_of_mark(mark_);
-    step.share_of_each = share_ / (branches_ - 1 + Work::of_first_child);
+    if (children_ == 0) return share_;  // the frequent case returns early
+    const auto step = trail_.begin() + depth_;
+    step->branches = children_;
+    step->hash = hash_of_mark(mark_);
+    step->share_of_each = share_ / (children_ - 1 + Work::of_first_child);
     // The trail never shrinks, so that it is rarely reallocated.
-    if (trail_.size() < depth_ + std::size_t{2}) trail_.resize(depth_ + std::size_t{2});
-    nodes_.reverse_from(first_child_);
-    first_child_ = nodes_.size();
+    if (step + 1 == trail_.end()) trail_.resize(depth_ + std::size_t{2});
+    nodes_.reverse_last(children_);
+    children_ = 0;
     peak_ = std::max(peak_, nodes_.size());
     return 0;
   }
@@ -121,7 +118,6 @@ class Frontier {
   /// Removes and returns all open nodes. @pre not empty(); no node is being expanded
   Bundle<Node> take_all() {
     const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
-    first_child_ = 0;
     return {{trail_.begin(), trail_.begin() + deepest}, nodes_.take_all()};
   }
 
@@ -131,8 +127,11 @@ class Frontier {
   /// Depth of the node opened last; 0 for the root.
   [[nodiscard]] std::size_t depth() const { return depth_; }
 
-  /// Number of children so far of the node opened last.
-  [[nodiscard]] std::uint32_t branches() const { return branches_; }
+  /// Number of children of the node opened last. @pre its expansion has ended, and all of them are
+  /// open
+  [[nodiscard]] std::uint32_t branches() const {
+    return empty() || nodes_.back().depth <= depth_ ? 0 : trail_[depth_].branches;
+  }
 
   /// The path of the node opened last.
   [[nodiscard]] Path path() const {
@@ -168,7 +167,7 @@ class Frontier {
 
   /// True if a node can be given away and one is left here. Children that the current expansion is
   /// still adding cannot be given away.
-  [[nodiscard]] bool can_give() const { return first_child_ >= 2; }
+  [[nodiscard]] bool can_give() const { return settled() >= 2; }
 
   /// Removes and returns every other node from the shallowest on, hence half of them; fewer if they
   /// would exceed `limit` bytes, but at least one. (Giving the older half needs ten times as many
@@ -177,8 +176,7 @@ class Frontier {
   Bundle<Node> give(std::size_t limit) {
     ensure(can_give(), "a frontier gives nodes only if one is left");
     Bundle<Node> transfer;
-    transfer.nodes = nodes_.give(first_child_ / 2, limit);
-    first_child_ -= transfer.nodes.size();
+    transfer.nodes = nodes_.give(settled() / 2, limit);
     const auto deepest = static_cast<std::ptrdiff_t>(transfer.nodes.back().depth);
     transfer.trail.assign(trail_.begin(), trail_.begin() + deepest);
     return transfer;
@@ -191,20 +189,21 @@ class Frontier {
     trail_ = std::move(bundle.trail);
     nodes_ = NodeStack<Node>(std::move(bundle.nodes));
     trail_.resize(nodes_.back().depth + std::size_t{1});
-    first_child_ = nodes_.size();
     peak_ = std::max(peak_, nodes_.size());
   }
 
  private:
+  // Number of open nodes without the children that the current expansion has added.
+  [[nodiscard]] std::size_t settled() const { return nodes_.size() - children_; }
+
   NodeStack<Node> nodes_;
   std::vector<TrailStep> trail_;  // used down to depth_ only
   // Of the node opened last:
   std::uint32_t depth_ = 0;
-  std::uint32_t branches_ = 0;
+  std::uint32_t children_ = 0;  // so far; 0 when its expansion has ended
   std::uint64_t mark_ = 0;
   double share_ = 0;
 
-  std::size_t first_child_ = 0;  // nodes_ from here on are children still being branched
   std::size_t peak_ = 0;
 };
 

@@ -149,9 +149,9 @@ class NodeStack {
     nodes_.emplace_back(std::move(node), depth, branch);
   }
 
-  /// Reverses the order of the nodes from index `place` on.
-  void reverse_from(std::size_t place) {
-    std::reverse(nodes_.begin() + static_cast<std::ptrdiff_t>(front_ + place), nodes_.end());
+  /// Reverses the order of the last `count` nodes.
+  void reverse_last(std::uint32_t count) {
+    std::reverse(nodes_.end() - static_cast<std::ptrdiff_t>(count), nodes_.end());
   }
 
   /// Removes and returns the nodes 0, 2, 4, ...: `count` of them, or as many as fit into `limit`
