@@ -20,7 +20,7 @@ struct IndexRange {
 };
 
 /// Branches a range of more than `most` indices into its halves.
-/// @return whether it has branched; a range that has not is the caller's to work on
+/// @return true if the range was branched; otherwise the caller processes it
 /// @tparam Expansion that of a problem whose nodes are ranges
 template <class Expansion>
 bool branch_into_halves(const IndexRange& range, std::uint64_t most, Expansion& out) {

@@ -37,9 +37,8 @@ concept Fingerprinted = requires(const P& problem) {
 /// to the program (`own_words`), which constructs the problem from them, equally on all ranks.
 /// @param report called with the outcome on rank 0, also if the search has stopped early
 /// @param options of the program itself; those of the command line take precedence
-/// @return the exit code of the program: 0 the whole tree is searched, or the gap
-///     reached, 1 an error, 2 a wrong
-///     option, 3 stopped early
+/// @return the exit code of the program: 0 the whole tree is searched or the gap is reached, 1 an
+///   error, 2 a wrong option, 3 stopped early
 template <class P, class Report>
 int run(int argc, char** argv, P& problem, Report report, const Options& options = {}) {
   try {

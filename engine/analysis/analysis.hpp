@@ -1,5 +1,5 @@
-// Analysis: an analysis that runs several searches in sequence, with its limits, progress output
-// and journal. By default it has no limits and no output.
+// Analysis: a sequence of searches, shared work and work of rank 0, with common limits, progress
+// output and a journal; by default without any of these.
 #pragma once
 
 #include <algorithm>
@@ -123,7 +123,7 @@ class Analysis {
     return part<std::invoke_result_t<Make>>([&] { return from_first_rank(transport_, make); });
   }
 
-  /// Since it began.
+  /// Seconds since the analysis began.
   [[nodiscard]] double seconds() const { return budget_.seconds(); }
 
   /// True on all ranks if the budget of rank 0 is spent.
@@ -131,8 +131,8 @@ class Analysis {
     return from_first_rank(transport_, [this] { return budget_.spent(); });
   }
 
-  /// engine::search on this rank alone, within what is left of the budget, watched: for
-  /// by_first_rank. Its nodes are counted by whoever calls that.
+  /// engine::search on this rank alone, within the remaining budget and with progress output, for
+  /// use inside by_first_rank(). The caller of that counts the nodes.
   template <class P>
   OutcomeOf<P> search_alone(P& problem, Options options) {
     complete(options, {});

@@ -249,7 +249,7 @@ class Explorer {
     keep(frontier_.take_all());
   }
 
-  // @return whether it was opened, or pruned: not put back
+  // @return true if it was opened, or pruned: not put back
   bool open_node() {
     Node node = frontier_.open();
     if (looks_at_bounds()) bound_ = rank_of(node);

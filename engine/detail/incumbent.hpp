@@ -28,9 +28,8 @@ struct Incumbent {
   /// True if no solution below a node can be better than the incumbent. (If the node's path is not
   /// smaller than that of the incumbent, no path below it is.)
   /// @param bound lower bound of the objectives below the node
-  /// @param place the node's path, or an object that compares with a path by <=>; it is read only
-  ///     if
-  ///   the objectives are equal
+  /// @param place the node's path, or an object that compares with a path by <=>; read only if the
+  ///   objectives are equal
   /// @throws std::domain_error if the bound is NaN
   template <class Place = Path>
   [[nodiscard]] bool rules_out(double bound, const Place& place) const {

@@ -62,9 +62,8 @@ class Rank {
  public:
   /// All arguments must outlive the rank. Rank 0 adds the root unless the search resumes from a
   /// checkpoint.
-  /// @throws CheckpointError if the checkpoint to resume from cannot be read or is of another
-  ///     search,
-  ///   or if another checkpoint would be overwritten
+  /// @throws CheckpointError if the checkpoint to resume from cannot be read or belongs to another
+  ///   search, or if another checkpoint would be overwritten
   /// @throws std::invalid_argument if a checkpoint is given without the problem's fingerprint
   Rank(LocalSearch& local, Transport& transport, const Options& options);
   Rank(const Rank&) = delete;

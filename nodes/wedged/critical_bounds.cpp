@@ -73,10 +73,6 @@ constexpr double growth = 8;
 /// a grid point is undecided there, so its bracket has two widths.
 constexpr double wide = 2.5;
 
-bool is_cone(const Configuration& leaf) {
-  return leaf.state == LeafState::feasible || leaf.state == LeafState::flat;
-}
-
 engine::Status why(engine::Analysis& analysis) {
   return engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().why(); });
 }
@@ -395,7 +391,7 @@ engine::Status CriticalBounds::prove_by_any(double factor) {
     return engine::Status::solved;
   const auto decided = decide(
       CriticalEnd::upper, factor, CriticalPhase::upper_end, recorder_,
-      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
+      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, &Configuration::is_cone); },
       engine::Limits{}.nodes);
   if (!decided.solved()) return decided.status;
   for (const LeafState state : {LeafState::feasible, LeafState::flat}) {
@@ -414,10 +410,10 @@ engine::Status CriticalBounds::list(CriticalFindings& findings) {
   const double factor = bracket_.upper().value_or(question_.grid.most);
   const auto decided = decide(
       CriticalEnd::upper, factor, CriticalPhase::list, recorder_,
-      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
+      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, &Configuration::is_cone); },
       question_.list_nodes);
   std::vector<Configuration> cones;
-  std::ranges::copy_if(decided.leaves, std::back_inserter(cones), is_cone);
+  std::ranges::copy_if(decided.leaves, std::back_inserter(cones), &Configuration::is_cone);
   const bool own_limit = decided.status == engine::Status::node_limit && !analysis_.ended();
   if (!decided.solved()) {
     findings.open.push_back(CriticalDoubt::list_not_complete);

@@ -35,8 +35,8 @@ enum class Proving {
   always,     ///< for structures of any size
 };
 
-/// Largest ratio of the scales of a structure for tolerances of 1e-10 and 1e-12 relative to the
-/// largest number; above it, smaller numbers may be significant.
+/// Largest scale ratio of a structure for which the tolerances 1e-10 and 1e-12, relative to the
+/// largest number, are safe. Above it numbers below these may be significant.
 inline constexpr double wide_scales = 1e7;
 
 /// Threshold of |t*| above which its sign is used with the exact test, although it is zero in
@@ -62,8 +62,8 @@ struct ExactTest {
 /// The answer, on rank 0.
 struct PatternFindings {
   engine::Outcome<SignPatternTree> outcome;
-  /// The maximal cones, then undecided leaves. Without the feasible leaves if these are recorded;
-  /// flat ones may then be contained in these (remove_flat()).
+  /// The maximal cones, then undecided leaves. With a LeafRecorder: without the feasible leaves;
+  /// flat cones that a recorded leaf contains are then still here (remove_flat()).
   std::vector<Configuration> leaves;
   /// Those of largest margin, in this order, if the feasible leaves are recorded.
   std::vector<Configuration> largest;

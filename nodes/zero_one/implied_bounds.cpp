@@ -40,7 +40,7 @@ class Propagation {
  public:
   explicit Propagation(ColumnBounds& bounds) : bounds_(bounds) {}
 
-  /// @return whether a bound changed
+  /// @return true if a bound changed
   bool apply(const Row& row) {
     const std::size_t count = row.terms.size();
     // Sums over the terms before and from each one on; both together leave one out, without a

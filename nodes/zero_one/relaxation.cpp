@@ -198,7 +198,7 @@ void Relaxation::conclude_precisely() {
   }
 }
 
-// @return whether the solution decides the program
+// @return true if the solution decides the program
 bool Relaxation::conclude_from(const linear::PreciseSolution& solution) {
   using linear::Residuals;
   const auto residuals = proves_ ? Residuals::proved : Residuals::forgiven;

@@ -61,7 +61,7 @@ void Hold::describe(OptionTable& table) {
       .needs("--mu");
   table
       .flag("--grip", options_.grip,
-            "compute also the least and the largest sum of the normal reactions over all states "
+            "also compute the least and the largest sum of the normal reactions over all states "
             "under the dead load")
       .needs("--mu");
   table
@@ -70,7 +70,7 @@ void Hold::describe(OptionTable& table) {
             "their sign patterns")
       .needs("--mu");
   table.output();
-  table.csv_of("intervals, or of the corners of the pieces");
+  table.csv_of("intervals, or of the vertices of the pieces");
   table.further_output("--svg", "SVG file of the pieces, or of the intervals");
   table
       .file("--certificate", options_.certificate, Role::evidence,
@@ -132,10 +132,10 @@ wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
   for (const auto& load : structure_->loads) {
     const bool dead = load.kind == problems::Load::Kind::dead;
     if (dead == load.load_case.empty()) continue;
-    throw WrongInput(
-        fmt::format("{}: --diagram: {}", file,
-                    dead ? "a dead load is of a load case; expected dead loads of all cases"
-                         : "a reference load is of no load case; expected one of two"));
+    throw WrongInput(fmt::format(
+        "{}: --diagram: {}", file,
+        dead ? "a dead load belongs to one load case; expected dead loads common to all cases"
+             : "a reference load belongs to no load case; expected one of the two"));
   }
   auto loaded = wedged::loaded_problem(structure_, {options_.cases[0], options_.cases[1]}, work);
   if (!loaded.has_reference || !loaded.has_second) {
@@ -158,13 +158,15 @@ void Hold::check() const {
   const bool others = options_.grip || options_.question.total || !options_.load_case.empty() ||
                       !options_.certificate.empty();
   if (options_.diagram && others) {
-    throw WrongInput("--diagram: expected it without --case, --total, --grip and --certificate");
+    throw WrongInput(
+        "--diagram: cannot be combined with --case, --total, --grip or --certificate; expected "
+        "--diagram alone");
   }
 }
 
 void Hold::prepare(CommandRun& run) {
   if (!options_.mu && (run.wants("--csv") || run.wants("--svg")))
-    throw WrongInput("--csv, --svg: of load factors that are held; expected --mu beside it");
+    throw WrongInput("--csv, --svg: without --mu there are no load factors; expected --mu");
   auto [structure, facets] = options_.input.structure_and_facets(run);
   structure_ = std::move(structure);
   facets_ = std::move(facets);

@@ -42,7 +42,8 @@ class Import final : public Subcommand {
   }
   void check() const override {
     if (!problems::is_abaqus_file(file_))
-      throw WrongInput(fmt::format("{}: no input deck; expected a file ....inp", file_));
+      throw WrongInput(
+          fmt::format("{}: not an input deck; expected a file name that ends in .inp", file_));
     const auto comma = units_.find(',');
     const bool two = comma != std::string::npos && comma > 0 && comma + 1 < units_.size();
     if (!units_.empty() && !two)

@@ -61,6 +61,9 @@ class Patterns final : public Subcommand {
  private:
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
   [[nodiscard]] bool whole() const { return findings_->whole(); }
+  void describe_tree(OptionTable& table);
+  void describe_table(OptionTable& table);
+  void describe_limits(OptionTable& table);
   void check_lines() const;
   Step result_lines(CommandRun& run);
   [[nodiscard]] PatternsReport report() const;
@@ -84,11 +87,37 @@ class Patterns final : public Subcommand {
 };
 
 void Patterns::describe(OptionTable& table) {
-  using wedged::Branching;
-  using wedged::FacetBound;
   table_ = &table;
   table.problem(options_.input.file);
   table.friction(options_.friction).swept();
+  describe_tree(table);
+  describe_table(table);
+  table.output();
+  table
+      .choice("--format", options_.lines, {{"json", false}, {"jsonl", true}},
+              "format of the result file: one object (json), or a line per pattern (jsonl), for "
+              "more than about 100,000 patterns. All ranks write the lines during the search, and "
+              "memory does not grow with their number; an object takes 5 kB of memory per pattern")
+      .needs("--output");
+  table.csv_of("patterns");
+  table.pictures(vtu_, "pattern", "patterns.pvd");
+  table.whole_states(
+      options_.whole, "patterns",
+      fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
+  describe_limits(table);
+  table.file("--trace", trace_, Role::output, "timeline of all ranks, for ui.perfetto.dev");
+  table.file("--certificate", options_.certificate, Role::evidence,
+             "certificate file, for kusabi verify");
+  table.flag("--exists", options_.exists,
+             "find one pattern, or prove that there is none. Large decoupled subproblems are first "
+             "searched without a tree");
+  table.prove(options_.prove, "test every node in exact arithmetic, as kusabi verify does");
+  table.quiet_and_serial();
+}
+
+void Patterns::describe_tree(OptionTable& table) {
+  using wedged::Branching;
+  using wedged::FacetBound;
   // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
   // to find.
   table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
@@ -124,6 +153,10 @@ void Patterns::describe(OptionTable& table) {
             "list all patterns found with polyhedral cones, each with the result of its test")
       .needs("--method")
       .varies();
+}
+
+// Order, groups and length of the table, and the order of the search.
+void Patterns::describe_table(OptionTable& table) {
   table
       .choice("--sort", options_.sort,
               {{"number", PatternSort::number},
@@ -152,18 +185,9 @@ void Patterns::describe(OptionTable& table) {
               "order in which nodes are opened. The patterns are the same; breadth-first requires "
               "more memory")
       .varies();
-  table.output();
-  table
-      .choice("--format", options_.lines, {{"json", false}, {"jsonl", true}},
-              "format of the result file: one object (json), or a line per pattern (jsonl), for "
-              "more than about 100,000 patterns. All ranks write the lines during the search, and "
-              "memory does not grow with their number; an object takes 5 kB of memory per pattern")
-      .needs("--output");
-  table.csv_of("patterns");
-  table.pictures(vtu_, "pattern", "patterns.pvd");
-  table.whole_states(
-      options_.whole, "patterns",
-      fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
+}
+
+void Patterns::describe_limits(OptionTable& table) {
   table.search_limits(options_.limits);
   table
       .number("--pattern-limit", &options_.limits.solutions, above(0), "maximum number of patterns")
@@ -171,14 +195,6 @@ void Patterns::describe(OptionTable& table) {
       .varies();
   table.resume(options_.checkpoint);
   table.former_names_of_resume();
-  table.file("--trace", trace_, Role::output, "timeline of all ranks, for ui.perfetto.dev");
-  table.file("--certificate", options_.certificate, Role::evidence,
-             "certificate file, for kusabi verify");
-  table.flag("--exists", options_.exists,
-             "find one pattern, or prove that there is none. Large decoupled subproblems are first "
-             "searched without a tree");
-  table.prove(options_.prove, "test every node in exact arithmetic, as kusabi verify does");
-  table.quiet_and_serial();
 }
 
 void Patterns::check() const {

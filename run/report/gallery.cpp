@@ -127,7 +127,7 @@ class Gallery {
 
   void card(std::size_t i) {
     const auto& answer = list_.answers[i];
-    open_answer(page_, "li", rank_[i] < most_printed ? "answer firm" : "answer", answer, rank_[i]);
+    open_answer(page_, "li", rank_[i] < most_printed ? "answer large" : "answer", answer, rank_[i]);
     page_.element(list_.groups.groups.size() > 1 ? "h4" : "h3", title_of(list_, answer));
     page_.open("div", {{"data-view", views_[i]}}).verbatim(pictures_[i]).close();
     add_terms(page_, list_, answer);
@@ -252,7 +252,7 @@ void add_leading(Markup& page, const ResultReader& reader, const AnswerList& lis
     page.close();
   }
   if (alone) {
-    open_answer(page, "div", "answer firm", answer, 0);
+    open_answer(page, "div", "answer large", answer, 0);
   } else {
     page.open("div", {{"id", "leading-text"}, {"aria-live", "polite"}});
   }

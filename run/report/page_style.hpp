@@ -67,11 +67,11 @@ summary { cursor: pointer; }
 #controls, #choice { display: none; }
 body { max-width: none; padding: 0; font-size: .8rem; }
 figure.turns svg.picture { display: block; }
-figure canvas, figure .remark, figure label, .gallery li.answer:not(.firm), tr.late { display: none; }
+figure canvas, figure .remark, figure label, .gallery li.answer:not(.large), tr.late { display: none; }
 tr.on-paper { display: table-row; }
 li.answer { break-inside: avoid; content-visibility: visible; }
 .gallery { display: block; }
-.gallery li.answer.firm { display: inline-block; width: 48%; vertical-align: top; }
+.gallery li.answer.large { display: inline-block; width: 48%; vertical-align: top; }
 details:not([open]) { display: none; }
 .scroll { overflow: visible; }
 #answers > .scroll { content-visibility: visible; }

@@ -18,7 +18,7 @@ struct Cost {
 constexpr std::array in_the_plane{
     Cost{30, "in about a second", "in about a second"},
     Cost{60, "in seconds", "in seconds to a minute"},
-    Cost{200, "in seconds to minutes", "may not end: with --top or --exists it is not needed"},
+    Cost{200, "in seconds to minutes", "may not end (kusabi patterns --exists finds one pattern)"},
 };
 constexpr std::array in_space{
     Cost{30, "in about a second", "in about a second"},

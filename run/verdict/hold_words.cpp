@@ -50,14 +50,14 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
     return fmt::format("It cannot hold the dead load up to friction coefficient {}{}{}{}.",
                        rounded_down(lower->value), of_each(found.factor),
                        unless_proved(lower->standing),
-                       lower->value < found.most ? "; above it is not known" : "");
+                       lower->value < found.most ? "; above it, this is not known" : "");
   }
   if (upper->value == 0)
     return fmt::format("It can hold the dead load without friction{}.",
                        unless_proved(upper->standing));
   if (!lower) {
     return fmt::format(
-        "It can hold the dead load at friction coefficient {}{}{}; below, it is not "
+        "It can hold the dead load at friction coefficient {}{}{}; below it, this is not "
         "known.",
         rounded_up(upper->value), of_each(found.factor), unless_proved(upper->standing));
   }
@@ -73,22 +73,22 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
   const auto& [lower, upper] = found.bracket;
   if (found.reason != HoldReason::searched) return;
   if (!upper && (!lower || lower->value < found.most)) {
-    all.push_back({fmt::format("Whether it can hold the dead load is undecided between {:.12g} and "
-                               "{:.12g}.",
-                               lower ? lower->value : 0, found.most),
-                   true});
+    all.push_back(
+        {fmt::format("It is undecided whether it can hold the dead load between {:.12g} and "
+                     "{:.12g}.",
+                     lower ? lower->value : 0, found.most),
+         true});
   }
   if (upper && upper->value > 0 && !lower)
     all.push_back({"A coefficient at which it cannot hold the dead load is not known.", true});
   if (lower && lower->standing == Standing::computed) {
-    all.push_back({fmt::format("That it cannot hold the dead load at {:.12g} is computed, not "
-                               "proved.",
+    all.push_back({fmt::format("Computed, not proved: it cannot hold the dead load at {:.12g}.",
                                lower->value),
                    true});
   }
   if (upper && upper->standing == Standing::computed) {
-    all.push_back({fmt::format("That it can hold the dead load at {:.12g} is computed, not proved: "
-                               "some inequality holds only within the rounding of the file's "
+    all.push_back({fmt::format("Computed, not proved: it can hold the dead load at {:.12g}; some "
+                               "inequality holds only within the rounding of the file's "
                                "numbers.",
                                upper->value),
                    false});
@@ -152,7 +152,7 @@ void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Rese
   if (found.open && ended == engine::Status::solved)
     all.push_back({"Some sign patterns are undecided; pieces may be missing.", true});
   if (found.outside == Standing::computed && !found.open && !found.everything)
-    all.push_back({"That it holds no other pair is computed, not proved.", true});
+    all.push_back({"Computed, not proved: no other pair is held.", true});
   if (found.coarse > 0) {
     all.push_back({fmt::format("{} may be larger than drawn, by more than the usual width.",
                                counted(found.coarse, "piece")),
@@ -200,7 +200,7 @@ void reserve(const HoldingGrip& grip, std::vector<Reservation>& all) {
   };
   if (!grip.held) {
     if (grip.held_standing == Standing::computed)
-      all.push_back({"That there is no state under the dead load is computed, not proved.", true});
+      all.push_back({"Computed, not proved: there is no state under the dead load.", true});
     return;
   }
   if (computed(grip.least.lower) || (!grip.unbounded && computed(grip.most.upper)) ||
@@ -218,7 +218,7 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
          true});
   }
   if (found.outside == Standing::computed && !found.open)
-    all.push_back({"It is computed, not proved, that no other factor can be held.", true});
+    all.push_back({"Computed, not proved: no other factor is held.", true});
   if (std::ranges::any_of(found.intervals,
                           [](const auto& each) { return each.standing == Standing::computed; })) {
     all.push_back(

@@ -143,7 +143,7 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
     }
   }
   if (found.carried_at_none == Standing::computed)
-    all.push_back({"That a load is carried at no factor is computed, not proved.", true});
+    all.push_back({"Computed, not proved: a load is carried at no factor.", true});
   const auto proved = [](const std::optional<Bound>& bound) {
     return bound && bound->standing == Standing::proved;
   };

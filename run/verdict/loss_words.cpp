@@ -40,8 +40,8 @@ std::string at_most(const MemberLoss& found) {
 
 std::string of_target(const MemberLoss& found) {
   if (!found.reached) {
-    return fmt::format("Whether the limit load factor is at least {} {} is open.", *found.target,
-                       after_any(found));
+    return fmt::format("It is undecided whether the limit load factor is at least {} {}.",
+                       *found.target, after_any(found));
   }
   if (*found.reached) {
     return capital(
@@ -75,7 +75,7 @@ void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservat
   };
   if (found.fatal) {
     if (*found.fatal == Standing::computed)
-      all.push_back({"That no factor remains is computed, not proved.", true});
+      all.push_back({"Computed, not proved: no factor remains.", true});
     return;
   }
   if (found.target) {

@@ -54,8 +54,9 @@ std::string of_factor(const CertificateCheck::Factor& factor) {
   }
   if (upper > factor.lower) return text;
   return text + fmt::format(
-                    "; every load factor from {:.17g} on up to there is carried under every "
-                    "admissible load, and none below {:.17g} is",
+                    "; every load factor from {:.17g} to the first of these numbers is carried "
+                    "under every "
+                    "admissible load, and no factor below {:.17g} is",
                     upper, lower);
 }
 
@@ -157,9 +158,11 @@ std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all) {
   using State = MixedOptimum::State;
   const bool answered = found.state != State::feasible && found.state != State::unknown;
-  const auto nodes = fmt::format(
-      "{} {} closed without a proof that nothing is left in {}", counted(found.unproved, "node"),
-      found.unproved == 1 ? "was" : "were", found.unproved == 1 ? "it" : "them");
+  const bool one = found.unproved == 1;
+  const char* const point = found.objective ? "better point" : "point";
+  const auto nodes =
+      fmt::format("{} {} closed without a proof that {} no {}", counted(found.unproved, "node"),
+                  one ? "was" : "were", one ? "it contains" : "they contain", point);
   if (ended == engine::Status::solved && !answered) {
     all.push_back(
         {found.unproved == 0
@@ -167,8 +170,7 @@ void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reserv
              : fmt::format("Not answered: the search is done, but {}.", nodes),
          true});
   } else if (found.unproved != 0) {
-    all.push_back(
-        {fmt::format("{}; by the computed bounds, nothing better is there.", nodes), false});
+    all.push_back({fmt::format("{}; the computed bounds exclude a {}.", nodes, point), false});
   }
   const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
   if (has_bound && found.bound && found.bound->standing == Standing::computed) {

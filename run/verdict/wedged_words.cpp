@@ -55,7 +55,10 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
             : fmt::format("{} patterns show it, and there may be others", found.count.digits()));
   }
   if (found.count != 0U && !is_refuted(found.doubt)) {
-    return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
+    const auto count = counted(found.count, found.thing);
+    if (complete && found.thing == "way")
+      return fmt::format("It can stick in {} at {}.", count, where);
+    return fmt::format("It can stick: {}{} at {}.", count,
                        complete            ? ""
                        : found.count == 1U ? " is known"
                                            : " are known",
@@ -96,15 +99,15 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
 std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) {
   const auto& [lower, upper] = found.bracket;
   if (!lower && !upper)
-    return fmt::format("It is not known from which {} on it can stick.", coefficient);
+    return fmt::format("The {} from which it can stick is not known.", coefficient);
   if (!upper) {
     return fmt::format("It cannot stick up to {} {}{}{}{}.", coefficient,
                        rounded_down(lower->value), times(found.factor),
                        unless_proved(lower->standing),
-                       lower->value < found.most ? "; above, it is not known" : "");
+                       lower->value < found.most ? "; above it, this is not known" : "");
   }
   if (!lower) {
-    return fmt::format("It can stick at {} {}{}{}; below, it is not known.", coefficient,
+    return fmt::format("It can stick at {} {}{}{}; below it, this is not known.", coefficient,
                        rounded_up(upper->value), times(found.factor),
                        unless_proved(upper->standing));
   }
@@ -130,19 +133,17 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
          true});
   }
   if (lower && !is_proved(lower)) {
-    all.push_back({fmt::format("That it cannot stick at {:.12g} is computed, not proved in exact "
-                               "arithmetic.",
-                               lower->value),
-                   true});
+    all.push_back(
+        {fmt::format("Computed, not proved in exact arithmetic: it cannot stick at {:.12g}.",
+                     lower->value),
+         true});
   }
   if (upper && !is_proved(upper)) {
-    const auto that = fmt::format(
-        "That it can stick at {:.12g} is computed, not proved in exact "
-        "arithmetic",
-        upper->value);
-    all.push_back({solved ? that + ": the pattern there is degenerate, and exists only within the "
-                                   "rounding of the file's numbers."
-                          : that + '.',
+    const auto claim = fmt::format(
+        "Computed, not proved in exact arithmetic: it can stick at {:.12g}", upper->value);
+    all.push_back({solved ? claim + "; the pattern there is degenerate and exists only within the "
+                                    "rounding of the file's numbers."
+                          : claim + '.',
                    !solved});
   }
   if (found.grounds == Grounds::solver_bounds && (is_proved(lower) || is_proved(upper))) {
@@ -186,7 +187,7 @@ std::string bracket_line(const CriticalBracket& found) {
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
   const auto most = fmt::format("{}{}", found.most, times(found.factor));
   if (!found.infeasible || is_refuted(found.doubt))
-    return fmt::format("It is not known from which {} on it can stick.", coefficient);
+    return fmt::format("The {} from which it can stick is not known.", coefficient);
   const auto& [value, standing] = *found.infeasible;
   if (found.count == 0U && found.open_at_most == 0 && value >= found.most) {
     return fmt::format("It cannot stick up to {} {}{}.", coefficient, most,
@@ -208,7 +209,7 @@ void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
          true});
   }
   if (found.open_patterns > 0) {
-    all.push_back({fmt::format("It is undecided from which {} on {} {}.", coefficient,
+    all.push_back({fmt::format("The {} from which {} {} is undecided.", coefficient,
                                counted(found.open_patterns, "pattern"),
                                found.open_patterns == 1 ? "sticks" : "stick"),
                    true});

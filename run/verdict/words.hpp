@@ -9,7 +9,7 @@
 
 namespace kusabi::run {
 
-/// The answer as a sentence: "It can stick: 27 ways at friction coefficient 0.65." Empty if there
+/// The answer as a sentence: "It can stick in 27 ways at friction coefficient 0.65." Empty if there
 /// is no question.
 std::string headline(const Verdict& verdict);
 

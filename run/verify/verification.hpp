@@ -9,6 +9,7 @@
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "engine/index_range.hpp"
+#include "run/verify/proof_words.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/proof.hpp"
 
@@ -45,7 +46,7 @@ class Verification {
     static constexpr auto fields() {
       return std::tuple{field("dead", &Tally::infeasible), field("alive", &Tally::feasible),
                         field("marginal", &Tally::marginal),
-                        field("but for far motion", &Tally::but_for_far_motion),
+                        field(far_motion_column, &Tally::but_for_far_motion),
                         field("unloaded", &Tally::unloaded)};
     }
   };

@@ -19,6 +19,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/verify/proof_words.hpp"
 #include "verify/wedged/consistency.hpp"
 #include "verify/wedged/hold_certificate.hpp"
 #include "verify/wedged/hold_proof.hpp"
@@ -48,7 +49,7 @@ class HoldVerification {
 
     static constexpr auto fields() {
       return std::tuple{field("proved", &Tally::proved),
-                        field("but for far motion", &Tally::but_for_far_motion)};
+                        field(far_motion_column, &Tally::but_for_far_motion)};
     }
   };
 
@@ -103,11 +104,6 @@ problems::Structure in_case_of(const problems::Structure& structure, const std::
                                options.certificate));
 }
 
-VerifyFindings refusal_of_whole(const VerifyOptions& options, const std::string& why) {
-  return {.check = {.refusals = 1},
-          .refusals = fmt::format("{}: refused: {}\n", options.certificate, why)};
-}
-
 std::string refusal_line(const VerifyOptions& options, const verify::HoldCertificate& certificate,
                          const HoldVerification::Solution& refusal) {
   const auto nodes = certificate.nodes.size();
@@ -145,6 +141,53 @@ CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction
   return held;
 }
 
+/// Trees and states whose claims are proved.
+struct ProvedParts {
+  std::vector<bool> trees, states;
+};
+
+// Adds the refused claims to the findings.
+ProvedParts proved_parts(const engine::Outcome<HoldVerification>& outcome,
+                         const verify::HoldCertificate& certificate, const verify::HoldProof& proof,
+                         const VerifyOptions& options, VerifyFindings& findings) {
+  ProvedParts proved{.trees = std::vector<bool>(certificate.trees.size(), true),
+                     .states = std::vector<bool>(certificate.states.size(), true)};
+  const auto nodes = certificate.nodes.size();
+  for (const auto& each : outcome.solutions) {
+    findings.refusals += refusal_line(options, certificate, each.solution);
+    const auto claim = each.solution.claim;
+    if (claim < nodes)
+      proved.trees[certificate.nodes[claim].tree] = false;
+    else
+      proved.states[claim - nodes] = false;
+  }
+  findings.check.refusals = outcome.solutions.size();
+  for (std::size_t t = 0; t < proved.trees.size(); ++t) {
+    const auto flaw = proof.flaw(t);
+    if (!flaw) continue;
+    proved.trees[t] = false;
+    ++findings.check.refusals;
+    findings.refusals += fmt::format("{}:{}: refused: tree: {}\n", options.certificate,
+                                     certificate.trees[t].line, *flaw);
+  }
+  return proved;
+}
+
+std::string summary_of(const VerifyOptions& options, const problems::CheckedStructure& structure,
+                       const verify::HoldCertificate& certificate,
+                       const verify::ConsistentLoads& consistent,
+                       std::uint64_t but_for_far_motion) {
+  const auto& [enclosure, friction] = consistent;
+  return fmt::format(
+      "contact candidates: {}\n{}{}"
+      "K and the loads were recomputed from the structure with errors up to {:.1e}\n"
+      "nodes without a state: {} of {}{}\nstates: {}\n",
+      fmt::join(certificate.header.names, " "), verified_problem(options, structure),
+      verified_friction(structure, friction), enclosure.problem.stiffness.radius.nearest(),
+      certificate.nodes.size(), counted(certificate.trees.size(), "tree"),
+      far_motion_text(but_for_far_motion), certificate.states.size());
+}
+
 }  // namespace
 
 VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
@@ -160,15 +203,14 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   const auto verified = evidence::verified_under_load(loaded);
   auto found = verify::consistency_under_load(certificate.header, verified);
   if (const auto* why = std::get_if<std::string>(&found))
-    return refusal_of_whole(options, fmt::format("{}: {}", options.problem, *why));
-  const auto& [enclosure, friction] = std::get<verify::ConsistentLoads>(found);
+    return refusal_of_certificate(options, fmt::format("{}: {}", options.problem, *why));
+  const auto& consistent = std::get<verify::ConsistentLoads>(found);
+  const auto& [enclosure, friction] = consistent;
   std::vector<double> clearances;
   for (const auto& point : verified.contact) clearances.push_back(point.clearance);
   const verify::HoldProof proof(certificate, enclosure, clearances);
   if (!proof.least_eigenvalue())
-    return refusal_of_whole(options,
-                            "K was not proved to be positive definite except for "
-                            "rigid-body modes of unconstrained bodies");
+    return refusal_of_certificate(options, indefinite_stiffness(certificate.header.motions));
 
   HoldVerification verification(certificate, proof);
   const auto outcome = engine::search(verification, run.session().transport(), engine::Options{});
@@ -178,54 +220,16 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
     findings.check.refusals = outcome.solutions.size();
     return findings;
   }
-  std::vector<bool> trees(certificate.trees.size(), true);
-  std::vector<bool> states(certificate.states.size(), true);
-  const auto nodes = certificate.nodes.size();
-  for (const auto& each : outcome.solutions) {
-    findings.refusals += refusal_line(options, certificate, each.solution);
-    const auto claim = each.solution.claim;
-    if (claim < nodes)
-      trees[certificate.nodes[claim].tree] = false;
-    else
-      states[claim - nodes] = false;
-  }
-  findings.check.refusals = outcome.solutions.size();
-  for (std::size_t t = 0; t < trees.size(); ++t) {
-    const auto flaw = proof.flaw(t);
-    if (!flaw) continue;
-    trees[t] = false;
-    ++findings.check.refusals;
-    findings.refusals += fmt::format("{}:{}: refused: tree: {}\n", options.certificate,
-                                     certificate.trees[t].line, *flaw);
-  }
-  const auto tally = outcome.tally();
+  const auto [trees, states] = proved_parts(outcome, certificate, proof, options, findings);
+  const auto but_for_far_motion = outcome.tally().but_for_far_motion;
   const bool reference =
       std::ranges::any_of(enclosure.loads[1].acts, [](bool acts) { return acts; });
   auto held =
       held_of(proof.claims(trees, states), friction, reference, certificate.header.blocks.size());
-  held.but_far_motions = tally.but_for_far_motion > 0;
+  held.but_far_motions = but_for_far_motion > 0;
   held.far_motion = verify::farthest_motion;
   findings.check.claim = std::move(held);
-  auto& summary = findings.summary;
-  fmt::format_to(
-      std::back_inserter(summary),
-      "contact candidates: {}\nproblem: {}, from {}, fingerprint {}\n"
-      "friction coefficient: {}{}\n"
-      "K and the loads were recomputed from the structure with errors up to {:.1e}\n",
-      fmt::join(certificate.header.names, " "), (*structure)->name, options.problem,
-      hexadecimal(problems::wedged_fingerprint(*structure)), friction,
-      std::ranges::all_of((*structure)->contact, [](const auto& c) { return c.friction == 1; })
-          ? ""
-          : " times that of each candidate",
-      enclosure.problem.stiffness.radius.nearest());
-  fmt::format_to(std::back_inserter(summary), "nodes without a state: {} of {}{}\nstates: {}\n",
-                 nodes, counted(trees.size(), "tree"),
-                 tally.but_for_far_motion == 0
-                     ? ""
-                     : fmt::format(", {} of them except for displacements over {:.2g} times the "
-                                   "strains",
-                                   tally.but_for_far_motion, verify::farthest_motion),
-                 certificate.states.size());
+  findings.summary = summary_of(options, *structure, certificate, consistent, but_for_far_motion);
   return findings;
 }
 

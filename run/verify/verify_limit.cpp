@@ -17,6 +17,7 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/limit_statements.hpp"
+#include "run/verify/proof_words.hpp"
 #include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/wedged/certificate.hpp"
@@ -63,14 +64,19 @@ std::string half_widths_text(const CheckedStatement& statement) {
   return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
 }
 
+// "34 cuts, 1 node covers all loads"
+std::string covering_text(const CheckedStatement& statement) {
+  return fmt::format("{}, {} {} all loads\n", counted(statement.cuts, "cut"),
+                     counted(statement.nodes, "node"), statement.nodes == 1 ? "covers" : "cover");
+}
+
 std::string summary_of(const CheckedStatement& statement) {
   switch (statement.claim) {
     case LimitClaim::largest:
-      return fmt::format("{} cuts, {} nodes cover all loads\n", statement.cuts, statement.nodes);
+      return covering_text(statement);
     case LimitClaim::least:
       if (statement.nodes == 0) return "least factors: a bound from below\n";
-      return fmt::format("least factors: {} cuts, {} nodes cover all loads\n", statement.cuts,
-                         statement.nodes);
+      return "least factors: " + covering_text(statement);
     case LimitClaim::none:
       break;
   }
@@ -177,9 +183,7 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
         "direction cosines were recomputed from the truss; yield forces and loads were compared\n",
         (*structure)->name, options.problem, hexadecimal(statements.front().fingerprint));
   } else {
-    summary +=
-        "the truss is that of the certificate; --problem FILE proves the result for a problem "
-        "file\n";
+    summary += truss_of_certificate;
   }
   summary += summary_of(statements);
   if (structure) summary += cases_left_text(statements, *structure);

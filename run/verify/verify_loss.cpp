@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/verify/proof_words.hpp"
 #include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
@@ -77,6 +77,65 @@ std::vector<std::string> check_states(CommandRun& run, const verify::LossClaim& 
   return refusals;
 }
 
+/// Result for one statement.
+struct CheckedLoss {
+  std::vector<std::string> refusals;
+  double upper = 0;  ///< of the load factor; without refusals
+};
+
+CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
+                            const LossStatement& statement,
+                            const std::optional<problems::CheckedStructure>& structure) {
+  std::optional<verify::Structure> truss;
+  if (structure) {
+    const auto of_case = in_case_of(statement, *structure);
+    if (!of_case)
+      return {.refusals = {fmt::format("{}: no load case {}", options.problem,
+                                       support::in_quotes(statement.load_case))}};
+    problems::limit_problem(*of_case);
+    truss = evidence::verified_structure(*of_case);
+  }
+  const verify::LossClaim claim(statement, std::move(truss));
+  if (const auto& why = claim.difference()) return {.refusals = {*why}};
+  CheckedLoss checked;
+  checked.refusals = claim.check_loss(checked.upper);
+  if (statement.lower) {
+    for (auto& why : check_states(run, claim, statement.states.size()))
+      checked.refusals.push_back(std::move(why));
+  }
+  return checked;
+}
+
+// Merges a proved statement into that about all load cases.
+void add(const LossStatement& statement, double upper,
+         const std::optional<problems::CheckedStructure>& structure, CertificateCheck::Loss& all) {
+  all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
+  all.kept = std::max<std::uint64_t>(all.kept, statement.kept.size());
+  if (!statement.lower || !all.lower)
+    all.lower.reset();
+  else
+    all.lower = std::min(*all.lower, *statement.lower);
+  if (upper > all.upper || all.fatal) return;
+  all.upper = upper;
+  all.fatal = statement.fatal;
+  all.lost = names_of(statement, structure);
+}
+
+std::string summary_of(const VerifyOptions& options, const std::vector<LossStatement>& statements,
+                       const std::optional<problems::CheckedStructure>& structure) {
+  std::string summary(truss_of_certificate);
+  if (structure) {
+    summary = fmt::format(
+        "problem: {}, from {}\ncoordinates, yield forces and loads are those of the truss\n",
+        (*structure)->name, options.problem);
+  }
+  if (const double sudden = statements.front().sudden; sudden != 1)
+    summary += fmt::format("yield forces divided by {}\n", sudden);
+  std::size_t states = 0;
+  for (const auto& statement : statements) states += statement.states.size();
+  return summary + fmt::format("{} cover all losses\n", counted(states, "carrying stress state"));
+}
+
 }  // namespace
 
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
@@ -84,67 +143,21 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::string& text) {
   const auto statements = losses_in(text, options.certificate);
   VerifyFindings findings;
-  const auto refuse = [&](const std::string& why) {
-    ++findings.check.refusals;
-    findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);
-  };
   CertificateCheck::Loss all{.most = statements.front().most,
                              .cases = statements.size(),
                              .lower = std::numeric_limits<double>::infinity(),
                              .upper = std::numeric_limits<double>::infinity()};
-  std::size_t states = 0;
   for (const auto& statement : statements) {
-    std::optional<verify::Structure> truss;
-    if (structure) {
-      const auto of_case = in_case_of(statement, *structure);
-      if (!of_case) {
-        refuse(fmt::format("{}: no load case {}", options.problem,
-                           support::in_quotes(statement.load_case)));
-        continue;
-      }
-      problems::limit_problem(*of_case);
-      truss = evidence::verified_structure(*of_case);
-    }
-    const verify::LossClaim claim(statement, std::move(truss));
-    if (const auto& why = claim.difference()) {
-      refuse(*why);
-      continue;
-    }
-    double upper = 0;
-    for (const auto& why : claim.check_loss(upper)) refuse(why);
-    if (statement.lower) {
-      for (const auto& why : check_states(run, claim, statement.states.size())) refuse(why);
-    }
-    states += statement.states.size();
-    if (statement.most != all.most) refuse("its load cases have different numbers of lost members");
-    all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
-    all.kept = std::max<std::uint64_t>(all.kept, statement.kept.size());
-    if (!statement.lower || !all.lower) {
-      all.lower.reset();
-    } else {
-      all.lower = std::min(*all.lower, *statement.lower);
-    }
-    if (upper > all.upper || all.fatal) continue;
-    all.upper = upper;
-    all.fatal = statement.fatal;
-    all.lost = names_of(statement, structure);
+    auto [refusals, upper] = check_statement(run, options, statement, structure);
+    if (statement.most != all.most)
+      refusals.emplace_back("its load cases have different numbers of lost members");
+    for (const auto& why : refusals)
+      findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);
+    findings.check.refusals += refusals.size();
+    if (refusals.empty()) add(statement, upper, structure, all);
   }
   if (findings.check.refusals > 0) return findings;
-  auto& summary = findings.summary;
-  if (structure) {
-    fmt::format_to(std::back_inserter(summary),
-                   "problem: {}, from {}\ncoordinates, yield forces and loads are those of the "
-                   "truss\n",
-                   (*structure)->name, options.problem);
-  } else {
-    summary +=
-        "the truss is that of the certificate; --problem FILE proves the result for a problem "
-        "file\n";
-  }
-  if (const double sudden = statements.front().sudden; sudden != 1)
-    fmt::format_to(std::back_inserter(summary), "yield forces divided by {}\n", sudden);
-  fmt::format_to(std::back_inserter(summary), "{} cover all losses\n",
-                 counted(states, "carrying stress state"));
+  findings.summary = summary_of(options, statements, structure);
   findings.check.claim = std::move(all);
   return findings;
 }

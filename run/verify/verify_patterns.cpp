@@ -16,6 +16,7 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/progress_line.hpp"
+#include "run/verify/proof_words.hpp"
 #include "run/verify/verification.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/consistency.hpp"
@@ -78,14 +79,8 @@ void write_subject(std::string& text, const VerifyOptions& options,
                    "result for a structure\n");
     return;
   }
-  fmt::format_to(std::back_inserter(text), "problem: {}, from {}, fingerprint {}\n",
-                 (*structure)->name, options.problem,
-                 hexadecimal(problems::wedged_fingerprint(*structure)));
-  fmt::format_to(
-      std::back_inserter(text), "friction coefficient: {}{}\n", consistent->friction,
-      std::ranges::all_of((*structure)->contact, [](const auto& c) { return c.friction == 1; })
-          ? ""
-          : " times that of each candidate");
+  text +=
+      verified_problem(options, *structure) + verified_friction(*structure, consistent->friction);
   fmt::format_to(std::back_inserter(text),
                  "K was recomputed from the structure with errors up to {:.1e}\n",
                  consistent->stiffness.radius.nearest());
@@ -114,16 +109,10 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
   }
   if (!certificate.bounds.empty())
     fmt::format_to(std::back_inserter(text), "bounds: {} proved\n", bounds);
-  fmt::format_to(
-      std::back_inserter(text),
-      "cannot stick: {} proved{}\n"
-      "sticks: {} proved\n",
-      proved.infeasible,
-      proved.but_for_far_motion == 0
-          ? ""
-          : fmt::format(", {} of them except for displacements over {:.2g} times the strains",
-                        proved.but_for_far_motion, verify::farthest_motion),
-      proved.feasible);
+  fmt::format_to(std::back_inserter(text),
+                 "cannot stick: {} proved{}\n"
+                 "sticks: {} proved\n",
+                 proved.infeasible, far_motion_text(proved.but_for_far_motion), proved.feasible);
   if (proved.unloaded > 0)
     fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
                    proved.unloaded);
@@ -131,19 +120,27 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
     fmt::format_to(std::back_inserter(text), "undecided: {} not proved\n", proved.open());
 }
 
-VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& why) {
-  return {.check = {.refusals = 1},
-          .refusals = fmt::format("{}: refused: {}\n", options.certificate, why)};
-}
-
 // Signals stop it only if it can be resumed.
 engine::Outcome<Verification> verified(CommandRun& run, Verification& verification,
-                                       const VerifyOptions& options,
-                                       const engine::Options& search_options) {
+                                       const VerifyOptions& options) {
+  engine::Options search_options;
+  std::optional<ProgressLine> progress;
+  if (run.shows()) {
+    progress.emplace(search_options.goal);
+    search_options.progress = [&](const auto& state) { progress->show(state); };
+  }
   if (options.checkpoint.state.empty())
     return engine::search(verification, run.session().transport(), search_options);
   engine::Analysis analysis(run.session().transport(), run.supervision({}));
   return analysis.search(verification, search_options);
+}
+
+CertificateCheck::List list_of(const Verification::Tally& proved) {
+  return {.patterns = proved.feasible,
+          .nodes = proved.infeasible + proved.feasible + proved.unloaded,
+          .undecided = proved.open(),
+          .but_far_motions = proved.but_for_far_motion,
+          .far_motion = verify::farthest_motion};
 }
 
 }  // namespace
@@ -156,33 +153,19 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   std::optional<verify::ConsistentStructure> consistent;
   if (structure) {
     auto found = verify::consistency(certificate, evidence::verified_structure(*structure));
-    if (const auto* why = std::get_if<std::string>(&found)) {
-      return refusal_of_all(options, fmt::format("{}: {}", options.problem, *why));
-    }
+    if (const auto* why = std::get_if<std::string>(&found))
+      return refusal_of_certificate(options, fmt::format("{}: {}", options.problem, *why));
     consistent = std::move(std::get<verify::ConsistentStructure>(found));
   }
   auto proof = consistent ? verify::Proof(certificate, consistent->stiffness, consistent->motions)
                           : verify::Proof(certificate);
-  if (!proof.least_eigenvalue()) {
-    return refusal_of_all(options, certificate.motions == 0
-                                       ? "K was not proved to be positive definite"
-                                       : "K was not proved to be positive definite except for "
-                                         "rigid-body modes of unconstrained bodies");
-  }
+  if (!proof.least_eigenvalue())
+    return refusal_of_certificate(options, indefinite_stiffness(certificate.motions));
 
   const auto bounds_refused = refusals_of_bounds(proof, options, certificate);
   Verification verification(certificate, proof);
-  engine::Options search_options;
-  std::optional<ProgressLine> progress;
-  if (run.shows()) {
-    progress.emplace(search_options.goal);
-    search_options.progress = [&](const auto& state) { progress->show(state); };
-  }
-  const auto outcome = verified(run, verification, options, search_options);
-  progress.reset();
-  if (outcome.status != engine::Status::solved) {
-    return {.status = outcome.status};
-  }
+  const auto outcome = verified(run, verification, options);
+  if (outcome.status != engine::Status::solved) return {.status = outcome.status};
 
   const auto proved = outcome.tally();
   const bool one_pattern = certificate.one_pattern;
@@ -190,16 +173,10 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   if (one_pattern && proved.feasible == 0) flaw = "the pattern of the certificate is missing";
   VerifyFindings findings{
       .check = {.refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U)}};
-  if (one_pattern) {
+  if (one_pattern)
     findings.check.claim = CertificateCheck::Example{.patterns = proved.feasible};
-  } else {
-    findings.check.claim =
-        CertificateCheck::List{.patterns = proved.feasible,
-                               .nodes = proved.infeasible + proved.feasible + proved.unloaded,
-                               .undecided = proved.open(),
-                               .but_far_motions = proved.but_for_far_motion,
-                               .far_motion = verify::farthest_motion};
-  }
+  else
+    findings.check.claim = list_of(proved);
   if (!run.session().speaks()) return findings;  // refusals are on rank 0
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {

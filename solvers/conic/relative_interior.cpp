@@ -2,6 +2,8 @@
 // with the width of the bracket (docs/theory/wedged.md, "Relative interior at a degenerate node").
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "solvers/conic/node_solver.hpp"
@@ -83,6 +85,41 @@ IndexSet set_of(const std::vector<int>& candidates) {
   return set;
 }
 
+/// The points at the beginning and at the end of the window; null if the path has none.
+template <class Point>
+std::pair<const Point*, const Point*> ends_of(const Window& window,
+                                              const std::vector<Point>& path) {
+  const Point* open = nullptr;
+  const Point* closed = nullptr;
+  for (const Point& point : path) {
+    if (point.width <= window.widest && (open == nullptr || point.width >= window.opens))
+      open = &point;
+    if (point.width >= window.least) closed = &point;
+    if (point.width <= window.closes && closed == &point) break;
+  }
+  return {open, closed};
+}
+
+/// The candidates whose sizes do not vanish between the two points; nothing if one is in doubt.
+/// @param carriers candidates with a reaction  @param movers candidates with a gap
+template <class Point>
+std::optional<RelativeInterior> remaining(const Point& open, const Point& closed,
+                                          const IndexSet& carriers, const IndexSet& movers) {
+  const double falls = miss * std::sqrt(closed.width / open.width);
+  if (!(falls < stays / 2)) return std::nullopt;
+  RelativeInterior result;
+  const std::size_t m = open.sizes.size() / 2;
+  for (std::size_t i = 0; i < 2 * m; ++i) {
+    const auto candidate = static_cast<int>(i % m);
+    if (!(i < m ? carriers : movers).contains(candidate)) continue;
+    // A value fixed at zero by an equation does not decrease: it is rounding from the start.
+    if (closed.sizes[i] <= std::max(falls * open.sizes[i], file_rounding)) continue;
+    if (closed.sizes[i] < stays * open.sizes[i]) return std::nullopt;
+    (i < m ? result.loaded : result.moved).insert(candidate);
+  }
+  return result;
+}
+
 }  // namespace
 
 template <int D, class Real>
@@ -120,29 +157,11 @@ std::optional<RelativeInterior> NodeSolver<D, Real>::relative_interior(const Ind
     if (all) return RelativeInterior{carriers, movers};
   }
   for (const Window& window : {shallow, deep}) {
-    const Snapshot* open = nullptr;
-    const Snapshot* closed = nullptr;
-    for (const Snapshot& snapshot : path) {
-      if (snapshot.width <= window.widest && (open == nullptr || snapshot.width >= window.opens))
-        open = &snapshot;
-      if (snapshot.width >= window.least) closed = &snapshot;
-      if (snapshot.width <= window.closes && closed == &snapshot) break;
-    }
-    if (open == nullptr || closed == nullptr) continue;
-    const double falls = miss * std::sqrt(closed->width / open->width);
-    if (!(falls < stays / 2)) continue;
     if (window.least == 0 && (answer.lower > 0 || answer.upper < 0)) continue;
-    RelativeInterior result;
-    bool clear = true;
-    for (std::size_t i = 0; i < 2 * m; ++i) {
-      const auto candidate = static_cast<int>(i % m);
-      if (!(i < m ? carriers : movers).contains(candidate)) continue;
-      // A value fixed at zero by an equation does not decrease: it is rounding from the start.
-      if (closed->sizes[i] <= std::max(falls * open->sizes[i], file_rounding)) continue;
-      if (closed->sizes[i] < stays * open->sizes[i]) clear = false;
-      (i < m ? result.loaded : result.moved).insert(candidate);
-    }
-    if (!clear) continue;
+    const auto [open, closed] = ends_of(window, path);
+    if (open == nullptr || closed == nullptr) continue;
+    const auto result = remaining(*open, *closed, carriers, movers);
+    if (!result) continue;
     reaction_ = closed->reaction;
     motion_ = closed->motion;
     program_.displacement(reaction_, motion_, displacement_);

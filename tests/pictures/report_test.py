@@ -143,7 +143,7 @@ class Report(KusabiCase):
         result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)
         page = self.page()
         self.assertEqual(self.verdict(page),
-                         f"It can stick: {result['result']['count']} ways at friction coefficient 0.65.")
+                         f"It can stick in {result['result']['count']} ways at friction coefficient 0.65.")
         cards = sorted(page.with_class("answer"), key=lambda card: int(card.attributes["data-number"]))
         patterns = result["result"]["patterns"]
         self.assertEqual(len(cards), len(patterns))
@@ -355,7 +355,7 @@ class Report(KusabiCase):
         self.result.write_text(json.dumps(result))
         page = self.page()
         self.assertRegex(self.verdict(page), r"^It cannot stick up to friction coefficient \d\.\d+ \(computed, not proved\); "
-                                             r"above, it is not known\.$")
+                                             r"above it, this is not known\.$")
         self.assertIn("not proved", page.with_id("reservations").text())
 
     def test_limit(self):

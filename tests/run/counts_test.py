@@ -57,7 +57,7 @@ class Counts(KusabiCase):
         said, result = self.asked("patterns", 26, "--mu", 2)
         self.assertEqual(result["count"], 2 ** 52)
         self.assertNotIn("count_log10", result)
-        self.assertIn(f"It can stick: {2 ** 52} ways", said)
+        self.assertIn(f"It can stick in {2 ** 52} ways", said)
 
     def test_beyond_it_has_all_its_digits(self):
         for count in (27, 32, 40):
@@ -67,7 +67,7 @@ class Counts(KusabiCase):
                 self.assertAlmostEqual(result["count_log10"], count * math.log10(4), places=12)
                 self.assertNotIn("cannot stick", said)
                 if count <= 32:
-                    self.assertIn(f"It can stick: {4 ** count} ways", said)
+                    self.assertIn(f"It can stick in {4 ** count} ways", said)
                 self.assertEqual(kusabi.load(self.result).answer["count"], 4 ** count)
 
     def test_a_report_counts_them_and_those_of_older_files(self):
@@ -80,7 +80,7 @@ class Counts(KusabiCase):
                 content["result"]["count"] = 0
                 self.result.write_text(json.dumps(content))
             self.assertEqual(self.kusabi("report", self.result, "--output", page).returncode, 0)
-            self.assertIn(f"It can stick: {2 ** 64} ways", page.read_text())
+            self.assertIn(f"It can stick in {2 ** 64} ways", page.read_text())
 
     def test_a_sweep_counts_them(self):
         said, result = self.asked("sweep", 32, "--mu", "0.5,2", "--csv", self.folder / "steps.csv", "--svg",

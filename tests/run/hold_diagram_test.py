@@ -112,8 +112,8 @@ force = [1, 0.5]
     def test_refusals(self):
         self.assertIn("expected two, each with a reference load", self.refused("hold", EXAMPLES / "ladder.toml", "--mu", 0.4, "--diagram"))
         dead = BOTH.replace('kind = "dead"', 'kind = "dead"\ncase = "side"')
-        self.assertIn("a dead load is of a load case", self.refused("hold", self.problem(dead), "--mu", 0.4, "--diagram"))
-        self.assertIn("expected it without", self.refused("hold", self.problem(BOTH), "--mu", 0.4, "--diagram", "--grip"))
+        self.assertIn("a dead load belongs to one load case", self.refused("hold", self.problem(dead), "--mu", 0.4, "--diagram"))
+        self.assertIn("cannot be combined with", self.refused("hold", self.problem(BOTH), "--mu", 0.4, "--diagram", "--grip"))
         self.assertIn("--mu", self.refused("hold", EXAMPLES / "ladder.toml", "--csv", self.folder / "a.csv"))
 
 

@@ -95,7 +95,7 @@ class Imports(KusabiCase):
 
     def test_wrong_calls_are_refused(self):
         deck = self.written("wedge.inp", wedge_in_parts())
-        for words, message in (((self.folder / "wedge.msh",), "no input deck"),
+        for words, message in (((self.folder / "wedge.msh",), "not an input deck"),
                                ((deck, "--units", "mm"), "expected LENGTH,FORCE"),
                                ((self.folder / "none.inp",), "cannot be read")):
             run = self.kusabi("import", *words)

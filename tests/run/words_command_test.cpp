@@ -147,7 +147,7 @@ TEST_F(Words, AFlatPatternHasNoMargin) {
   const auto file = quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/critical_flat_grid.toml");
   EXPECT_THAT(
       answer("patterns " + file + " --mu 3"),
-      HasSubstr("\nIt can stick: 1 way at friction coefficient 3. None has a margin: in each, "
+      HasSubstr("\nIt can stick in 1 way at friction coefficient 3. None has a margin: in each, "
                 "some inequality is an equality.\n"));
 }
 
@@ -300,7 +300,7 @@ TEST_F(Words, ColumnsSaysHowWideATerminalIsAndNothingOfPipes) {
 
 TEST_F(Words, ColoursAreForTerminalsAlone) {
   const auto call = command + " patterns " + truss + " --mu 0.65";
-  EXPECT_THAT(on_terminal(call, 80), HasSubstr("\033[1mIt can stick: 27 ways"));
+  EXPECT_THAT(on_terminal(call, 80), HasSubstr("\033[1mIt can stick in 27 ways"));
   EXPECT_THAT(on_terminal("NO_COLOR=1 " + call, 80), Not(HasSubstr("\033[1m")));
   EXPECT_THAT(on_terminal("TERM=dumb " + call, 80), Not(HasSubstr("\033[1m")));
   EXPECT_THAT(on_terminal(call + " > " + argument("table") + " 2>&1", 80), Not(HasSubstr("\033")));

@@ -294,17 +294,26 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   for (std::size_t e = 0; e < defects.size(); ++e) {
     rounded.push_back(double_above(defects[e] + own[e] + truss_.dead[e].error));
   }
+  if (auto why = yielding(node, taken, rounded)) return std::move(*why);
+  return value.rational();
+}
+
+// The forces of a node, with the part of each yield force that the cuts use, must leave enough for
+// the forces against the defects. @return the reason if they do not
+std::optional<std::string> LimitProof::yielding(const LimitNode& node,
+                                                const std::vector<Dyadic>& taken,
+                                                const std::vector<double>& defects) const {
   std::vector<double> slack;
-  for (std::size_t i = 0; i < certificate.members(); ++i) {
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
     const Dyadic force(node.forces[i]);
-    const Dyadic tension = Dyadic(certificate.tension[i]) - force - taken[i];
-    const Dyadic compression = Dyadic(certificate.compression[i]) + force - taken[i];
+    const Dyadic tension = Dyadic(certificate_.tension[i]) - force - taken[i];
+    const Dyadic compression = Dyadic(certificate_.compression[i]) + force - taken[i];
     const Dyadic& least = tension < compression ? tension : compression;
     if (least.sign() < 0) return "member " + std::to_string(i) + " yields";
     slack.push_back(double_below(least));
   }
-  const MemberColumns members{certificate.displacements, certificate.columns, column_errors_};
-  const auto found = forces_against_defects(members, slack, rounded);
+  const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
+  const auto found = forces_against_defects(members, slack, defects);
   if (const auto* why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
@@ -312,7 +321,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
       return "member " + std::to_string(i) + " yields under the equilibrium defect";
     }
   }
-  return value.rational();
+  return std::nullopt;
 }
 
 bool LimitProof::shows_no_factor() const {

@@ -57,6 +57,9 @@ class LimitProof {
  private:
   [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
                                            double factor) const;
+  [[nodiscard]] std::optional<std::string> yielding(const LimitNode& node,
+                                                    const std::vector<Dyadic>& taken,
+                                                    const std::vector<double>& defects) const;
   [[nodiscard]] std::vector<Dyadic> still_motion(bool without_work) const;
   [[nodiscard]] bool load_is_admissible() const;
 

@@ -1,5 +1,5 @@
 // Enclosure of K of equations (3) and (6) of the wedged paper, computed from the structure: a
-// matrix with about 160 digits and a proved bound of its distance from the exact K.
+// matrix of about 160 binary digits and a proved bound of its distance from the exact K.
 // docs/theory/proofs.md derives it.
 #pragma once
 

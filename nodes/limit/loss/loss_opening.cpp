@@ -87,7 +87,7 @@ LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
 }
 
 // One further loss: the members that all supports have are tried one by one.
-// @return whether the node is opened completely
+// @return true if the node is opened completely
 bool LossOpener::finish_last(Opening& here) {
   IndexSet common = here.supports.front() - here.node.kept;
   for (const auto& support : here.supports) common &= support;

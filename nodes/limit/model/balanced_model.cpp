@@ -16,7 +16,7 @@ using problems::LimitProblem;
 /// Maximum number of steps; no known truss takes more than three.
 constexpr int most_times = 8;
 
-// Iterates from one unit of force. @return whether a collapse was found
+// Iterates from one unit of force. @return true if a collapse was found
 bool balance(const LimitProblem& problem, LimitModel& model, double alpha) {
   for (int time = 0; time < most_times; ++time) {
     LoadFactor load_factor(model);

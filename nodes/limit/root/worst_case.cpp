@@ -87,7 +87,7 @@ bool Rounds::improve(const Eigen::VectorXd& motion) {
   return descend_from(model_, alpha_, load_factor_, motion, result_);
 }
 
-// Adds the cuts that the point violates, or all if there is no point yet. @return whether any
+// Adds the cuts that the point violates, or all if there is no point yet. @return true if any
 bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point) {
   bool any = false;
   result_.counts.pricings += columns.size();
@@ -102,7 +102,7 @@ bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const
 }
 
 // Prices columns in the order of their violation until some cut is violated; if none is, with
-// smaller costs of members that do not move. @return whether any
+// smaller costs of members that do not move. @return true if any
 bool Rounds::cut_off(const Relaxed& point) {
   const Eigen::VectorXd violations = violations_at(model_, point);
   std::vector<int> columns;
@@ -153,7 +153,7 @@ void Rounds::drop_idle_cuts(const Relaxed& point) {
   master_.drop_cuts(dropped);
 }
 
-// @return whether the limit was active and has been removed
+// @return true if the limit was active and has been removed
 bool Rounds::lift_dissipation() {
   if (!limited_ || !master_.dissipation_presses()) return false;
   limited_ = false;

@@ -89,7 +89,7 @@ void FaceProjection::evaluate(const ColumnBlocks& z) {
   }
 }
 
-// @return whether another round is needed
+// @return true if another round is needed
 bool FaceProjection::newton(int row, const Sums& sums, int round) {
   const auto i = static_cast<std::size_t>(row);
   if (!signed_[i]) return newton_of_both(row, sums, round);

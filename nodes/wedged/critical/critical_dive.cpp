@@ -69,9 +69,7 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
                            FrictionGrid(grid.width).at(multiple), result.opened);
       });
       if (fate.leaf) {
-        const bool is_feasible =
-            fate.leaf->state == LeafState::feasible || fate.leaf->state == LeafState::flat;
-        if (is_feasible) locate(problem, *fate.leaf, multiple, grid, stop, result);
+        if (fate.leaf->is_cone()) locate(problem, *fate.leaf, multiple, grid, stop, result);
         if (std::isfinite(result.feasible)) return;
         doubtful = true;
       }

@@ -56,7 +56,7 @@ class BlockHold {
     double low, high;
     bool proved;
   };
-  /// States of a pattern for a certificate, at both ends; `inside` is a finite factor with one.
+  /// States of a pattern for a certificate: at both ends, and at the finite factor `inside`.
   struct Piece {
     LoadedPattern pattern;
     double low, high, inside;

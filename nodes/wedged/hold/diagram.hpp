@@ -23,8 +23,8 @@ struct DiagramPiece {
 
 struct Diagram {
   engine::Status status = engine::Status::solved;
-  /// No other sign pattern holds any pair of factors, except for pairs on lines; otherwise
-  /// computed.
+  /// True if it is proved that no other sign pattern holds a pair of factors, except for pairs on
+  /// lines; otherwise this is computed.
   bool proved = true;
   bool open = false;  ///< patterns are undecided: pieces may be missing
   std::uint32_t block = 0;
@@ -35,7 +35,7 @@ struct Diagram {
 /// Distance, relative to that from a point inside, up to which a vertex is known.
 inline constexpr double diagram_width = 1e-7;
 
-/// Every rank makes the same call and gets the same. @pre the loads act on one block
+/// Every rank makes the same call and gets the same result. @pre the loads act on one block
 /// @param loaded with two reference loads
 Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                    Precision precision = Precision::escalating);

@@ -39,7 +39,7 @@ struct GripRange {
   std::vector<HoldCost> costs{};
 };
 
-/// Every rank makes the same call and gets the same.
+/// Every rank makes the same call and gets the same result.
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                      const HoldQuestion& question = {}, HoldRecord* record = nullptr);
 

@@ -39,7 +39,7 @@ struct HoldOutcome {
 /// Searches a whole tree for all leaves with states; every rank gets the same, in one order.
 HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree);
 
-/// Searches a tree until its first leaf; every rank gets the same.
+/// Searches a tree until its first leaf; every rank gets the same result.
 HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree);
 
 /// Kind of a certificate: of a bound of the holding friction coefficient, or of all load factors.
@@ -85,10 +85,10 @@ void record_tree(engine::Analysis& analysis, const RecordedBlock& block,
                  std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip,
                  HoldRecord& record);
 
-/// Solves a leaf and records its state, if it has one. @param share nothing: a wedged configuration
-/// @param grip at least, at most or exactly this sum of the normal reactions; of a state that is
-/// the
-///        only one of its pattern, nearly
+/// Solves a leaf and records its state, if it has one.
+/// @param share nothing: a wedged configuration
+/// @param grip restriction of the sum of the normal reactions. A state that is the only one of its
+///        pattern satisfies it up to rounding
 void record_state(engine::Analysis& analysis, const RecordedBlock& block,
                   const LoadedPattern& pattern, const std::optional<LoadShare>& share,
                   const std::optional<GripRestriction>& grip, HoldRecord& record);

@@ -63,8 +63,8 @@ struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t infeasible = 0;  ///< no state, proved
   std::uint64_t computed = 0;    ///< no state by the relative interior, not proved
   std::uint64_t undecided = 0;   ///< leaves of unknown sign
-  /// The same where the contacts do not resist every rigid-body mode: of two load factors such a
-  /// pattern holds at most the pairs on a line.
+  /// Leaves of unknown sign whose contacts do not resist every rigid-body mode. Of two load factors
+  /// such a pattern holds at most the pairs on a line.
   std::uint64_t thin = 0;
   std::uint64_t iterations = 0;
   std::vector<LoadedLeaf> limits{};  ///< leaves with states at a limit, computed; not a count

@@ -22,8 +22,8 @@ struct QuadraticBound {
 };
 
 struct QuadraticQuestion {
-  double enough = 0;  ///< a bound up to here is of no interest
-  double most = 0;    ///< nor is one above
+  double enough = 0;  ///< smaller bounds are of no interest
+  double most = 0;    ///< larger bounds are of no interest
   support::Stop stop{};
 };
 

@@ -45,9 +45,9 @@ struct RayFindings {
   std::vector<rays::Cone> cones;                     ///< maximal; none if the search stopped early
   rays::Health health;                               ///< of the search
   RayMethod method = RayMethod::double_description;  ///< the chosen method
-  std::optional<RayTreeReport> tree;                 ///< if there was a tree, of either kind
-  rays::Effort effort;                               ///< otherwise, and
-  double seconds = 0;                                ///< the time
+  std::optional<RayTreeReport> tree;                 ///< of a tree of either kind; nothing: no tree
+  rays::Effort effort;                               ///< of double description without a tree
+  double seconds = 0;  ///< duration of double description without a tree
 };
 
 /// The cone of reactions of a problem in the plane, including unconstrained bodies.

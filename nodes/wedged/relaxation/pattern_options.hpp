@@ -34,8 +34,8 @@ struct SignPatternOptions {
   Precision precision = Precision::escalating;
 };
 
-/// Largest |t*| that the sixteen digits of a file's coordinates and directions may leave of zero.
-/// Above it t* is decided by its sign, although it is degenerate by the tolerance.
+/// Largest |t*| that the rounding of a file's coordinates and directions to sixteen digits can make
+/// of a t* = 0. Above it the sign of t* decides, even if t* is degenerate by the tolerance.
 inline constexpr double rounding_of_files = 1e-14;
 
 /// Tolerances that resolve signs down to `resolution`, unless a larger tolerance is requested.

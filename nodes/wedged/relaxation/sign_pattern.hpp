@@ -59,6 +59,11 @@ struct Configuration {
   std::vector<double> reaction;      ///< r of the block, force; sum of its normal parts 1
   std::vector<double> displacement;  ///< u = K^-1 r of the block, length
 
+  /// True if it is a solid or a flat cone.
+  [[nodiscard]] bool is_cone() const {
+    return state == LeafState::feasible || state == LeafState::flat;
+  }
+
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& block& pattern& state& lower& upper& reaction& displacement;

@@ -16,13 +16,9 @@ bool precedes(const support::IndexSet& a, const support::IndexSet& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-bool is_cone(const Configuration& leaf) {
-  return leaf.state == LeafState::feasible || leaf.state == LeafState::flat;
-}
-
 /// Feasible and flat cones are one kind.
 int kind(const Configuration& leaf) {
-  return is_cone(leaf) ? 0 : leaf.state == LeafState::marginal ? 1 : 2;
+  return leaf.is_cone() ? 0 : leaf.state == LeafState::marginal ? 1 : 2;
 }
 
 bool in_order(const Configuration& a, const Configuration& b) {
@@ -136,8 +132,8 @@ std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {
   std::sort(leaves.begin(), leaves.end(), in_order);
   std::vector<bool> contained(leaves.size());
   std::size_t last = 0;
-  for (std::size_t first = 0; first < leaves.size() && is_cone(leaves[first]); first = last) {
-    while (last < leaves.size() && is_cone(leaves[last]) &&
+  for (std::size_t first = 0; first < leaves.size() && leaves[first].is_cone(); first = last) {
+    while (last < leaves.size() && leaves[last].is_cone() &&
            leaves[last].block == leaves[first].block)
       ++last;
     mark_contained(leaves, first, last, contained);

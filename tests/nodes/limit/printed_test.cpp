@@ -199,7 +199,7 @@ class DualAtNodes {
         alpha_(of.alpha / model_.force_unit),
         big_m_(of.big_m * Eigen::VectorXd::Ones(model_.uncertain_count()) / model_.factor_unit) {}
 
-  // @return whether the omitted rows were redundant there
+  // @return true if the omitted rows were redundant there
   bool compare(const std::vector<HeldTau>& held, bool with_cuts) {
     auto mixed = relaxation_of(model_, alpha_, big_m_);
     const auto cuts = with_cuts ? some_cuts(mixed) : std::vector<problems::RelaxationCut>{};

@@ -46,7 +46,7 @@ TEST(Page, GoesOnBelowTheLastColumn) {
 
 TEST(Page, LosesNoWordAndBreaksNone) {
   const std::string text =
-      "    1   4.885e-03  楔13 t13 b23…29 b33 t33 b43 t43\nIt can stick: 27 ways at friction "
+      "    1   4.885e-03  楔13 t13 b23…29 b33 t33 b43 t43\nIt can stick in 27 ways at friction "
       "coefficient 0.65, or at\n    in tension:     a-b c-d e-f g-h i-j k-l m-n o-p\n"
       "aVeryLongNameThatNoTerminalOfFortyColumnsShowsInOneLine here\n";
   for (const std::size_t width : {17U, 20U, 25U, 40U, 41U, 60U, 80U}) {

@@ -173,18 +173,19 @@ TEST(CriticalWords, QualifyEachEndByItself) {
   EXPECT_EQ(headline(critical({lower, upper}, engine::Status::time_limit)),
             "It cannot stick below friction coefficient 0.5; at 0.6 it can (computed, not "
             "proved).");
-  EXPECT_EQ(headline(critical({std::nullopt, upper})),
-            "It can stick at friction coefficient 0.6 (computed, not proved); below, it is not "
-            "known.");
+  EXPECT_EQ(
+      headline(critical({std::nullopt, upper})),
+      "It can stick at friction coefficient 0.6 (computed, not proved); below it, this is not "
+      "known.");
   EXPECT_EQ(headline(critical({lower, std::nullopt})),
-            "It cannot stick up to friction coefficient 0.5; above, it is not known.");
+            "It cannot stick up to friction coefficient 0.5; above it, this is not known.");
 }
 
 TEST(StickingWords, CountBeyondEveryInteger) {
   EXPECT_EQ(
       headline({.answer = Sticking{.friction = 2,
                                    .count = *support::ExactCount::read("18446744073709551616")}}),
-      "It can stick: 18446744073709551616 ways at friction coefficient 2.");
+      "It can stick in 18446744073709551616 ways at friction coefficient 2.");
 }
 
 TEST(StickingWords, CountNothingOfAListThatTheExactTestDoesNotShow) {

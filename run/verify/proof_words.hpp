@@ -1,0 +1,34 @@
+// Sentences that several kinds of certificates share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "problems/structure/checks/checked_structure.hpp"
+#include "run/verify/verify.hpp"
+
+namespace kusabi::run {
+
+/// Column of the claims that are proved except for large displacements.
+inline constexpr const char* far_motion_column = "but for far motion";
+
+inline constexpr std::string_view truss_of_certificate =
+    "the truss is that of the certificate; --problem FILE proves the result for a problem file\n";
+
+/// The certificate as a whole is refused.
+VerifyFindings refusal_of_certificate(const VerifyOptions& options, const std::string& why);
+
+/// @param motions number of rigid-body modes of unconstrained bodies
+std::string indefinite_stiffness(std::size_t motions);
+
+/// Problem of a proof about friction: name, file and fingerprint.
+std::string verified_problem(const VerifyOptions& options,
+                             const problems::CheckedStructure& structure);
+std::string verified_friction(const problems::CheckedStructure& structure, double friction);
+
+/// ", 3 of them except for displacements over 1e+06 times the strains"; empty for none.
+std::string far_motion_text(std::uint64_t nodes);
+
+}  // namespace kusabi::run
