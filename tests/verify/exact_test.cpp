@@ -38,6 +38,27 @@ TEST(Dyadic, LosesNothing) {
   EXPECT_FALSE(same(Dyadic(0.1) + Dyadic(0.2), Dyadic(0.3)));
 }
 
+// In rational numbers, for exponents in any order and sums that cancel.
+TEST(Dyadic, AddsProductsExactly) {
+  std::mt19937_64 generator(2);
+  std::uniform_int_distribution<int> exponent(-200, 200);
+  std::uniform_int_distribution<int> digit(-9, 9);
+  for (int time = 0; time < 200; ++time) {
+    Dyadic sum;
+    mpq_class expected = 0;
+    for (int k = 0; k < 6; ++k) {
+      const Dyadic a = Dyadic(digit(generator)).scaled(exponent(generator)) + Dyadic(k % 2);
+      const double b = std::ldexp(digit(generator) + 0.1, exponent(generator));
+      for (const double factor : {b, k % 3 == 0 ? -b : 0.0, 1.0}) {
+        sum.add_product(a, factor);
+        expected += a.rational() * mpq_class(factor);
+      }
+    }
+    EXPECT_EQ(sum.rational(), expected);
+  }
+  EXPECT_THROW(Dyadic().add_product(Dyadic(1.0), Limits::infinity()), std::domain_error);
+}
+
 TEST(Dyadic, ARootIsNotBelowAndHardlyAbove) {
   std::mt19937_64 generator(1);
   std::uniform_real_distribution<double> exponent(-1000, 1000);

@@ -22,7 +22,7 @@ Parts parts_of(double value) {
   constexpr int digits = std::numeric_limits<double>::digits;
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
-  return {static_cast<std::int64_t>(std::ldexp(fraction, digits)), exponent - digits};
+  return {static_cast<std::int64_t>(fraction * 0x1p53), exponent - digits};
 }
 
 mpz_class integer(std::int64_t value) {
@@ -72,6 +72,26 @@ Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   shift_up(sum, a.exponent_ - b.exponent_);
   sum += b.mantissa_;
   return {std::move(sum), b.exponent_};
+}
+
+void Dyadic::add_product(const Dyadic& a, double b) {
+  const auto parts = parts_of(b);
+  if (parts.mantissa == 0 || a.sign() == 0) return;
+  const long exponent = a.exponent_ + parts.exponent;
+  if (sign() == 0) exponent_ = exponent;
+  if (exponent < exponent_) {
+    shift_up(mantissa_, exponent_ - exponent);
+    exponent_ = exponent;
+  }
+  const auto size = static_cast<unsigned long>(std::abs(parts.mantissa));
+  auto* const sum = mantissa_.get_mpz_t();
+  if (exponent == exponent_) {
+    (parts.mantissa < 0 ? mpz_submul_ui : mpz_addmul_ui)(sum, a.mantissa_.get_mpz_t(), size);
+    return;
+  }
+  mpz_class product = a.mantissa_ * size;
+  shift_up(product, exponent - exponent_);
+  (parts.mantissa < 0 ? mpz_sub : mpz_add)(sum, sum, product.get_mpz_t());
 }
 
 mpz_class Dyadic::multiples(long exponent) const {

@@ -33,6 +33,10 @@ class Dyadic {
   /// The largest integer n such that n * 2^exponent does not exceed the number.
   [[nodiscard]] mpz_class multiples(long exponent) const;
 
+  /// Adds a * b, mostly without new memory.
+  /// @throws std::domain_error if b is infinite or not a number
+  void add_product(const Dyadic& a, double b);
+
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) {
     return a + Dyadic(-b.mantissa_, b.exponent_);

@@ -92,8 +92,8 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
                                        double factor) const {
   std::vector<Dyadic> errors(load.size());
   const auto add = [&](std::size_t e, const Near& number, double times) {
-    load[e] = load[e] + product(number.value, times);
-    errors[e] = errors[e] + product(number.error, std::abs(times));
+    load[e].add_product(number.value, times);
+    errors[e].add_product(number.error, std::abs(times));
   };
   if (factor != 0) {
     for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
@@ -236,16 +236,16 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   if (!(work > work_error)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     for (const auto& [e, each] : certificate_.uncertain[j]) {
-      value = value - product(product(u[e], each), certificate_.load[j]);
+      value.add_product(product(u[e], each), -certificate_.load[j]);
     }
   }
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
     const auto elongation = elongation_of(truss_.columns[i], u);
     const double tension = certificate_.tension[i];
     const double compression = certificate_.compression[i];
-    value = value + product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
+    value.add_product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
     for (const auto& [e, entry] : truss_.columns[i]) {
-      value = value + product(entry.error * absolute(u[e]), std::max(tension, compression));
+      value.add_product(entry.error * absolute(u[e]), std::max(tension, compression));
     }
   }
   const auto divisor = value.sign() < 0 ? work + work_error : work - work_error;
@@ -265,11 +265,11 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     const auto& cut = certificate.cuts[c];
     const Dyadic mu(share);
     share_of[cut.column] = share_of[cut.column] + mu;
-    value = value - product(mu, std::abs(cut.factor));
-    for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
+    value.add_product(mu, -std::abs(cut.factor));
+    for (const auto& [i, force] : cut.forces) taken[i].add_product(mu, std::abs(force));
     for (const auto& [e, missing] : defects_[c]) {
       if (!std::isfinite(missing)) return "the defect of a cut is too large to compute with";
-      defects[e] = defects[e] + product(mu, missing);
+      defects[e].add_product(mu, missing);
     }
   }
   // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
@@ -283,7 +283,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     } else {
       const Dyadic decided = needed + Dyadic(node.one_sided[j]);
       for (const auto& [e, each] : direction) {
-        load[e] = load[e] + product(decided, node.signs[j] > 0 ? each : -each);
+        load[e].add_product(decided, node.signs[j] > 0 ? each : -each);
       }
     }
   }
