@@ -138,7 +138,7 @@ void CriticalBounds::prove_at_once() {
   if (!enclose()) return;
   if (bracket_.leaf() && !bracket_.upper_proved()) {
     const double factor = *bracket_.upper();
-    auto decided = decide_leaf(*bracket_.leaf(), factor, false);
+    auto decided = decide_leaf(*bracket_.leaf(), factor, LeafRecord::none);
     if (decided.holds) {
       bracket_.prove_upper(factor, *bracket_.leaf());
       set_known(std::move(decided.found));
@@ -189,6 +189,13 @@ void CriticalBounds::record_forms() {
   record->end({}, EndClaim::all_patterns, true);
 }
 
+// Of a run that was stopped: the form, and one cone program for the leaf.
+void CriticalBounds::record_proved_bounds() {
+  if (forms_are_the_bound()) record_forms();
+  if (bracket_.upper_proved() && !question_.list)
+    decide_leaf(*bracket_.leaf(), *bracket_.upper(), LeafRecord::after_stop);
+}
+
 bool CriticalBounds::roots_are_infeasible(double factor) {
   return analysis_.by_first_rank([&] {
     const auto friction = candidate_friction(problem_, factor);
@@ -215,15 +222,16 @@ bool CriticalBounds::roots_are_infeasible(double factor) {
 }
 
 CriticalBounds::DecidedLeaf CriticalBounds::decide_leaf(const PatternNode& leaf, double factor,
-                                                        bool recorded) {
+                                                        LeafRecord kind) {
   const auto friction = candidate_friction(problem_, factor);
-  const auto record = recorded ? recorder_(CriticalEnd::upper, factor, friction) : nullptr;
+  const auto record =
+      kind == LeafRecord::none ? nullptr : recorder_(CriticalEnd::upper, factor, friction);
   const auto decide = [&] {
     DecidedLeaf decided;
     SignPatternTree tree(
         problem_, friction,
         {.tolerances = tolerances(), .thorough = true, .precision = question_.grid.precision});
-    tree.end_when(analysis_.budget().stop());
+    if (kind != LeafRecord::after_stop) tree.end_when(analysis_.budget().stop());
     const auto accepts = test(check(friction));
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
@@ -354,8 +362,8 @@ engine::Status CriticalBounds::prove_lower() {
 // Increases the upper bound until the exact test proves the leaf feasible. A flat leaf remains
 // degenerate at larger coefficients; then another pattern may be solid there.
 engine::Status CriticalBounds::prove_upper() {
-  const bool recorded = recorder_ && !question_.list;
-  if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
+  const auto recorded = recorder_ && !question_.list ? LeafRecord::within_limits : LeafRecord::none;
+  if (bracket_.upper_proved() && recorded == LeafRecord::none) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> feasible;
   bool others_decided = false;  // by the other patterns, after the first degenerate point
@@ -474,8 +482,7 @@ void CriticalBounds::prove(CriticalFindings& findings) {
         question_.list)
       stopped(CriticalPhase::list, list(findings));
   }
-  if (findings.status != engine::Status::solved && recorder_ && forms_are_the_bound())
-    record_forms();
+  if (findings.status != engine::Status::solved && recorder_) record_proved_bounds();
   findings.lower = bracket_.lower();
   findings.upper = bracket_.upper();
   findings.lower_proved = bracket_.lower_proved();

@@ -95,7 +95,10 @@ class CriticalBounds {
     return forms_.factor > 0 && forms_.factor == bracket_.lower();
   }
   void record_forms();
-  DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, bool recorded);
+  void record_proved_bounds();
+  /// Record of one leaf; `after_stop`: also if the run is to stop.
+  enum class LeafRecord { none, within_limits, after_stop };
+  DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, LeafRecord kind);
   /// True if the error of the search may exceed the largest relaxation of a bound, while the exact
   /// test is available.
   [[nodiscard]] bool is_to_bisect() const {

@@ -20,6 +20,7 @@
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
+#include "nodes/wedged/tree/tree_leaves.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -39,27 +40,14 @@ double or_infinity(const std::optional<double>& number) {
 }
 
 // Feasible or undecided leaves at the largest coefficient: maximal cones and undecided leaves.
-struct FeasiblePatterns {
-  engine::Status status = engine::Status::solved;
-  std::vector<Configuration> leaves;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaves;
-  }
-};
-
-FeasiblePatterns feasible_patterns(engine::Analysis& analysis,
-                                   const problems::WedgedProblem& problem, double most,
-                                   std::vector<CriticalCost>& costs) {
+TreeLeaves feasible_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                             double most, std::vector<CriticalCost>& costs) {
   SignPatternTree tree(problem, candidate_friction(problem, most));
   auto outcome = analysis.search(tree, {});
   costs.push_back({CriticalPhase::patterns, most, outcome.opened(), outcome.opened()});
-  return engine::from_first_rank(analysis.transport(), [&] {
-    std::vector<Configuration> leaves;
-    for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
-    return FeasiblePatterns{outcome.status, maximal_cones(std::move(leaves))};
-  });
+  auto found = tree_leaves(analysis, outcome);
+  found.leaves = maximal_cones(std::move(found.leaves));
+  return found;
 }
 
 // Result of a limited global search, and the ranks' costs.

@@ -108,6 +108,54 @@ TEST_F(Command, RefusesASpoiltCertificateOnAnyNumberOfRanks) {
   }
 }
 
+// A slab between parallel walls, with 25 candidates on each side and nothing else that holds it.
+constexpr auto slab = R"(name = "slab"
+dimension = 2
+units = { length = "m", force = "kN" }
+[[mesh]]
+name = "b"
+corners = [[0, 0], [4, 0], [4, 1], [0, 1]]
+divisions = [24, 2]
+E = 1000
+nu = 0.3
+thickness = 1
+plane = "stress"
+[[contact]]
+nodes = ["b.bottom"]
+normal = [0, 1]
+[[contact]]
+nodes = ["b.top"]
+normal = [0, -1]
+)";
+
+// The lower bound is that of the form with products of two displacements; the limit of nodes ends
+// the run before any tree.
+TEST_F(Command, ProvesTheBracketOfASlabBetweenParallelWalls) {
+  const auto file = argument("slab.toml"), cert = argument("cert.lower");
+  std::ofstream(in_folder("slab.toml")) << slab;
+  const auto run =
+      shell(command + " critical " + file + " --node-limit 1 --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_THAT(run.output, HasSubstr(" (proved)"));
+  const auto verdict = [&](const std::string& name) {
+    return shell(command + " verify " + name + " --problem " + file).output;
+  };
+  EXPECT_THAT(verdict(argument("cert.upper")), HasSubstr("PROVED: it can stick, by 1 pattern"));
+  EXPECT_THAT(verdict(cert), HasSubstr("PROVED: the list of 0 patterns is complete: it cannot"));
+  const auto altered = [&](const std::string& change) {
+    const auto spoilt = argument("spoilt");
+    shell(fmt::format("awk '/^form/ {{ {} }} {{ print }}' {} >{} && {}", change, cert, spoilt,
+                      sealed(spoilt)));
+    return verdict(spoilt);
+  };
+  EXPECT_THAT(altered(""), HasSubstr("PROVED: the list of 0 patterns"));
+  // P_12, N of the last pair, and all N: without them no motion is bounded.
+  EXPECT_THAT(altered(R"($6 = "-0x1p-30")"), HasSubstr("of two candidates is below zero"));
+  EXPECT_THAT(altered(R"($NF = "-0x1p-30")"), HasSubstr("of two candidates is below zero"));
+  EXPECT_THAT(altered(R"(for (i = NF - 2499; i <= NF; ++i) $i = "0x0p+0")"),
+              HasSubstr("its form is not negative definite"));
+}
+
 TEST_F(Command, SaysThatACertificateWasAltered) {
   const auto cert = argument("cert");
   shell(command + " patterns " + truss + " --mu 0.65 --certificate " + cert);

@@ -210,71 +210,109 @@ CriticalCell CriticalFriction::bisect(const SignPattern& pattern, CriticalCell c
   }
 }
 
-CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,
-                                        std::int64_t most) {
-  LevelCurve curve(width());
-  const auto ask = [&](double factor) {
-    const auto said = probe(pattern, factor);
-    narrow(cell, said, most);
-    if (said.degenerate)
-      curve.take_degenerate(factor);
-    else
-      curve.take(factor, said.level, said.newton);
-    return said;
-  };
-  // True if a grid point within the cell is decided: infeasible, or feasible including flat cones.
-  const auto decided = [&](std::int64_t point) {
-    if (point <= cell.infeasible || point >= cell.feasible) return true;
-    if (at(point) < range_.least) return false;
-    const auto said = ask(at(point));
-    if (said.sign != conic::Sign::marginal) return true;
-    if (!said.degenerate || !is_flat(pattern, at(point))) return false;
-    cell.feasible = point;
-    return true;
-  };
+// Newton's method for the cell of one pattern.
+class CriticalFriction::Approach {
+ public:
+  Approach(CriticalFriction& critical, const SignPattern& pattern, CriticalCell cell,
+           std::int64_t most)
+      : critical_(critical),
+        pattern_(pattern),
+        cell_(cell),
+        most_(most),
+        curve_(critical.width()) {}
+
+  [[nodiscard]] const CriticalCell& cell() const { return cell_; }
+
+  // True if the cell is found; false: bisection continues from it.
+  bool run() {
+    double factor = is_open() ? floor() : critical_.at(cell_.feasible);
+    for (int step = 1; step <= most_steps; ++step) {
+      const auto said = ask(factor);
+      const bool to_the_end =
+          cell_.infeasible >= most_ || (factor >= critical_.at(most_) && !said.degenerate);
+      if (is_one_cell() || (is_open() && to_the_end)) return true;
+      if (!decide_tip()) return false;
+      if (is_one_cell()) return true;
+      auto estimate = curve_.next(floor(), top());
+      if (estimate.settled) {
+        const auto before = critical_.programs_;
+        if (!decide_at(estimate.factor)) return false;
+        if (is_one_cell()) return true;
+        // The estimate was wrong; the additional programs lead to a new one.
+        if (critical_.programs_ != before) estimate = curve_.next(floor(), top());
+      }
+      if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
+        estimate.factor = std::midpoint(floor(), top());
+      factor = std::min(estimate.factor, critical_.at(most_));
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] bool is_open() const { return cell_.feasible == CriticalCell::nowhere; }
+  [[nodiscard]] bool is_one_cell() const { return cell_.feasible - cell_.infeasible <= 1; }
 
   // Range in which t* may become zero.
-  const auto floor = [&] { return std::max(at(cell.infeasible), range_.least); };
-  const auto top = [&] {
-    return cell.feasible == CriticalCell::nowhere
-               ? curve.least_degenerate()
-               : std::min(curve.least_degenerate(), at(cell.feasible));
-  };
-
-  double factor = cell.feasible == CriticalCell::nowhere ? floor() : at(cell.feasible);
-  for (int step = 1; step <= most_steps; ++step) {
-    const auto said = ask(factor);
-    const bool open = cell.feasible == CriticalCell::nowhere;
-    const bool to_the_end = cell.infeasible >= most || (factor >= at(most) && !said.degenerate);
-    if (cell.feasible - cell.infeasible <= 1 || (open && to_the_end)) return cell;
-
-    // Degenerate points are tested for flat cones only here: if one is a flat cone, so are those
-    // above.
-    const double end = std::min(top(), at(most));
-    const auto tip = std::min(cell.feasible, static_cast<std::int64_t>(std::ceil(end / width())));
-    if (tip - cell.infeasible <= 2) {
-      if (!decided(tip) || !decided(cell.infeasible + 1)) break;
-      if (cell.feasible - cell.infeasible <= 1) return cell;
-    }
-    auto estimate = curve.next(floor(), top());
-    if (estimate.settled) {
-      const auto below = static_cast<std::int64_t>(std::floor(estimate.factor / width()));
-      const auto before = programs_;
-      if (!decided(below + 1) || !decided(below)) {
-        if (cell.feasible != CriticalCell::nowhere && below > cell.infeasible &&
-            below < cell.feasible)
-          decide_around(pattern, cell, below);
-        break;
-      }
-      if (cell.feasible - cell.infeasible <= 1) return cell;
-      // The estimate was wrong; the additional programs lead to a new one.
-      if (programs_ != before) estimate = curve.next(floor(), top());
-    }
-    if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
-      estimate.factor = std::midpoint(floor(), top());
-    factor = std::min(estimate.factor, at(most));
+  [[nodiscard]] double floor() const {
+    return std::max(critical_.at(cell_.infeasible), critical_.range_.least);
   }
-  return locate(pattern, cell, CriticalMethod::bisection, most);
+  [[nodiscard]] double top() const {
+    return is_open() ? curve_.least_degenerate()
+                     : std::min(curve_.least_degenerate(), critical_.at(cell_.feasible));
+  }
+
+  FrictionProbe ask(double factor) {
+    const auto said = critical_.probe(pattern_, factor);
+    critical_.narrow(cell_, said, most_);
+    if (said.degenerate)
+      curve_.take_degenerate(factor);
+    else
+      curve_.take(factor, said.level, said.newton);
+    return said;
+  }
+
+  // True if a grid point within the cell is decided: infeasible, or feasible including flat cones.
+  bool decided(std::int64_t point) {
+    if (point <= cell_.infeasible || point >= cell_.feasible) return true;
+    if (critical_.at(point) < critical_.range_.least) return false;
+    const auto said = ask(critical_.at(point));
+    if (said.sign != conic::Sign::marginal) return true;
+    if (!said.degenerate || !critical_.is_flat(pattern_, critical_.at(point))) return false;
+    cell_.feasible = point;
+    return true;
+  }
+
+  // Decides the grid points at both ends of a range of two cells. Degenerate points are tested for
+  // flat cones only here: if one is a flat cone, so are those above.
+  // @return false: one is undecided
+  bool decide_tip() {
+    const double end = std::min(top(), critical_.at(most_));
+    const auto tip =
+        std::min(cell_.feasible, static_cast<std::int64_t>(std::ceil(end / critical_.width())));
+    return tip - cell_.infeasible > 2 || (decided(tip) && decided(cell_.infeasible + 1));
+  }
+
+  // Decides the two grid points around a coefficient. @return false: one is undecided
+  bool decide_at(double factor) {
+    const auto below = static_cast<std::int64_t>(std::floor(factor / critical_.width()));
+    if (decided(below + 1) && decided(below)) return true;
+    if (!is_open() && below > cell_.infeasible && below < cell_.feasible)
+      critical_.decide_around(pattern_, cell_, below);
+    return false;
+  }
+
+  CriticalFriction& critical_;
+  const SignPattern& pattern_;
+  CriticalCell cell_;
+  std::int64_t most_;
+  LevelCurve curve_;
+};
+
+CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,
+                                        std::int64_t most) {
+  Approach newton(*this, pattern, cell, most);
+  if (newton.run()) return newton.cell();
+  return locate(pattern, newton.cell(), CriticalMethod::bisection, most);
 }
 
 CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell cell,

@@ -151,6 +151,8 @@ class CriticalFriction {
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
+  class Approach;
+
   static constexpr conic::StopEarly full{.when_infeasible = false, .when_feasible = false};
   static constexpr conic::StopEarly sign_only{.when_infeasible = true, .when_feasible = true};
 

@@ -6,41 +6,26 @@
 #include <stdexcept>
 #include <utility>
 
-#include <boost/serialization/vector.hpp>
-
 #include "engine/together.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/preparation.hpp"
+#include "nodes/wedged/tree/tree_leaves.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
-/// The leaves at the largest coefficient, including those contained in others, which may be maximal
-/// at a smaller one.
-struct LeavesAtMost {
-  engine::Status status = engine::Status::solved;
-  std::vector<Configuration> leaves;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaves;
-  }
-};
-
-LeavesAtMost leaves_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                       double most, SweepFindings& findings) {
+// The leaves at the largest coefficient, including those contained in others, which may be maximal
+// at a smaller one.
+TreeLeaves leaves_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                     double most, SweepFindings& findings) {
   const auto friction = candidate_friction(problem, most);
   const SignPatternOptions options{.tolerances = resolving({}, rounding_of_files)};
   SignPatternTree tree(problem, friction, options);
   inform(tree, prepare(analysis, problem, friction, options));
   auto outcome = analysis.search(tree, {});
-  auto leaves = engine::from_first_rank(analysis.transport(), [&] {
-    LeavesAtMost found{outcome.status, {}};
-    for (auto& each : outcome.solutions) found.leaves.push_back(std::move(each.solution));
-    return found;
-  });
+  auto leaves = tree_leaves(analysis, outcome);
   findings.tree_ranks = std::move(outcome.ranks);
   return leaves;
 }
