@@ -14,7 +14,7 @@
 //   engine::MpiTransport transport;
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
-// engine/run.hpp makes a program of it; examples/engine has four, as a project to copy.
+// engine/run.hpp makes a program of it; examples/engine has five, as a project to copy.
 // engine/detail/rank.hpp and docs/engine.md describe the protocol.
 #pragma once
 
