@@ -9,13 +9,16 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <sstream>
+#include <streambuf>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <boost/archive/archive_exception.hpp>
 #include <boost/core/demangle.hpp>
 #include <boost/crc.hpp>
 #include <fcntl.h>
@@ -47,11 +50,41 @@ std::string part_name(std::string manifest_file, std::uint64_t epoch, int rank) 
   return manifest_file + "." + std::to_string(epoch) + "." + std::to_string(rank);
 }
 
-std::string checksum(const std::string& header, const std::string& body) {
-  boost::crc_32_type crc;
-  crc.process_bytes(header.data(), header.size());
-  crc.process_bytes(body.data(), body.size());
-  return std::to_string(crc.checksum());
+// Writes the body of a file.
+using Write = std::function<void(std::streambuf&)>;
+
+// A stream buffer that counts bytes and computes their checksum.
+class Measure : public std::streambuf {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::string checksum() const { return std::to_string(crc_.checksum()); }
+
+ protected:
+  std::streamsize xsputn(const char* data, std::streamsize count) override {
+    crc_.process_bytes(data, static_cast<std::size_t>(count));
+    size_ += static_cast<std::size_t>(count);
+    return count;
+  }
+  int_type overflow(int_type character) override {
+    const char byte = traits_type::to_char_type(character);
+    xsputn(&byte, 1);
+    return traits_type::not_eof(character);
+  }
+
+ private:
+  boost::crc_32_type crc_;
+  std::size_t size_ = 0;
+};
+
+void put(const std::string& text, std::streambuf& target) {
+  target.sputn(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+std::string checksum(const std::string& header, const Write& body) {
+  Measure measure;
+  put(header, measure);
+  body(measure);
+  return measure.checksum();
 }
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) {
@@ -92,12 +125,18 @@ std::string beside(const std::string& name) {
   return name + beside_suffix;
 }
 
-void write_beside(const std::string& name, const std::string& content) {
+// Writes a file of a header line, whose last word is the checksum of everything else, and a body.
+void write_beside(const std::string& name, const std::string& header, const Write& body) {
   const auto other = beside(name);
   {
     std::ofstream file(other, std::ios::binary | std::ios::trunc);
-    file << content;
-    file.flush();
+    file << header << ' ' << checksum(header, body) << '\n';
+    try {
+      body(*file.rdbuf());
+      file.flush();
+    } catch (const boost::archive::archive_exception&) {  // the file takes no more bytes
+      file.setstate(std::ios::badbit);
+    }
     if (!file) fail(other, std::string("cannot be written: ") + std::strerror(errno));
   }
   sync(other, O_RDONLY);
@@ -128,8 +167,6 @@ struct Content {
   std::string body;
 };
 
-// Both kinds of file consist of a header line, whose last word is the checksum of everything else,
-// and a body.
 Content checked(const std::string& name, const char* magic) {
   const auto content = content_of(name);
   const auto line_end = content.find('\n');
@@ -149,12 +186,9 @@ Content checked(const std::string& name, const char* magic) {
     fail(name, "is of format version " + std::to_string(version) + "; expected " +
                    std::to_string(oldest_version) + " or " + std::to_string(format_version));
   }
-  if (stored != checksum(header, body)) fail(name, "is damaged: its checksum does not match");
+  if (stored != checksum(header, [&](auto& target) { put(body, target); }))
+    fail(name, "is damaged: its checksum does not match");
   return {version, std::move(words), std::move(body)};
-}
-
-std::string with_checksum(const std::string& header, const std::string& body) {
-  return header + " " + checksum(header, body) + "\n" + body;
 }
 
 // The manifest; nothing if there is none or it cannot be read.
@@ -204,12 +238,15 @@ void verify(const std::string& manifest_file, std::uint64_t problem) {
 
 }  // namespace
 
-void write_part(const std::string& file, const Manifest& manifest, int rank, const Bytes& payload) {
+void write_part(const std::string& file, const Manifest& manifest, int rank,
+                const std::function<void(std::streambuf&)>& save) {
+  Measure payload;
+  save(payload);
   std::ostringstream header;
   header << part_magic << ' ' << format_version << ' ' << manifest.problem << ' ' << manifest.epoch
          << ' ' << rank << ' ' << payload.size();
   const auto name = part_name(file, manifest.epoch, rank);
-  write_beside(name, with_checksum(header.str(), {payload.begin(), payload.end()}));
+  write_beside(name, header.str(), save);
   put_in_place(name);
 }
 
@@ -234,7 +271,7 @@ void commit(const std::string& file, const Manifest& manifest, std::uint64_t bef
          << manifest.epoch << ' ' << manifest.ranks << ' ' << manifest.opened << ' '
          << manifest.fingerprint << ' ' << manifest.open << ' ' << byte_order << ' '
          << manifest.goal << ' ' << manifest.node << ' ' << manifest.solution;
-  write_beside(file, with_checksum(header.str(), ""));
+  write_beside(file, header.str(), [](std::streambuf& /*none*/) {});
   // No file has changed so far. Only a checkpoint known to be good may replace the previous one: if
   // FILE was damaged and skipped, FILE.previous may be the only good one.
   const auto there = readable_manifest(file);

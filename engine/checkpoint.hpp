@@ -12,7 +12,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
+#include <streambuf>
 #include <string>
 
 #include "engine/wire.hpp"
@@ -57,8 +59,12 @@ void expect_folder(const std::string& file);
 /// @throws CheckpointError if `file` is another checkpoint, valid or not
 void expect_no_other(const std::string& file, const std::string& resume_from);
 
-/// Writes the part of one rank. @throws CheckpointError on a failed write, for example a full disk
-void write_part(const std::string& file, const Manifest& manifest, int rank, const Bytes& payload);
+/// Writes the part of one rank, without a copy in memory.
+/// @param save writes the payload, the same bytes at each of three calls: its size and its checksum
+///     are before it in the file
+/// @throws CheckpointError on a failed write, for example a full disk
+void write_part(const std::string& file, const Manifest& manifest, int rank,
+                const std::function<void(std::streambuf&)>& save);
 
 /// Payload of one part of a checkpoint. @param manifest_file FILE or FILE.previous
 /// @throws CheckpointError if the part is missing, of another checkpoint, or damaged

@@ -98,7 +98,8 @@ struct Options {
   /// Seconds between two reductions while all ranks are busy (idle ranks join at once).
   double reduction_interval = 0.05;
 
-  /// Random seed of the choice of victims. The outcome does not depend on it.
+  /// Random seed of the choice of victims, the same on all ranks. The outcome does not depend on
+  /// it.
   std::uint64_t seed = 1;
 
   /// Nodes opened between two polls of the messages; 0: as many as take 10 to 20 microseconds.
@@ -113,8 +114,9 @@ struct Options {
   std::size_t heap_bytes = std::numeric_limits<std::size_t>::max();
 
   /// Message size, in bytes, above which the engine splits its messages. A single node, solution or
-  /// tally is not split.
-  std::size_t message_bytes = std::size_t{64} * 1024;
+  /// tally is not split. With their headers, messages of this size are below the usual eager limits
+  /// of MPI, from 4 KiB on.
+  std::size_t message_bytes = 4000;
 
   /// Share of the nodes, 0 to 1, that are expanded twice, to test that `expand` depends on the node
   /// alone: children, solutions and bounds must be equal byte for byte. A difference ends the

@@ -33,7 +33,7 @@ class Explorer {
   using Node = StoredNode<P>;
   using Solution = typename P::Solution;
 
-  /// Local state that a checkpoint stores. When a search resumes on fewer ranks, a rank gets the
+  /// Local state read from a checkpoint. When a search resumes on fewer ranks, a rank gets the
   /// open nodes of several: one bundle each, since each has its own trail.
   struct State {
     std::vector<Bundle<Node>> bundles;
@@ -48,6 +48,21 @@ class Explorer {
   };
 
   /// @param serve called by a long expansion that polls
+  /// Is saved as the State of an explorer that does not change meanwhile, without a copy.
+  class SavedState {
+   public:
+    explicit SavedState(const Explorer& explorer) : explorer_(explorer) {}
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive << explorer_.bundles() << explorer_.solutions_.list()
+              << explorer_.solutions_.incumbent() << explorer_.closed_;
+    }
+
+   private:
+    const Explorer& explorer_;
+  };
+
   /// @throws std::invalid_argument if the options require functions that the problem lacks
   Explorer(P& problem, const Options& options, std::function<bool()> serve)
       : problem_(problem),
@@ -128,15 +143,29 @@ class Explorer {
     return heap_.can_give() || frontier_.can_give() || stores() >= 2;
   }
 
-  /// Nodes for another rank, at most `limit` bytes in total unless a single node is larger.
-  Transfer<Node> give(std::size_t limit) {
-    if (heap_.can_give()) return heap_.give(limit);
-    if (frontier_.can_give()) return {frontier_.give(limit)};
-    if (!heap_.empty()) return {heap_.take()};
-    auto& bundle = waiting_.back();
-    Bundle<Node> part{bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit)};
-    if (bundle.nodes.empty()) waiting_.pop_back();
-    return {std::move(part)};
+  /// Half of the nodes for another rank, at most `most` pieces of about `limit` bytes (in_pieces).
+  /// A heap gives one piece, since its best nodes count, not their number.
+  std::vector<Transfer<Node>> give(std::size_t limit, std::size_t most) {
+    std::vector<Transfer<Node>> transfers;
+    const auto add = [&](Bundle<Node>&& bundle) {
+      for (auto& piece : in_pieces(std::move(bundle), limit)) {
+        transfers.emplace_back().push_back(std::move(piece));
+      }
+    };
+    if (heap_.can_give()) {
+      transfers.push_back(heap_.give(limit));
+    } else if (waiting_.size() >= 2) {
+      for (auto& bundle : give_waiting(most)) add(std::move(bundle));
+    } else if (frontier_.can_give()) {
+      add(frontier_.give(limit * most));
+    } else if (!heap_.empty()) {
+      add(heap_.take());
+    } else {
+      auto& bundle = waiting_.back();
+      add({bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit * most)});
+      if (bundle.nodes.empty()) waiting_.pop_back();
+    }
+    return transfers;
   }
 
   void take(Transfer<Node>&& transfer) {
@@ -168,14 +197,7 @@ class Explorer {
   // ---- state ------------------------------------------------------------------------------------
 
   /// @pre no node is being expanded
-  [[nodiscard]] State state() const {
-    State state{heap_.all(), solutions_.list(), solutions_.incumbent(), closed_};
-    for (const auto& bundle : waiting_) {
-      state.bundles.push_back({bundle.trail, {bundle.nodes.begin(), bundle.nodes.end()}});
-    }
-    if (!frontier_.empty()) state.bundles.push_back(frontier_.all());
-    return state;
-  }
+  [[nodiscard]] SavedState state() const { return SavedState(*this); }
 
   void restore(State&& state) {
     take(std::move(state.bundles));
@@ -189,6 +211,17 @@ class Explorer {
     std::vector<TrailStep> trail;
     NodeStack<Node> nodes;
   };
+
+  // All open nodes, deepest last.
+  [[nodiscard]] SavedList<SavedBundle<Node>> bundles() const {
+    auto in_heap = heap_.all();
+    const auto count = in_heap.size + waiting_.size() + (frontier_.empty() ? 0 : 1);
+    return {count, [this, in_heap = std::move(in_heap)](const auto& look) {
+              in_heap.for_each(look);
+              for (const auto& bundle : waiting_) look({bundle.trail, bundle.nodes.all()});
+              if (!frontier_.empty()) look(frontier_.all());
+            }};
+  }
 
   // Bound by which a node is pruned.
   [[nodiscard]] double bound_of(const Node& node) const {
@@ -226,6 +259,22 @@ class Explorer {
     } else {
       heap_.put(std::move(bundle), [this](const Node& node) { return rank_of(node); });
     }
+  }
+
+  // Removes and returns every other bundle that follows the frontier, at most `most`.
+  std::vector<Bundle<Node>> give_waiting(std::size_t most) {
+    std::vector<Bundle<Node>> given;
+    std::vector<Waiting> kept;
+    for (std::size_t place = 0; place < waiting_.size(); ++place) {
+      auto& bundle = waiting_[place];
+      if (place % 2 == 0 && given.size() < most) {
+        given.push_back({std::move(bundle.trail), bundle.nodes.take_all()});
+      } else {
+        kept.push_back(std::move(bundle));
+      }
+    }
+    waiting_ = std::move(kept);
+    return given;
   }
 
   bool next_nodes() {
@@ -331,7 +380,7 @@ class Explorer {
   Order order_;
   double check_share_;  // share of the nodes that are expanded twice
   const std::function<void(std::size_t, double)>& record_;
-  bool watched_;  // nodes are expanded twice or recorded
+  bool watched_;                        // nodes are expanded twice or recorded
   Expanded* expanded_ = nullptr;        // of the node that is being expanded twice
   Frontier<Node, WorkOf<P>> frontier_;  // the part searched depth first
   // bundles that follow the frontier; used with depth-first order only

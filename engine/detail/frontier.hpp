@@ -10,11 +10,14 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "engine/detail/contract.hpp"
+#include "engine/detail/node_stack.hpp"
 #include "engine/detail/open_nodes.hpp"
+#include "engine/detail/saved_list.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {
@@ -108,11 +111,10 @@ class Frontier {
     for (const auto& open : nodes_) look(open.node);
   }
 
-  /// A copy of all open nodes, with the trail above them.
+  /// All open nodes, with the trail above them, as long as this frontier does not change.
   /// @pre not empty()
-  [[nodiscard]] Bundle<Node> all() const {
-    const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
-    return {{trail_.begin(), trail_.begin() + deepest}, {nodes_.begin(), nodes_.end()}};
+  [[nodiscard]] SavedBundle<Node> all() const {
+    return {std::span(trail_).first(nodes_.back().depth), nodes_.all()};
   }
 
   /// Removes and returns all open nodes. @pre not empty(); no node is being expanded

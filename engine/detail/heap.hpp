@@ -17,6 +17,7 @@
 
 #include "engine/detail/contract.hpp"
 #include "engine/detail/open_nodes.hpp"
+#include "engine/detail/saved_list.hpp"
 #include "engine/detail/shared_trail.hpp"
 #include "engine/wire.hpp"
 
@@ -33,8 +34,8 @@ class Heap {
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
 
-  [[nodiscard]] bool empty() const { return entries_.empty(); }
-  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] bool empty() const { return keys_.empty(); }
+  [[nodiscard]] std::size_t size() const { return keys_.size(); }
 
   /// Bytes of the trails and, if there is a limit of bytes, of the nodes.
   [[nodiscard]] std::size_t bytes() const { return trail_bytes_ + node_bytes_; }
@@ -42,7 +43,7 @@ class Heap {
 
   /// The next node: none has a smaller bound.
   /// @pre not empty()
-  [[nodiscard]] const Node& best() const { return entries_.front().open.node; }
+  [[nodiscard]] const Node& best() const { return entries_[keys_.front().slot].open.node; }
 
   /// Inserts the nodes of a bundle.
   /// @param bound_of function of a node: its lower bound
@@ -54,22 +55,22 @@ class Heap {
     for (auto& open : bundle.nodes) {
       const double bound = bound_of(std::as_const(open.node));
       if (std::isnan(bound)) throw std::domain_error("a bound is not a number");
-      const auto bytes = most_bytes_ == no_limit ? 0 : sizeof(Entry) + packed_size_(open);
-      node_bytes_ += bytes;
-      insert({bound, ++puts_, trail, bytes, std::move(open)});
+      const auto bytes =
+          most_bytes_ == no_limit ? 0 : sizeof(Key) + sizeof(Entry) + packed_size_(open);
+      insert({bound, ++puts_, 0}, {trail, bytes, std::move(open)});
     }
   }
 
   /// Removes and returns the best node, with its trail.
   /// @pre not empty()
   Bundle<Node> take() {
-    auto best = remove_best();
+    auto best = remove_best().second;
     taken_ = {best.trail, best.open.depth};
     return bundle_of(std::move(best));
   }
 
   /// True if a node can be given away and one is left here.
-  [[nodiscard]] bool can_give() const { return entries_.size() >= 2; }
+  [[nodiscard]] bool can_give() const { return size() >= 2; }
 
   /// Removes and returns the second, fourth, sixth … best node: at most half of the nodes, and at
   /// most `limit` bytes, but at least one node. Both sides thus continue with equally good nodes.
@@ -77,45 +78,57 @@ class Heap {
   Transfer<Node> give(std::size_t limit) {
     ensure(can_give(), "a heap gives nodes only if one is left");
     Transfer<Node> transfer;
-    std::vector<Entry> kept;
+    std::vector<std::pair<Key, Entry>> kept;
     PackedSize<Bundle<Node>> packed_size;
     std::size_t bytes = 0;
-    for (auto left = entries_.size() / 2; left > 0; --left) {
+    for (auto left = size() / 2; left > 0; --left) {
       kept.push_back(remove_best());
-      auto bundle = bundle_of(remove_best());
+      auto bundle = bundle_of(remove_best().second);
       bytes += packed_size(bundle);
       transfer.push_back(std::move(bundle));
       if (bytes >= limit) break;
     }
-    for (auto& entry : kept) {
-      node_bytes_ += entry.bytes;
-      insert(std::move(entry));
-    }
+    for (auto& [key, entry] : kept) insert(key, std::move(entry));
     return transfer;
   }
 
-  /// A copy of all nodes. Nodes inserted together stay together, in the same order.
-  [[nodiscard]] Transfer<Node> all() const {
-    std::vector<const Entry*> entries;
-    entries.reserve(entries_.size());
-    for (const auto& entry : entries_) entries.push_back(&entry);
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry* a, const Entry* b) { return a->age < b->age; });
-    Transfer<Node> all;
-    const SharedTrail* trail = nullptr;
-    for (const auto* entry : entries) {
-      if (entry->trail.get() != trail)
-        all.push_back({entry->trail->first(entry->trail->size()), {}});
-      trail = entry->trail.get();
-      all.back().nodes.push_back(entry->open);
+  /// All nodes, as long as this heap does not change. Nodes inserted together stay together, in the
+  /// same order.
+  [[nodiscard]] SavedList<SavedBundle<Node>> all() const {
+    std::vector<const Key*> keys;
+    keys.reserve(size());
+    for (const auto& key : keys_) keys.push_back(&key);
+    std::sort(keys.begin(), keys.end(), [](const Key* a, const Key* b) { return a->age < b->age; });
+    const auto ends_bundle = [this](const Key* a, const Key* b) {
+      return entries_[a->slot].trail != entries_[b->slot].trail;
+    };
+    std::size_t bundles = keys.empty() ? 0 : 1;
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      if (ends_bundle(keys[i - 1], keys[i])) ++bundles;
     }
-    return all;
+    return {bundles, [this, keys = std::move(keys), ends_bundle](const auto& look) {
+              for (auto begin = keys.begin(); begin != keys.end();) {
+                auto end = std::adjacent_find(begin, keys.end(), ends_bundle);
+                if (end != keys.end()) ++end;
+                const auto& above = *entries_[(*begin)->slot].trail;
+                const auto trail = above.first(above.size());
+                const auto for_each = [&](const auto& see) {
+                  std::for_each(begin, end, [&](const Key* key) { see(entries_[key->slot].open); });
+                };
+                look({trail, {static_cast<std::size_t>(end - begin), for_each}});
+                begin = end;
+              }
+            }};
   }
 
  private:
-  struct Entry {
+  // The heap orders small keys: to move whole entries takes several times as long.
+  struct Key {
     double bound;
     std::uint64_t age;
+    std::size_t slot;  // place of the entry
+  };
+  struct Entry {
     SharedTrail::Pointer trail;  // down to the deepest node that shares it
     std::size_t bytes;
     OpenNode<Node> open;
@@ -129,21 +142,32 @@ class Heap {
 
   // Comparison for std::push_heap, which keeps the greatest element in front; here that is the
   // best.
-  static bool worse(const Entry& a, const Entry& b) {
+  static bool worse(const Key& a, const Key& b) {
     return a.bound != b.bound ? a.bound > b.bound : a.age < b.age;
   }
 
-  void insert(Entry&& entry) {
-    entries_.push_back(std::move(entry));
-    std::push_heap(entries_.begin(), entries_.end(), worse);
+  void insert(Key key, Entry&& entry) {
+    node_bytes_ += entry.bytes;
+    if (free_.empty()) {
+      key.slot = entries_.size();
+      entries_.push_back(std::move(entry));
+    } else {
+      key.slot = free_.back();
+      free_.pop_back();
+      entries_[key.slot] = std::move(entry);
+    }
+    keys_.push_back(key);
+    std::push_heap(keys_.begin(), keys_.end(), worse);
   }
 
-  Entry remove_best() {
-    std::pop_heap(entries_.begin(), entries_.end(), worse);
-    Entry best = std::move(entries_.back());
-    entries_.pop_back();
-    node_bytes_ -= best.bytes;
-    return best;
+  std::pair<Key, Entry> remove_best() {
+    std::pop_heap(keys_.begin(), keys_.end(), worse);
+    const auto key = keys_.back();
+    keys_.pop_back();
+    free_.push_back(key.slot);
+    auto& entry = entries_[key.slot];
+    node_bytes_ -= entry.bytes;
+    return {key, std::move(entry)};
   }
 
   static Bundle<Node> bundle_of(Entry&& entry) {
@@ -158,7 +182,9 @@ class Heap {
   std::size_t node_bytes_ = 0;
   PackedSize<OpenNode<Node>> packed_size_;
   Taken taken_;
-  std::vector<Entry> entries_;
+  std::vector<Key> keys_;          // a heap
+  std::vector<Entry> entries_;     // in no order
+  std::vector<std::size_t> free_;  // slots without an entry
   std::uint64_t puts_ = 0;
 };
 

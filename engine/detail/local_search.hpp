@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <streambuf>
 #include <string>
+#include <vector>
 
 #include "engine/detail/incumbent.hpp"
 #include "engine/statistics.hpp"
@@ -43,8 +45,9 @@ class LocalSearch {
     std::uint64_t nodes = 0;
   };
   [[nodiscard]] virtual bool can_give() const = 0;
-  /// @param limit in bytes, exceeded only by a single larger node @pre can_give()
-  virtual PackedTransfer give(std::size_t limit) = 0;
+  /// Half of the nodes, in pieces. @param limit of a piece, in bytes (Options::message_bytes)
+  /// @param most number of pieces @pre can_give()
+  virtual std::vector<PackedTransfer> give(std::size_t limit, std::size_t most) = 0;
   /// @return number of nodes
   virtual std::uint64_t take(const Bytes& transfer) = 0;
 
@@ -64,8 +67,9 @@ class LocalSearch {
   /// Mangled names of the types of nodes and solutions.
   [[nodiscard]] virtual std::string node_type() const = 0;
   [[nodiscard]] virtual std::string solution_type() const = 0;
-  /// State for a checkpoint, and its restoration on this rank.
-  [[nodiscard]] virtual Bytes state() = 0;
+  /// Writes the state for a checkpoint, the same bytes at each call. @pre no node is being expanded
+  virtual void save(std::streambuf& target) = 0;
+  /// Adds a state to that of this rank.
   virtual void restore(const Bytes& state) = 0;
   /// Nodes opened in the resumed runs, as far as this rank restored them, their mark sum, and the
   /// solutions found.

@@ -113,89 +113,40 @@ std::size_t size_of(const Transfer<Node>& transfer) {
   return nodes;
 }
 
-/// Open nodes, shallowest first. Nodes are opened at the deep end and given away at the shallow
-/// end.
-///
-/// The cost of giving is proportional to the number of nodes given: those at the shallow end that
-/// stay are moved up to the others. The free space in front is reclaimed when it is as large as the
-/// remaining part, which amortises to one move per node given.
+/// A bundle as several, in the same order, each for a message of about `limit` bytes. Each has the
+/// trail above its nodes. It has at least one node and, if the limit permits, as many bytes of
+/// nodes as of the trail, which would otherwise be most of what is sent.
 template <class Node>
-class NodeStack {
- public:
-  NodeStack() = default;
-  explicit NodeStack(std::vector<OpenNode<Node>>&& nodes) : nodes_(std::move(nodes)) {}
-
-  [[nodiscard]] bool empty() const { return begin() == end(); }
-  [[nodiscard]] std::size_t size() const { return nodes_.size() - front_; }
-
-  /// Shallowest node.
-  [[nodiscard]] auto begin() const { return nodes_.begin() + signed_front(); }
-  [[nodiscard]] auto end() const { return nodes_.end(); }
-
-  /// Deepest node. @pre not empty()
-  [[nodiscard]] OpenNode<Node>& back() { return nodes_.back(); }
-  [[nodiscard]] const OpenNode<Node>& back() const { return nodes_.back(); }
-  void pop_back() { nodes_.pop_back(); }
-  [[nodiscard]] const OpenNode<Node>& operator[](std::size_t place) const {
-    return nodes_[front_ + place];
-  }
-
-  /// Keeps the first `size` nodes.
-  void shorten(std::size_t size) {
-    nodes_.erase(begin() + static_cast<std::ptrdiff_t>(size), nodes_.end());
-  }
-
-  void emplace_back(Node&& node, std::uint32_t depth, std::uint32_t branch) {
-    nodes_.emplace_back(std::move(node), depth, branch);
-  }
-
-  /// Reverses the order of the last `count` nodes.
-  void reverse_last(std::uint32_t count) {
-    std::reverse(nodes_.end() - static_cast<std::ptrdiff_t>(count), nodes_.end());
-  }
-
-  /// Removes and returns the nodes 0, 2, 4, ...: `count` of them, or as many as fit into `limit`
-  /// bytes, but at least one.
-  /// @pre 0 < count and 2 * count <= size() + 1
-  std::vector<OpenNode<Node>> give(std::size_t count, std::size_t limit) {
-    const auto first = nodes_.begin() + signed_front();
-    const auto node = [&](std::size_t place) -> OpenNode<Node>& {
-      return first[static_cast<std::ptrdiff_t>(place)];
-    };
-    std::vector<OpenNode<Node>> given;
-    PackedSize<OpenNode<Node>> packed_size;
-    std::size_t bytes = 0;
-    while (given.size() < count) {
-      auto& next = node(2 * given.size());
-      bytes += packed_size(next);
-      if (!given.empty() && bytes > limit) break;
-      given.push_back(std::move(next));
+std::vector<Bundle<Node>> in_pieces(Bundle<Node>&& bundle, std::size_t limit) {
+  const auto above = bundle.trail.size() * sizeof(TrailStep);
+  const auto room = std::max(limit - std::min(limit, above), std::min(limit, above));
+  PackedSize<OpenNode<Node>> packed_size;
+  std::vector<std::size_t> begins;
+  std::size_t bytes = 0;
+  for (std::size_t place = 0; place < bundle.nodes.size(); ++place) {
+    const auto size = packed_size(bundle.nodes[place]);
+    if (begins.empty() || bytes + size > room) {
+      begins.push_back(place);
+      bytes = 0;
     }
-    // The nodes between, 1, 3, 5, ..., are moved up to the one after the last given.
-    for (std::size_t kept = given.size() - 1; kept > 0; --kept) {
-      node(given.size() + kept - 1) = std::move(node(2 * kept - 1));
-    }
-    front_ += given.size();
-    if (front_ >= size()) reclaim();
-    return given;
+    bytes += size;
   }
-
-  /// Removes and returns all nodes.
-  std::vector<OpenNode<Node>> take_all() {
-    reclaim();
-    return std::exchange(nodes_, {});
+  std::vector<Bundle<Node>> pieces;
+  if (begins.size() == 1) {
+    pieces.push_back(std::move(bundle));
+    return pieces;
   }
-
- private:
-  [[nodiscard]] std::ptrdiff_t signed_front() const { return static_cast<std::ptrdiff_t>(front_); }
-
-  void reclaim() {
-    nodes_.erase(nodes_.begin(), nodes_.begin() + signed_front());
-    front_ = 0;
+  begins.push_back(bundle.nodes.size());
+  const auto from = [](auto& list, std::size_t place) {
+    return list.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
+    const auto deepest = bundle.nodes[begins[i + 1] - 1].depth;
+    pieces.push_back({{bundle.trail.begin(), from(bundle.trail, deepest)},
+                      {std::move_iterator(from(bundle.nodes, begins[i])),
+                       std::move_iterator(from(bundle.nodes, begins[i + 1]))}});
   }
-
-  std::vector<OpenNode<Node>> nodes_;
-  std::size_t front_ = 0;  // nodes before this index were given away
-};
+  return pieces;
+}
 
 }  // namespace kusabi::engine

@@ -36,7 +36,9 @@ Rank::Rank(LocalSearch& local, Transport& transport, const Options& options)
     throw std::invalid_argument("Options::record requires one rank");
   }
   expect_checkpoint_options();
-  if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
+  if (transport.size() > 1) {
+    victims_.emplace(transport.rank(), transport.size(), options.seed, transport.machine());
+  }
   int with_nodes = 1;  // ranks from 0 on
   if (!options.checkpoint.resume_from.empty()) {
     with_nodes = resume();

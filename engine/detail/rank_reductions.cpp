@@ -206,7 +206,8 @@ void Rank::write_checkpoint(const Reduction& wave) {
   enter(Phase::writing);
   ++epoch_;
   try {
-    write_part(options_.checkpoint.file, manifest(wave), transport_.rank(), local_.state());
+    write_part(options_.checkpoint.file, manifest(wave), transport_.rank(),
+               [this](std::streambuf& target) { local_.save(target); });
   } catch (const CheckpointError& error) {
     warn(error.what());
     failed_ = true;

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "engine/detail/incumbent.hpp"
+#include "engine/detail/saved_list.hpp"
 #include "engine/expansion.hpp"
 #include "engine/options.hpp"
 #include "engine/problem.hpp"
@@ -96,16 +97,20 @@ class Solutions {
 
   [[nodiscard]] std::size_t size() const { return all_.size() + kept_.size(); }
 
-  /// The solutions, and those of Goal::best from the best to the worst.
-  [[nodiscard]] std::vector<FoundSolution<P>> list() const {
-    auto list = all_;
-    auto kept = kept_;
-    std::sort(kept.begin(), kept.end(), before);
-    for (auto& each : kept) list.push_back(std::move(each.found));
-    return list;
+  /// The solutions, those of Goal::best from the best to the worst, as long as this object does not
+  /// change.
+  [[nodiscard]] SavedList<FoundSolution<P>> list() const {
+    return {size(), [this](const auto& look) {
+              for (const auto& found : all_) look(found);
+              std::vector<const Kept*> sorted;
+              for (const auto& each : kept_) sorted.push_back(&each);
+              std::sort(sorted.begin(), sorted.end(),
+                        [](const Kept* one, const Kept* other) { return before(*one, *other); });
+              for (const auto* each : sorted) look(each->found);
+            }};
   }
 
-  /// As `list`, and keeps none.
+  /// Removes and returns them.
   std::vector<FoundSolution<P>> take() {
     auto list = std::exchange(all_, {});
     std::sort(kept_.begin(), kept_.end(), before);

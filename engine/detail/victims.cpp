@@ -2,6 +2,8 @@
 #include "engine/detail/victims.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "engine/detail/contract.hpp"
 #include "engine/path.hpp"
@@ -14,24 +16,41 @@ namespace {
 constexpr double shortest_pause = 1e-6;
 constexpr double longest_pause = 10e-3;
 
+constexpr int most_neighbours = 32;
+
+// The bias of the remainder is below 2^-40 for any realistic number.
+std::uint64_t draw(std::uint64_t& random, std::uint64_t below) {
+  random = branch_hash(random, 0);
+  return random % below;
+}
+
+std::vector<int> neighbours_of(int self, int ranks, std::uint64_t seed) {
+  const auto others = static_cast<std::uint64_t>(ranks) - 1;
+  const auto count = std::min<std::uint64_t>(most_neighbours, others);
+  std::set<int> neighbours;
+  while (neighbours.size() < count) {
+    const auto distance = 1 + static_cast<long>(draw(seed, others));
+    neighbours.insert(static_cast<int>((self + distance) % ranks));
+    neighbours.insert(static_cast<int>((self + ranks - distance) % ranks));
+  }
+  return {neighbours.begin(), neighbours.end()};
+}
+
 }  // namespace
 
-Victims::Victims(int self, int ranks, std::uint64_t seed)
-    : self_(self),
-      ranks_(ranks),
-      random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
+Victims::Victims(int self, int ranks, std::uint64_t seed, std::vector<int> machine)
+    : random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
+      machine_(std::move(machine)),
       patience_(ranks <= few_ranks ? 0 : longest_patience),
       pause_(shortest_pause) {
   ensure(ranks >= 2, "a rank chooses a victim only among several ranks");
+  neighbours_ = neighbours_of(self, ranks, seed);
 }
 
 int Victims::choose() {
   if (favourite_ >= 0) return favourite_;
-  random_ = branch_hash(random_, 0);
-  // The bias of the remainder is below 2^-40 for any realistic number of ranks.
-  const auto others = static_cast<std::uint64_t>(ranks_) - 1;
-  const int pick = static_cast<int>(random_ % others);
-  return pick < self_ ? pick : pick + 1;
+  const auto& candidates = refusals_ == 0 && !machine_.empty() ? machine_ : neighbours_;
+  return candidates[draw(random_, candidates.size())];
 }
 
 void Victims::gave(int victim) {

@@ -2,18 +2,29 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace kusabi::engine {
 
-/// The rank that gave last, as long as it gives; otherwise any other rank with equal probability.
-/// After a refusal the pause before the next request doubles, to limit the load on busy ranks.
+/// The rank that gave last, as long as it gives; after a refusal, first a random rank of the own
+/// machine, then random neighbours in a fixed graph. A rank thus exchanges messages with a bounded
+/// number of ranks of other machines, since MPI keeps memory for each. After a refusal the pause
+/// before the next request doubles, to limit the load on busy ranks.
+///
+/// The graph joins rank r with the ranks r ± d, for the same random distances d on all ranks: about
+/// 32 neighbours, or all others if there are no more.
 class Victims {
  public:
+  /// @param seed the same on all ranks
+  /// @param machine the other ranks on the machine of this rank; empty if unknown
   /// @pre ranks >= 2
-  Victims(int self, int ranks, std::uint64_t seed);
+  Victims(int self, int ranks, std::uint64_t seed, std::vector<int> machine = {});
 
   /// Rank of the next request.
   [[nodiscard]] int choose();
+
+  /// Neighbours in the graph, in increasing order.
+  [[nodiscard]] const std::vector<int>& neighbours() const { return neighbours_; }
 
   /// True if the next request is due. @param now in seconds
   [[nodiscard]] bool due(double now) const { return now >= next_request_; }
@@ -37,9 +48,9 @@ class Victims {
   static constexpr int few_ranks = 8;
   static constexpr unsigned tries_ahead = 2;
 
-  int self_;
-  int ranks_;
   std::uint64_t random_;
+  std::vector<int> machine_;
+  std::vector<int> neighbours_;
   int favourite_ = -1;
   unsigned patience_;
   double pause_;

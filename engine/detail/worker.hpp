@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <streambuf>
 #include <string>
 #include <typeinfo>
 #include <utility>
@@ -40,9 +41,13 @@ class LocalExplorer final : public LocalSearch {
   [[nodiscard]] RankStatistics& statistics() override { return explorer_.statistics(); }
 
   [[nodiscard]] bool can_give() const override { return explorer_.can_give(); }
-  PackedTransfer give(std::size_t limit) override {
-    const auto transfer = explorer_.give(limit);
-    return {pack(transfer), size_of(transfer)};
+  std::vector<PackedTransfer> give(std::size_t limit, std::size_t most) override {
+    std::vector<PackedTransfer> pieces;
+    for (auto& transfer : explorer_.give(limit, most)) {
+      pieces.push_back({pack(transfer), size_of(transfer)});
+      transfer = {};
+    }
+    return pieces;
   }
   std::uint64_t take(const Bytes& body) override {
     auto transfer = unpack<engine::Transfer<Node>>(body);
@@ -67,10 +72,12 @@ class LocalExplorer final : public LocalSearch {
   [[nodiscard]] std::string solution_type() const override {
     return typeid(typename P::Solution).name();
   }
-  [[nodiscard]] Bytes state() override {
-    Saved saved{explorer_.state(), earlier_};
-    saved.reports.push_back(own_report());
-    return pack(saved);
+  void save(std::streambuf& target) override {
+    boost::archive::binary_oarchive archive(target, wire::archive_flags);
+    auto reports = earlier_;
+    reports.push_back(own_report());
+    const SavedNow saved{explorer_.state(), reports};
+    archive << saved;
   }
   void restore(const Bytes& state) override {
     auto saved = unpack<Saved>(state);
@@ -145,7 +152,18 @@ class LocalExplorer final : public LocalSearch {
     }
   };
 
-  // Content of a checkpoint part.
+  // Is saved as Saved.
+  struct SavedNow {
+    typename Explorer<P>::SavedState state;
+    const std::vector<RankReport<P>>& reports;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive << state << reports;
+    }
+  };
+
+  // Content of a checkpoint part, as it is read.
   struct Saved {
     typename Explorer<P>::State state;
     std::vector<RankReport<P>> reports;

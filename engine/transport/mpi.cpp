@@ -24,14 +24,16 @@ void merge_reductions(void* from, void* into, int* count, MPI_Datatype* /*type*/
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i].merge(sources[i]);
 }
 
-// Ranks on this machine and its cores, not those to which the launcher bound this rank.
-bool more_ranks_than_cores(MPI_Comm communicator) {
+// All ranks on this machine, this one included.
+std::vector<int> ranks_of_machine(MPI_Comm communicator, int rank) {
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  int ranks = 1;
-  MPI_Comm_size(machine, &ranks);
+  int size = 1;
+  MPI_Comm_size(machine, &size);
+  std::vector<int> ranks(static_cast<std::size_t>(size));
+  MPI_Allgather(&rank, 1, MPI_INT, ranks.data(), 1, MPI_INT, machine);
   MPI_Comm_free(&machine);
-  return ranks > sysconf(_SC_NPROCESSORS_ONLN);
+  return ranks;
 }
 
 int message_length(const Bytes& body) {
@@ -61,7 +63,10 @@ MpiTransport::MpiTransport(MPI_Comm communicator) {
   MPI_Comm_dup(communicator, &reductions_);
   MPI_Comm_rank(reductions_, &rank_);
   MPI_Comm_size(reductions_, &size_);
-  crowded_ = more_ranks_than_cores(reductions_);
+  machine_ = ranks_of_machine(reductions_, rank_);
+  // Of the machine's cores, not of those to which the launcher bound this rank.
+  crowded_ = static_cast<long>(machine_.size()) > sysconf(_SC_NPROCESSORS_ONLN);
+  std::erase(machine_, rank_);
   MPI_Type_contiguous(static_cast<int>(sizeof(Reduction)), MPI_BYTE, &reduction_type_);
   MPI_Type_commit(&reduction_type_);
   MPI_Op_create(&merge_reductions, 1, &merge_);

@@ -47,6 +47,7 @@ class MpiTransport final : public Transport, public Exchange {
 
   void begin_search() override { search_ = 1 - search_; }
   [[nodiscard]] bool crowded() const override { return crowded_; }
+  [[nodiscard]] std::vector<int> machine() const override { return machine_; }
   void send(int to, MessageTag tag, Bytes body) override;
   std::optional<Message> receive() override;
   void join_reduction(const Reduction& own) override;
@@ -72,6 +73,7 @@ class MpiTransport final : public Transport, public Exchange {
   std::array<MPI_Comm, 2> messages_{MPI_COMM_NULL, MPI_COMM_NULL};
   std::size_t search_ = 0;
   bool crowded_ = false;
+  std::vector<int> machine_;  // the other ranks on this machine
   MPI_Comm reductions_ = MPI_COMM_NULL;
   MPI_Datatype reduction_type_ = MPI_DATATYPE_NULL;
   MPI_Op merge_ = MPI_OP_NULL;

@@ -18,6 +18,9 @@ class SimulatedTransport final : public Transport {
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int size() const override { return network_.size(); }
   [[nodiscard]] double now() const override { return network_.now(); }
+  [[nodiscard]] std::vector<int> machine() const override {
+    return network_.others_on_machine(rank_);
+  }
   void send(int to, MessageTag tag, Bytes body) override {
     network_.send(rank_, to, tag, std::move(body));
   }
@@ -66,16 +69,27 @@ double SimulatedNetwork::step_duration(int rank, double work) {
 }
 
 // Log-normal distribution: one message in a thousand takes twenty times the mean.
-double SimulatedNetwork::delay(int from) {
+double SimulatedNetwork::delay(int from, int to) {
   auto& random = mailbox(from).random;
-  return weather_.latency * std::lognormal_distribution<double>(-0.5, 1.0)(random);
+  const bool near = machine_of(from) == machine_of(to);
+  const double mean = near ? weather_.near_latency : weather_.latency;
+  return mean * std::lognormal_distribution<double>(-0.5, 1.0)(random);
+}
+
+std::vector<int> SimulatedNetwork::others_on_machine(int rank) const {
+  std::vector<int> others;
+  const int first = machine_of(rank) * weather_.machine;
+  for (int other = first; other < std::min(size(), first + weather_.machine); ++other) {
+    if (other != rank) others.push_back(other);
+  }
+  return others;
 }
 
 void SimulatedNetwork::send(int from, int to, MessageTag tag, Bytes body) {
   ensure(from != to, "no rank sends to itself");
   largest_message_ = std::max(largest_message_, body.size());
   auto& target = mailbox(to);
-  double arrival = now_ + delay(from) + static_cast<double>(body.size()) / weather_.bandwidth;
+  double arrival = now_ + delay(from, to) + static_cast<double>(body.size()) / weather_.bandwidth;
   auto& channel = target.last_arrival[{from, tag}];
   arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
   channel = arrival;
@@ -111,7 +125,7 @@ std::optional<Reduction> SimulatedNetwork::reduction(int rank) {
 void SimulatedNetwork::advance_reduction(int rank) {
   if (!reductions_.joined(rank)) return;
   const auto received = reductions_.advance(rank, now_, [&](int to) {
-    const double arrival = now_ + delay(rank);
+    const double arrival = now_ + delay(rank, to);
     notices_.push_back({arrival, to});
     ++mailbox(rank).handled;
     return arrival;

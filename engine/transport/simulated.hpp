@@ -28,6 +28,8 @@ struct Weather {
   double handling = 0;           ///< time that a rank spends on each message it sends or receives
   double stall = 1e-3;           ///< length of a stall
   double stall_probability = 0;  ///< probability of a stall at a step
+  int machine = 1;               ///< ranks on one machine
+  double near_latency = 0.5e-6;  ///< mean delay of a message inside a machine
 };
 
 class SimulatedTransport;
@@ -112,7 +114,9 @@ class SimulatedNetwork {
   std::optional<Reduction> reduction(int rank);
   // Any look at the messages advances the reduction, too.
   void advance_reduction(int rank);
-  double delay(int from);
+  double delay(int from, int to);
+  [[nodiscard]] int machine_of(int rank) const { return rank / weather_.machine; }
+  [[nodiscard]] std::vector<int> others_on_machine(int rank) const;
   [[nodiscard]] Mailbox& mailbox(int rank) { return ranks_[static_cast<std::size_t>(rank)]; }
 
   Weather weather_;

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/reduction.hpp"
 #include "engine/wire.hpp"
@@ -20,6 +21,7 @@ enum class MessageTag : int {
   transfer,           ///< nodes (answers a request or a plea)
   refusal,            ///< no nodes to spare (answers a request or a plea); empty
   lifeline_transfer,  ///< nodes for a rank registered by an earlier plea
+  piece,              ///< further nodes of one of these two transfers
   news,               ///< an improved incumbent
   report,             ///< solutions and statistics for rank 0 at the end
 };
@@ -53,6 +55,9 @@ class Transport {
 
   /// True if more ranks run on this machine than it has cores: a rank that waits should sleep.
   [[nodiscard]] virtual bool crowded() const { return false; }
+
+  /// The other ranks on the machine of this rank, whose messages are the fastest; empty if unknown.
+  [[nodiscard]] virtual std::vector<int> machine() const { return {}; }
 
   /// @pre to != rank()
   virtual void send(int to, MessageTag tag, Bytes body) = 0;

@@ -58,7 +58,14 @@ class Scaling final : public Bench {
         .number("--node-us", &options_.node_microseconds, above(0),
                 "time to open a node, unless it is recorded")
         .unit("us");
-    table.number("--latency-us", &options_.latency_microseconds, above(0), "latency of a message")
+    table
+        .number("--latency-us", &options_.latency_microseconds, above(0),
+                "latency of a message between machines")
+        .unit("us");
+    table.number("--machine", &options_.machine, above(0), "ranks on one machine");
+    table
+        .number("--near-us", &options_.near_latency_microseconds, above(0),
+                "latency of a message inside a machine")
         .unit("us");
     table
         .number("--handling-us", &options_.handling_microseconds, above(0),

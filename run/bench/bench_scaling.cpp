@@ -60,7 +60,9 @@ void print_row(const BenchScalingOptions& options, const Subject<Tree>& subject,
   const engine::Weather weather{.latency = options.latency_microseconds * micro,
                                 .bandwidth = options.gigabytes_a_second * 1e9,
                                 .node = options.node_microseconds * micro,
-                                .handling = options.handling_microseconds * micro};
+                                .handling = options.handling_microseconds * micro,
+                                .machine = options.machine,
+                                .near_latency = options.near_latency_microseconds * micro};
   const auto run = engine::simulate(subject.tree, ranks, options.seed, weather, {}, UINT64_MAX);
   if (run.outcome.opened() != subject.nodes || run.left_behind != 0) {
     throw std::runtime_error(
@@ -84,14 +86,17 @@ void print_row(const BenchScalingOptions& options, const Subject<Tree>& subject,
 template <class Tree>
 void print_table(const BenchScalingOptions& options, const Subject<Tree>& subject) {
   fmt::print(
-      "A tree of {} nodes of {:.4g} us on average; latency {} us, {} us at either end; {} GB/s.\n"
+      "A tree of {} nodes of {:.4g} us on average; latency {} us, {} us on machines of {}; {} us "
+      "at either "
+      "end; {} GB/s.\n"
       "Lost time in % of all ranks' time; transfers and refusals per rank; the reports follow the "
       "end.\n\n"
       "{:>6} {:>10} {:>12} {:>12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10}\n",
       subject.nodes, subject.seconds / micro / static_cast<double>(subject.nodes),
-      options.latency_microseconds, options.handling_microseconds, options.gigabytes_a_second,
-      "ranks", "efficiency", "seconds", "last node s", "ramp-up", "between", "tail", "messages",
-      "transfers", "refusals", "reports ms");
+      options.latency_microseconds, options.near_latency_microseconds, options.machine,
+      options.handling_microseconds, options.gigabytes_a_second, "ranks", "efficiency", "seconds",
+      "last node s", "ramp-up", "between", "tail", "messages", "transfers", "refusals",
+      "reports ms");
   for (int ranks = options.least_ranks; ranks <= options.most_ranks; ranks *= 4) {
     print_row(options, subject, ranks);
   }

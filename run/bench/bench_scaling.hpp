@@ -10,13 +10,15 @@
 namespace kusabi::run {
 
 struct BenchScalingOptions {
-  std::string trace;                   ///< file of a recorded tree; empty: none
-  std::string tree = "sized";          ///< or a standard tree, if no trace is given
-  std::uint64_t nodes = 100'000'000;   ///< nodes of the tree `sized`
-  double node_microseconds = 10;       ///< time to open a node, unless it is recorded
-  double latency_microseconds = 2;     ///< latency of a message
-  double handling_microseconds = 0.5;  ///< time per message of its sender, and of its receiver
-  double gigabytes_a_second = 10;      ///< bandwidth
+  std::string trace;                       ///< file of a recorded tree; empty: none
+  std::string tree = "sized";              ///< or a standard tree, if no trace is given
+  std::uint64_t nodes = 100'000'000;       ///< nodes of the tree `sized`
+  double node_microseconds = 10;           ///< time to open a node, unless it is recorded
+  double latency_microseconds = 2;         ///< latency of a message between machines
+  double near_latency_microseconds = 0.5;  ///< the same inside a machine
+  int machine = 1;                         ///< ranks on one machine
+  double handling_microseconds = 0.5;      ///< time per message of its sender, and of its receiver
+  double gigabytes_a_second = 10;          ///< bandwidth
   int least_ranks = 1;
   int most_ranks = 65536;  ///< largest number of ranks; four times as many in each row
   std::uint64_t seed = 1;

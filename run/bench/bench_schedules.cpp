@@ -31,6 +31,7 @@ constexpr std::array weathers{
     Weather{.latency = 50e-6, .node = 0},                                // everything but nodes
     Weather{.node = 100e-6},                                             // nodes
     Weather{.handling = 5e-6},                                           // sending and receiving
+    Weather{.latency = 20e-6, .machine = 4},                             // between machines
     Weather{.stall = 5e-3, .stall_probability = 0.02},                   // some ranks stall
     Weather{.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1}  // a random mixture
 };
@@ -56,7 +57,7 @@ Draw draw(std::uint64_t seed) {
   draw.options.order = orders[below(orders.size())];
   if (below(2) == 0) draw.options.heap_nodes = 1 + below(30);
   draw.options.nodes_per_step = below(4) == 0 ? 16 : 1;
-  draw.options.message_bytes = below(4) == 0 ? 1 : std::size_t{64} * 1024;
+  draw.options.message_bytes = below(2) == 0 ? engine::Options{}.message_bytes : below(200);
   constexpr std::array intervals{0.05, 0.05, 1e-4, 1e-5};
   draw.options.reduction_interval = intervals[below(intervals.size())];
   if (below(8) == 0) draw.options.limits.nodes = 1 + below(300);

@@ -97,6 +97,30 @@ TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
   EXPECT_EQ(frontier.give(1).nodes.size(), 1U);
 }
 
+// Pieces of a bundle: within the limit, with at least one node, in order, each below its own trail.
+TEST(Frontier, GivesLargeFamiliesInPieces) {
+  for (const std::size_t limit : {1U, 400U, 100'000U}) {
+    SCOPED_TRACE(limit);
+    Frontier<PathNode> frontier;
+    frontier.plant({});
+    open_and_branch(frontier, 100);
+    open_and_branch(frontier, 100);
+    auto given = frontier.give(100'000);
+    const auto nodes = given.nodes;
+    EXPECT_EQ(nodes.size(), 99U);  // of 99 + 100
+    const auto pieces = in_pieces(std::move(given), limit);
+    EXPECT_EQ(pieces.size() == 1, limit == 100'000);
+    EXPECT_EQ(pieces.size() == nodes.size(), limit == 1);
+    std::size_t place = 0;
+    for (const auto& piece : pieces) {
+      EXPECT_TRUE(piece.nodes.size() == 1 || pack(piece).size() <= limit + 100);  // list headers
+      for (const auto& open : piece.nodes) ASSERT_EQ(open.node, nodes[place++].node);
+      EXPECT_EQ(piece.trail.size(), piece.nodes.back().depth);
+    }
+    EXPECT_EQ(place, nodes.size());
+  }
+}
+
 // Repeated transfers from one node's children: each takes every other of the remaining ones.
 TEST(Frontier, GivesAwayAllButOneByAndBy) {
   Frontier<PathNode> frontier;

@@ -192,7 +192,8 @@ TEST(Heap, PathsSurvive) {
     if (!frontier.empty() && random() % 4 == 0) heap.put(frontier.take_all(), bound_of);
     if (opened % 100 != 0) continue;
     std::size_t copied = 0;
-    for (const auto& bundle : heap.all()) {
+    const auto bundles = unpack<Transfer<PathNode>>(pack(heap.all()));
+    for (const auto& bundle : bundles) {
       ASSERT_FALSE(bundle.nodes.empty());
       for (const auto& open : bundle.nodes) {
         auto trail = bundle.trail;
@@ -202,6 +203,7 @@ TEST(Heap, PathsSurvive) {
       }
     }
     EXPECT_EQ(copied, heap.size());
+    EXPECT_EQ(pack(heap.all()), pack(bundles));  // saved as the list of bundles is
     checked += copied;
   }
   EXPECT_TRUE(frontier.empty() && heap.empty());

@@ -122,6 +122,7 @@ TEST(Simulation, LazySteppingGivesTheTimesOfEachStep) {
       {},
       {.node = 10e-6, .handling = 0.5e-6},
       {.latency = 100e-6},
+      {.latency = 20e-6, .machine = 3},
       {.latency = 5e-6, .node = 3e-6, .stall = 1e-3, .stall_probability = 0.01},
       {.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1},
   };

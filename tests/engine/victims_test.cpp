@@ -1,7 +1,10 @@
 // Victims tests: choice of the rank to request work from, and the back-off.
 #include "engine/detail/victims.hpp"
 
+#include <algorithm>
 #include <map>
+#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +28,43 @@ TEST(Victims, AreNeverTheRankItselfAndAllOthersAlike) {
   for (const auto& [victim, times] : count) {
     EXPECT_NEAR(times, expected, 500) << "victim " << victim;  // five standard deviations
   }
+}
+
+// Neighbours are mutual, few and never the rank itself, and lead from each rank to every other.
+TEST(Victims, HaveAFixedGraphThatJoinsAllRanks) {
+  for (const int ranks : {2, 3, 33, 34, 35, 64, 1000}) {
+    SCOPED_TRACE(ranks);
+    std::vector<std::set<int>> graph;
+    for (int rank = 0; rank < ranks; ++rank) {
+      const Victims victims(rank, ranks, 5);
+      graph.emplace_back(victims.neighbours().begin(), victims.neighbours().end());
+      ASSERT_EQ(graph.back().count(rank), 0U);
+      ASSERT_GE(graph.back().size(), static_cast<std::size_t>(std::min(ranks - 1, 32)));
+      ASSERT_LE(graph.back().size(), 33U);
+    }
+    std::vector<int> reached{0};
+    std::set<int> seen{0};
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      for (const int other : graph[static_cast<std::size_t>(reached[next])]) {
+        ASSERT_EQ(graph[static_cast<std::size_t>(other)].count(reached[next]), 1U);
+        if (seen.insert(other).second) reached.push_back(other);
+      }
+    }
+    EXPECT_EQ(reached.size(), static_cast<std::size_t>(ranks));
+  }
+}
+
+TEST(Victims, AreOfTheOwnMachineUntilOneRefuses) {
+  const std::set<int> machine{4, 5, 7};
+  Victims victims(6, 10'000, 5, {machine.begin(), machine.end()});
+  const auto neighbours = victims.neighbours();
+  for (int draw = 0; draw < 100; ++draw) EXPECT_EQ(machine.count(victims.choose()), 1U);
+  victims.refused(4, 0);
+  for (int draw = 0; draw < 100; ++draw) {
+    EXPECT_TRUE(std::binary_search(neighbours.begin(), neighbours.end(), victims.choose()));
+  }
+  victims.gave(7);
+  EXPECT_EQ(victims.choose(), 7);
 }
 
 TEST(Victims, TheLastGiverIsAskedFirstUntilItRefuses) {
