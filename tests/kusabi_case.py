@@ -3,6 +3,7 @@ command, and the folder of the sources.
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,14 @@ import unittest
 SOURCES = pathlib.Path(sys.argv.pop()).resolve()
 KUSABI = sys.argv.pop()
 EXAMPLES = SOURCES / "examples"
+
+
+def moved(text, along_x):
+    """A file with the corners of its meshes moved along x."""
+    def numbers(match):
+        points = json.loads(match[1])
+        return "corners = " + json.dumps([[x + along_x, y] for x, y in points])
+    return re.sub(r"corners = (\[\[.*\]\])", numbers, text)
 
 
 class KusabiCase(unittest.TestCase):

@@ -48,7 +48,7 @@ std::string inline_legend(const InlinePicture& picture, const std::vector<Legend
 
 std::string inline_style() {
   std::string scoped;
-  const auto whole = std::string(style).append(chart_style);
+  const auto whole = std::string(style).append(chart_style).append(area_style);
   std::string_view rest = whole;
   const auto take = [&rest](std::size_t length) {
     const auto taken = rest.substr(0, length);

@@ -11,6 +11,7 @@
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/results/hold_chart.hpp"
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
@@ -35,7 +36,7 @@ class Draw final : public Subcommand {
   }
   void prepare(CommandRun& /*run*/) override {
     const ResultReader reader(text_, file_);
-    if (is_sweep(reader)) {
+    if (is_sweep(reader) || is_charted_hold(reader)) {
       take_chart(reader);
     } else {
       take_scenes(reader);
@@ -53,10 +54,10 @@ class Draw final : public Subcommand {
   void take_chart(const ResultReader& reader) {
     if (pattern_ > 0) {
       throw WrongInput(fmt::format(
-          "--pattern {}: {} is the result of a sweep, which has one chart; expected no --pattern",
-          pattern_, file_));
+          "--pattern {}: the picture of {} is one chart; expected no --pattern", pattern_, file_));
     }
-    chart_ = sweep_chart(reader, headline(result_verdict(reader)));
+    const auto sentence = headline(result_verdict(reader));
+    chart_ = is_sweep(reader) ? sweep_chart(reader, sentence) : hold_chart(reader, sentence);
     if (!chart_)
       throw WrongInput(fmt::format(
           "{}: has no results that could be drawn; expected a result with at least one", file_));
@@ -92,7 +93,7 @@ class Draw final : public Subcommand {
   std::uint64_t pattern_ = 0;  // 0: all
   std::string text_;
   ResultScenes drawn_;
-  std::optional<pictures::Chart> chart_;  // for a sweep
+  std::optional<pictures::Chart> chart_;  // for a sweep or loads that are held
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Pairs of factors of two reference loads, and intervals of one: JSON, CSV and a chart.
+// Pairs of factors of two reference loads, and intervals of one: JSON and CSV.
 #pragma once
 
 #include <ostream>
@@ -20,9 +20,5 @@ std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Dia
 /// One row per vertex or direction of a piece, or per interval.
 void write_held_csv(std::ostream& out, const wedged::LoadedProblem& loaded,
                     const HoldFindings& findings);
-
-/// Areas of the pieces, or a bar for each interval.
-void write_held_chart(std::ostream& out, const HoldOptions& options,
-                      const wedged::LoadedProblem& loaded, const HoldFindings& findings);
 
 }  // namespace kusabi::run

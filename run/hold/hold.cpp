@@ -1,6 +1,7 @@
 // `kusabi hold`: options, stages and results, on all ranks.
 #include "run/hold/hold.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,15 +11,17 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
+#include "run/command/sweep_points.hpp"
 #include "run/hold/diagram_report.hpp"
 #include "run/hold/hold_certificate.hpp"
 #include "run/hold/hold_report.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/results/hold_chart.hpp"
+#include "run/verdict/words.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/problem_summary.hpp"
-#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -30,6 +33,7 @@ class Hold final : public Subcommand {
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
+  void search_at(engine::Analysis& analysis, double mu);
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
 
@@ -38,7 +42,6 @@ class Hold final : public Subcommand {
   void refuse_without_loads() const;
   void refuse_total() const;
   wedged::LoadedProblem loads_of_cases(const support::LongWork& work);
-  [[nodiscard]] std::uint64_t fingerprint_of_loads() const;
 
   HoldOptions options_;
   problems::CheckedStructure structure_;
@@ -49,8 +52,10 @@ class Hold final : public Subcommand {
 
 void Hold::describe(OptionTable& table) {
   table.problem(options_.input.file);
-  table.number("--mu", &options_.mu, at_least(0),
-               "friction coefficient. Default: the smallest one for the dead load is computed");
+  table.text(
+      "--mu", options_.mu, "POINTS",
+      "friction coefficient, or several: START:END:STEP, or a list with commas. Default: the "
+      "smallest one for the dead load is computed");
   table.load_case(options_.load_case);
   table.number("--mu-max", &options_.question.most, above(0),
                "upper limit of the search for the smallest coefficient");
@@ -79,7 +84,7 @@ void Hold::describe(OptionTable& table) {
       .ends_in({".lower", ".upper"});
   table.search_limits(options_.limits);
   table.resume(options_.checkpoint,
-               ". With --certificate the trees of the answer are searched again");
+               ". With --certificate the trees of the answer are then searched again");
   table.save_on(options_.checkpoint);
   table.quiet_and_serial();
 }
@@ -87,36 +92,23 @@ void Hold::describe(OptionTable& table) {
 // Files without the requested load are refused.
 void Hold::refuse_without_loads() const {
   const bool dead = loaded_.has_dead_part();
-  if (dead || (options_.mu && loaded_.has_reference)) return;
+  const bool given = !options_.mu.empty();
+  if (dead || (given && loaded_.has_reference)) return;
   throw WrongInput(fmt::format(
       "{}: there is no {}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
-      options_.input.file, options_.mu ? "load" : "dead load",
-      options_.mu ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
+      options_.input.file, given ? "load" : "dead load",
+      given ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
 }
 
 // A sum of normal reactions is that of one decoupled part.
 void Hold::refuse_total() const {
-  if (!options_.question.total && !options_.diagram) return;
+  if (!options_.question.total) return;
   if (options_.grip) throw WrongInput("--grip: the sum is given by --total; expected one of them");
   const int parts = wedged::loaded_blocks(loaded_);
   if (parts != 1) {
-    throw WrongInput(
-        fmt::format("{}: loads act on {} decoupled parts; expected a structure with one",
-                    options_.diagram ? "--diagram" : "--total", parts));
+    throw WrongInput(fmt::format(
+        "--total: loads act on {} decoupled parts; expected a structure with one", parts));
   }
-}
-
-std::uint64_t Hold::fingerprint_of_loads() const {
-  support::Fingerprint fingerprint;
-  for (const auto& load : structure_->loads) {
-    fingerprint.add(load.kind == problems::Load::Kind::dead ? 0.0 : 1.0);
-    fingerprint.add(static_cast<double>(load.node));
-    if (!load.load_case.empty()) fingerprint.add(std::string_view(load.load_case));
-    for (const double component : load.force) fingerprint.add(component);
-  }
-  for (const double force : structure_->imposed_forces.reshaped()) fingerprint.add(force);
-  for (const double clearance : loaded_.clearance) fingerprint.add(clearance);
-  return fingerprint.value();
 }
 
 // The two cases of a diagram, and the loads of both.
@@ -162,15 +154,22 @@ void Hold::check() const {
         "--diagram: cannot be combined with --case, --total, --grip or --certificate; expected "
         "--diagram alone");
   }
+  if (options_.mu.empty() || sweep_points("--mu", options_.mu, true).size() == 1) return;
+  if (options_.diagram || !options_.certificate.empty()) {
+    throw WrongInput(
+        "--mu: --diagram and --certificate are for one friction coefficient; expected one");
+  }
 }
 
 void Hold::prepare(CommandRun& run) {
-  if (!options_.mu && (run.wants("--csv") || run.wants("--svg")))
+  if (!options_.mu.empty()) options_.points = sweep_points("--mu", options_.mu, true);
+  if (options_.points.empty() && (run.wants("--csv") || run.wants("--svg")))
     throw WrongInput("--csv, --svg: without --mu there are no load factors; expected --mu");
   auto [structure, facets] = options_.input.structure_and_facets(run);
   structure_ = std::move(structure);
   facets_ = std::move(facets);
-  if (options_.mu) warn_of_facets(run, options_.input, facets_, *options_.mu);
+  if (!options_.points.empty())
+    warn_of_facets(run, options_.input, facets_, options_.points.back());
   if (!options_.diagram && options_.load_case.empty() &&
       !problems::load_cases(structure_).empty()) {
     throw WrongInput(
@@ -181,19 +180,22 @@ void Hold::prepare(CommandRun& run) {
   loaded_ = run.within_limits([&](const auto& work) {
     return options_.diagram ? loads_of_cases(work) : wedged::loaded_problem(structure_, work);
   });
-  if (options_.mu) friction_at(loaded_.problem, *options_.mu, options_.input.file);
+  for (const double mu : options_.points) friction_at(loaded_.problem, mu, options_.input.file);
   refuse_without_loads();
   refuse_total();
   agree(run.session(), loaded_.problem);
   run.keep_state(options_.checkpoint,
                  {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
-                  {"the loads", hexadecimal(fingerprint_of_loads())}});
+                  {"the loads", hexadecimal(fingerprint_of_loads(structure_))}});
 }
 
 std::string Hold::announcement(const std::string& ranks) const {
-  const auto at = options_.mu
-                      ? fmt::format("at friction coefficient {}", *options_.mu)
-                      : fmt::format("up to a friction coefficient of {}", options_.question.most);
+  const auto& points = options_.points;
+  const auto at = points.empty()
+                      ? fmt::format("up to a friction coefficient of {}", options_.question.most)
+                  : points.size() == 1 ? fmt::format("at friction coefficient {}", points.front())
+                                       : fmt::format("at {} friction coefficients from {} to {}",
+                                                     points.size(), points.front(), points.back());
   return fmt::format("{}; {}; {}", problem_line(loaded_.problem), at, ranks);
 }
 
@@ -204,30 +206,51 @@ void Hold::search(CommandRun& run) {
       run.session(),
       {options_.certificate, options_.input.file, options_.load_case, question.total, run.quiet()},
       loaded_);
-  if (!options_.mu) {
+  if (options_.points.empty()) {
     findings_.friction = wedged::holding_friction(analysis, loaded_, question);
     if (findings_.friction->upper)
       warn_of_facets(run, options_.input, facets_, *findings_.friction->upper);
     return;
   }
   if (options_.diagram) {
-    findings_.diagram = wedged::diagram_of(analysis, loaded_, *options_.mu, question.precision);
+    findings_.diagram =
+        wedged::diagram_of(analysis, loaded_, options_.points.front(), question.precision);
     return;
   }
-  const auto record =
-      question.recorder ? question.recorder(wedged::HoldEnd::factors, *options_.mu) : nullptr;
-  findings_.factors = wedged::held_factors(analysis, loaded_, *options_.mu, question, record.get());
-  if (options_.grip && findings_.factors->status == engine::Status::solved)
-    findings_.grip = wedged::grip_range(analysis, loaded_, *options_.mu, question, record.get());
+  for (const double mu : options_.points) {
+    search_at(analysis, mu);
+    if (findings_.status() != engine::Status::solved) return;
+  }
+}
+
+void Hold::search_at(engine::Analysis& analysis, double mu) {
+  const auto& question = options_.question;
+  const auto record = question.recorder ? question.recorder(wedged::HoldEnd::factors, mu) : nullptr;
+  // A configuration that is wedged at some coefficient is so at every larger one.
+  const bool wedged = !findings_.points.empty() && findings_.points.back().factors.any_by_wedging;
+  HeldPoint point{.mu = mu};
+  if (wedged) {
+    point.factors = findings_.points.back().factors;
+    point.factors.costs.clear();
+  } else {
+    point.factors = wedged::held_factors(analysis, loaded_, mu, question, record.get());
+  }
+  if (options_.grip && point.factors.status == engine::Status::solved)
+    point.grip = wedged::grip_range(analysis, loaded_, mu, question, record.get());
+  findings_.points.push_back(std::move(point));
   if (record) record->finish();
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {
-  return {
-      run.result([this] { return hold_json(options_, structure_, loaded_, findings_); }),
-      run.file("--csv", [this](auto& out) { write_held_csv(out, loaded_, findings_); }),
-      run.file("--svg", [this](auto& out) { write_held_chart(out, options_, loaded_, findings_); }),
-      run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+  const auto result = std::make_shared<const ResultReader>(
+      hold_json(options_, structure_, loaded_, findings_), "the result");
+  return {run.result([result] { return result->all(); }),
+          run.file("--csv", [this](auto& out) { write_held_csv(out, loaded_, findings_); }),
+          run.file("--svg",
+                   [this, result](auto& out) {
+                     write_chart(out, hold_chart(*result, headline(verdict())).value());
+                   }),
+          run.answer([this] { return hold_table(options_, loaded_, findings_); })};
 }
 
 Verdict Hold::verdict() const {

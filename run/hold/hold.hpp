@@ -18,7 +18,8 @@ namespace kusabi::run {
 
 struct HoldOptions {
   ProblemInput input;
-  std::optional<double> mu;  ///< absent: the smallest coefficient is requested
+  std::string mu;              ///< as in the call
+  std::vector<double> points;  ///< friction coefficients; none: the smallest one is requested
   std::string load_case;
   wedged::HoldQuestion question;
   bool grip = false;                 ///< the grip range is requested
@@ -29,24 +30,36 @@ struct HoldOptions {
   CheckpointChoice checkpoint;
 };
 
-/// `friction`, `factors` or `diagram` is present after the search.
+/// Factors that are held at one friction coefficient.
+struct HeldPoint {
+  double mu = 0;
+  wedged::HeldFactors factors{};
+  std::optional<wedged::GripRange> grip{};
+
+  [[nodiscard]] engine::Status status() const {
+    return grip && grip->status != engine::Status::solved ? grip->status : factors.status;
+  }
+};
+
+/// `friction` or `diagram` is present after the search, or there are points.
 struct HoldFindings {
   std::optional<wedged::HoldingFriction> friction{};
-  std::optional<wedged::HeldFactors> factors{};
-  std::optional<wedged::GripRange> grip{};  ///< beside `factors`
+  std::vector<HeldPoint> points{};  ///< those of the options, up to that at which the search ended
   std::optional<wedged::Diagram> diagram{};
 
   [[nodiscard]] engine::Status status() const {
     if (friction) return friction->status;
     if (diagram) return diagram->status;
-    if (grip && grip->status != engine::Status::solved) return grip->status;
-    return factors ? factors->status : engine::Status::solved;
+    return points.empty() ? engine::Status::solved : points.back().status();
   }
   [[nodiscard]] std::vector<wedged::HoldCost> costs() const {
     if (friction) return friction->costs;
     if (diagram) return diagram->costs;
-    auto all = factors->costs;
-    if (grip) all.insert(all.end(), grip->costs.begin(), grip->costs.end());
+    std::vector<wedged::HoldCost> all;
+    for (const auto& [mu, factors, grip] : points) {
+      all.insert(all.end(), factors.costs.begin(), factors.costs.end());
+      if (grip) all.insert(all.end(), grip->costs.begin(), grip->costs.end());
+    }
     return all;
   }
 };

@@ -1,4 +1,4 @@
-// The lines of a tree are kept until it is known to be infeasible.
+// Each rank writes the nodes that it closed; rank 0 writes the states.
 #include "run/hold/hold_certificate.hpp"
 
 #include <array>
@@ -33,27 +33,20 @@ class HoldCertificate final : public wedged::HoldRecord {
         friction_(wedged::friction_with_loads(loaded.problem, mu, 0)),
         file_(session, name, certificates.input, fingerprint, false) {}
 
-  void begin_tree(std::uint32_t block, std::span<const wedged::LoadShare> shares,
-                  const std::optional<wedged::GripRestriction>& grip) override {
-    tree_ = fmt::format("tree {} {}", block + 1, shares.size());
-    for (const auto& share : shares) append_numbers(tree_, std::array{share.dead, share.reference});
-    if (grip && grip->kind != wedged::GripRestriction::Kind::equal) {
-      tree_ +=
+  void tree(std::uint32_t block, const wedged::TreeEvidence& tree) override {
+    auto line = fmt::format("tree {} {}", block + 1, tree.shares.size());
+    for (const auto& share : tree.shares)
+      append_numbers(line, std::array{share.dead, share.reference});
+    if (const auto& grip = tree.grip; grip && grip->kind != wedged::GripRestriction::Kind::equal) {
+      line +=
           fmt::format(" {} {:a}", grip_words.at(static_cast<std::size_t>(grip->kind)), grip->total);
     }
-    nodes_.clear();
-  }
-
-  void add(const wedged::LoadedPattern& node, std::span<const double> numbers) override {
-    nodes_ += fmt::format("dead {} {}", trees_.size() + 1, sets(node));
-    append_numbers(nodes_, numbers);
-    nodes_ += '\n';
-  }
-
-  void end_tree(bool holds) override {
-    if (!holds) return;
-    trees_.push_back(tree_ + '\n');
-    file_.add(std::string_view(nodes_));
+    trees_.push_back(line + '\n');
+    for (const auto& node : tree.nodes.value()) {
+      line = fmt::format("dead {} {}", trees_.size(), sets(node.pattern));
+      append_numbers(line, node.numbers);
+      file_.add(std::string_view(line += '\n'));
+    }
   }
 
   void state(std::uint32_t block, const std::optional<wedged::LoadShare>& share,
@@ -87,7 +80,6 @@ class HoldCertificate final : public wedged::HoldRecord {
   std::vector<double> friction_;
   CertificateFile file_;
   std::vector<std::string> trees_;
-  std::string tree_, nodes_;  // of the tree that is being searched
 };
 
 }  // namespace

@@ -21,24 +21,32 @@ namespace kusabi::run {
 
 using nlohmann::ordered_json;
 
+std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::LoadedPattern& pattern) {
+  const auto names = candidate_names(loaded.problem, pattern.contact);
+  return names.empty() ? "none" : listed(names);
+}
+
 std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
                        const std::optional<wedged::LoadedPattern>& pattern) {
   if (!pattern) return "-";
   const auto own = problems::blocks_of(loaded.problem)[block];
-  const auto names = candidate_names(loaded.problem, problems::in_whole(pattern->contact, own));
-  return names.empty() ? "none" : listed(names);
+  return contact_of(loaded, wedged::in_whole(*pattern, own));
 }
 
-ordered_json pattern_names(const wedged::LoadedProblem& loaded, std::uint32_t block,
-                           const std::optional<wedged::LoadedPattern>& pattern) {
-  if (!pattern) return nullptr;
-  const auto own = problems::blocks_of(loaded.problem)[block];
-  return {
-      {"contact", candidate_names(loaded.problem, problems::in_whole(pattern->contact, own))},
-      {"separated", candidate_names(loaded.problem, problems::in_whole(pattern->separated, own))}};
+ordered_json pattern_names(const wedged::LoadedProblem& loaded,
+                           const wedged::LoadedPattern& pattern) {
+  return {{"contact", candidate_names(loaded.problem, pattern.contact)},
+          {"separated", candidate_names(loaded.problem, pattern.separated)}};
 }
 
 namespace {
+
+ordered_json names_in_block(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                            const std::optional<wedged::LoadedPattern>& pattern) {
+  if (!pattern) return nullptr;
+  const auto own = problems::blocks_of(loaded.problem)[block];
+  return pattern_names(loaded, wedged::in_whole(*pattern, own));
+}
 
 Standing standing(bool proved) {
   return proved ? Standing::proved : Standing::computed;
@@ -66,8 +74,9 @@ HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
 }
 
 HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const wedged::HeldFactors& found) {
-  HoldingFactors answer{.friction = *options.mu,
+                          const HeldPoint& point) {
+  const auto& found = point.factors;
+  HoldingFactors answer{.friction = point.mu,
                         .factor = !problems::uniform_friction(loaded.problem),
                         .of_reference = loaded.has_reference,
                         .intervals = {},
@@ -91,7 +100,7 @@ HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProble
   const auto count = [&](auto is) {
     return static_cast<std::uint64_t>(std::ranges::count_if(found.pieces, is));
   };
-  return {.friction = *options.mu,
+  return {.friction = options.points.front(),
           .factor = !problems::uniform_friction(loaded.problem),
           .cases = options.cases,
           .pieces = found.pieces.size(),
@@ -115,6 +124,15 @@ HoldingGrip grip_of(const wedged::GripRange& found) {
                  Bound{most.out, standing(most.out_proved)}};
   }
   return grip;
+}
+
+// The answer at one coefficient, with its grip range if that is complete.
+HoldingFactors point_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                        const HeldPoint& point) {
+  auto answer = factors_of(options, loaded, point);
+  if (point.grip && point.grip->status == engine::Status::solved)
+    answer.grip = grip_of(*point.grip);
+  return answer;
 }
 
 ordered_json grip_json(const wedged::GripRange& found) {
@@ -190,36 +208,94 @@ ordered_json costs_json(const HoldFindings& findings) {
   return {{"searches", std::move(searches)}};
 }
 
+ordered_json intervals_json(const wedged::LoadedProblem& loaded, const wedged::HeldFactors& found) {
+  auto intervals = ordered_json::array();
+  for (const auto& each : found.intervals) {
+    intervals.push_back({{"low", number_or_null(each.low)},
+                         {"low_out", number_or_null(each.low_out)},
+                         {"high", number_or_null(each.high)},
+                         {"high_out", number_or_null(each.high_out)},
+                         {"proved", each.proved},
+                         {"low_proved", each.low_proved},
+                         {"high_proved", each.high_proved},
+                         {"pattern", names_in_block(loaded, each.block, each.pattern)},
+                         {"state", state_json(loaded, each.block, each.pattern, each.state)}});
+  }
+  return intervals;
+}
+
+ordered_json points_json(const wedged::LoadedProblem& loaded,
+                         const std::vector<HeldPoint>& points) {
+  auto list = ordered_json::array();
+  for (const auto& [mu, factors, grip] : points) {
+    list.push_back({{"mu", mu},
+                    {"intervals", intervals_json(loaded, factors)},
+                    {"proved", factors.proved},
+                    {"open", factors.open}});
+    if (grip) list.back()["grip"] = grip_json(*grip);
+  }
+  return list;
+}
+
 ordered_json result_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                          const HoldFindings& findings) {
   ordered_json holding;
-  auto intervals = ordered_json::array();
+  const bool several = options.points.size() > 1;
+  const bool one = findings.points.size() == 1 && !several;
   if (findings.friction) {
     const auto& found = *findings.friction;
     holding = {{"lower", found.lower_known ? ordered_json(found.lower) : ordered_json()},
                {"upper", number_or_null(found.upper)},
                {"lower_proved", found.lower_known && found.lower_proved},
                {"upper_proved", found.upper && found.upper_proved},
-               {"pattern", pattern_names(loaded, found.block, found.pattern)},
+               {"pattern", names_in_block(loaded, found.block, found.pattern)},
                {"state", state_json(loaded, found.block, found.pattern, found.state)}};
-  } else if (findings.factors) {
-    for (const auto& each : findings.factors->intervals) {
-      intervals.push_back({{"low", number_or_null(each.low)},
-                           {"low_out", number_or_null(each.low_out)},
-                           {"high", number_or_null(each.high)},
-                           {"high_out", number_or_null(each.high_out)},
-                           {"proved", each.proved},
-                           {"low_proved", each.low_proved},
-                           {"high_proved", each.high_proved},
-                           {"pattern", pattern_names(loaded, each.block, each.pattern)},
-                           {"state", state_json(loaded, each.block, each.pattern, each.state)}});
-    }
   }
   ordered_json result{{"holding_friction", std::move(holding)},
-                      {"intervals", findings.factors ? std::move(intervals) : ordered_json()}};
-  if (findings.grip) result["grip"] = grip_json(*findings.grip);
+                      {"intervals", one ? intervals_json(loaded, findings.points.front().factors)
+                                        : ordered_json()}};
+  if (one && findings.points.front().grip)
+    result["grip"] = grip_json(*findings.points.front().grip);
+  if (several) result["points"] = points_json(loaded, findings.points);
   if (findings.diagram) result["diagram"] = diagram_json(options, loaded, *findings.diagram);
   return result;
+}
+
+std::string interval_row(const wedged::LoadedProblem& loaded, const std::string& first,
+                         const wedged::HeldInterval& each) {
+  return fmt::format("{:>5}  {:>18}  {:>18}  {}\n", first, end_text(each.low, each.low_out, false),
+                     end_text(each.high, each.high_out, true),
+                     contact_of(loaded, each.block, each.pattern));
+}
+
+std::string interval_head(const char* first) {
+  return fmt::format("\n{:>5}  {:>18}  {:>18}  {}\n", first, "held from", "held to",
+                     "in contact at an end");
+}
+
+std::string point_table(const wedged::LoadedProblem& loaded, const HeldPoint& point) {
+  auto text = interval_head("");
+  std::size_t number = 0;
+  for (const auto& each : point.factors.intervals)
+    text += interval_row(loaded, std::to_string(++number), each);
+  for (const auto& each : point.factors.intervals)
+    text += reactions_text(loaded, each.block, each.pattern, each.state);
+  text += fmt::format("(factors of the reference load at friction coefficient {})\n", point.mu);
+  if (point.grip) text += grip_table(*point.grip);
+  return text;
+}
+
+// One row for each interval, and one for a coefficient without any.
+std::string points_table(const wedged::LoadedProblem& loaded,
+                         const std::vector<HeldPoint>& points) {
+  auto text = interval_head("mu");
+  for (const auto& point : points) {
+    const auto mu = fmt::format("{}", point.mu);
+    for (const auto& each : point.factors.intervals) text += interval_row(loaded, mu, each);
+    if (point.factors.intervals.empty()) text += fmt::format("{:>5}  {:>18}\n", mu, "-");
+    if (point.grip) text += grip_table(*point.grip);
+  }
+  return text + "(factors of the reference load)\n";
 }
 
 }  // namespace
@@ -233,14 +309,17 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
     any = findings.friction->any_by_supports;
   } else if (findings.diagram) {
     verdict.answer = diagram_of(options, loaded, *findings.diagram);
-  } else if (findings.factors) {
-    verdict.answer = factors_of(options, loaded, *findings.factors);
-    any = findings.factors->any_by_supports;
-  }
-  if (findings.grip && findings.grip->status == engine::Status::solved) {
-    auto& factors = std::get<HoldingFactors>(verdict.answer);
-    factors.grip = grip_of(*findings.grip);
-    verdict.details.push_back(grip_sentence(*factors.grip));
+  } else if (options.points.size() > 1) {
+    HoldingSweep sweep{.requested = options.points.size()};
+    for (const auto& point : findings.points)
+      sweep.points.push_back(point_of(options, loaded, point));
+    verdict.answer = std::move(sweep);
+    any = !findings.points.empty() && findings.points.front().factors.any_by_supports;
+  } else if (!findings.points.empty()) {
+    auto factors = point_of(options, loaded, findings.points.front());
+    if (factors.grip) verdict.details.push_back(grip_sentence(*factors.grip));
+    verdict.answer = std::move(factors);
+    any = findings.points.front().factors.any_by_supports;
   }
   if (findings.friction && !options.certificate.empty() && verdict.ended != engine::Status::solved)
     verdict.missing.emplace_back("No certificate was written, since the search ended early.");
@@ -268,20 +347,10 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
     }
   } else if (findings.diagram) {
     text += diagram_table(loaded, *findings.diagram);
+  } else if (options.points.size() > 1) {
+    text += points_table(loaded, findings.points);
   } else {
-    fmt::format_to(out, "\n{:>5}  {:>18}  {:>18}  {}\n", "", "held from", "held to",
-                   "in contact at an end");
-    std::size_t number = 0;
-    for (const auto& each : findings.factors->intervals) {
-      fmt::format_to(
-          out, "{:>5}  {:>18}  {:>18}  {}\n", ++number, end_text(each.low, each.low_out, false),
-          end_text(each.high, each.high_out, true), contact_of(loaded, each.block, each.pattern));
-    }
-    for (const auto& each : findings.factors->intervals)
-      text += reactions_text(loaded, each.block, each.pattern, each.state);
-    fmt::format_to(out, "(factors of the reference load at friction coefficient {})\n",
-                   options.mu.value_or(0));
-    if (findings.grip) text += grip_table(*findings.grip);
+    text += point_table(loaded, findings.points.front());
   }
   std::uint64_t opened = 0;
   for (const auto& cost : findings.costs()) opened += cost.opened;
@@ -292,7 +361,10 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
 
 ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
                        const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
-  ordered_json given{{"mu", number_or_null(options.mu)},
+  const auto& points = options.points;
+  ordered_json given{{"mu", points.size() > 1    ? ordered_json(points)
+                            : points.size() == 1 ? ordered_json(points.front())
+                                                 : ordered_json()},
                      {"mu_max", options.question.most},
                      {"case", options.load_case}};
   if (options.question.total) given["total"] = *options.question.total;

@@ -15,9 +15,11 @@ namespace kusabi::run {
 /// Names of the candidates in contact, for tables.
 std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
                        const std::optional<wedged::LoadedPattern>& pattern);
-/// Names of the candidates in contact and of those separated; null without a pattern.
-nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded, std::uint32_t block,
-                                     const std::optional<wedged::LoadedPattern>& pattern);
+/// The same of a pattern of the whole problem.
+std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::LoadedPattern& pattern);
+/// Names of the candidates in contact and of those separated. @param pattern of the whole problem
+nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
+                                     const wedged::LoadedPattern& pattern);
 
 Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                      const HoldFindings& findings);

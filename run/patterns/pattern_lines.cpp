@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "run/output/line_sorter.hpp"
+#include "run/output/values.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -114,15 +115,26 @@ ordered_json lean_pattern(const problems::WedgedProblem& problem, const wedged::
   return json;
 }
 
+ordered_json firmness_json(const std::optional<wedged::Firmness>& firmness) {
+  if (!firmness) return nullptr;
+  return {{"low", number_or_null(firmness->low)},
+          {"low_out", number_or_null(firmness->low_out)},
+          {"high", number_or_null(firmness->high)},
+          {"high_out", number_or_null(firmness->high_out)}};
+}
+
 PatternLines::PatternLines(Session& session, const problems::WedgedProblem& problem,
-                           const PartsOwner& owner, bool goes_on, bool finished)
-    : problem_(problem), owner_(owner) {
+                           const PartsOwner& owner, const wedged::PatternFirmness* firmness,
+                           bool goes_on, bool finished)
+    : problem_(problem), owner_(owner), firmness_(firmness) {
   if (!finished) parts_.emplace(session, owner, goes_on);
 }
 
 std::string PatternLines::line_of(const wedged::Configuration& leaf,
                                   const support::IndexSet& inactive) const {
-  return json_line(lean_pattern(problem_, leaf, inactive));
+  auto json = lean_pattern(problem_, leaf, inactive);
+  if (firmness_ != nullptr) json["firmness"] = firmness_json(firmness_->of(leaf));
+  return json_line(json);
 }
 
 void PatternLines::add(const wedged::Configuration& leaf) {

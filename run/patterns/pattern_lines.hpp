@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/wedged/hold/firmness.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/evidence/part_files.hpp"
@@ -27,6 +28,9 @@ nlohmann::ordered_json lean_pattern(const problems::WedgedProblem& problem,
                                     const wedged::Configuration& leaf,
                                     const support::IndexSet& inactive = {});
 
+/// The key `firmness` of a pattern.
+nlohmann::ordered_json firmness_json(const std::optional<wedged::Firmness>& firmness);
+
 /// One line of JSON, without a line end.
 std::string json_line(const nlohmann::ordered_json& json);
 
@@ -34,8 +38,9 @@ class PatternLines {
  public:
   /// Opens a part on every rank, unless an earlier run has finished.
   /// @param goes_on as PartFiles()
+  /// @param firmness of each pattern; null if the file has no reference load. Must outlive it
   PatternLines(Session& session, const problems::WedgedProblem& problem, const PartsOwner& owner,
-               bool goes_on, bool finished);
+               const wedged::PatternFirmness* firmness, bool goes_on, bool finished);
 
   /// Writes a feasible pattern to the part of this rank.
   void add(const wedged::Configuration& leaf);
@@ -67,6 +72,7 @@ class PatternLines {
 
   const problems::WedgedProblem& problem_;
   PartsOwner owner_;
+  const wedged::PatternFirmness* firmness_;
   std::optional<PartFiles> parts_;
   std::vector<std::size_t> numbers_;
 };

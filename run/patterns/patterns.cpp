@@ -83,6 +83,8 @@ class Patterns final : public Subcommand {
   std::optional<wedged::PatternFindings> findings_;
   PatternNumbers numbers_;                       // on rank 0
   std::optional<wedged::LoadedProblem> loaded_;  // if the file has a reference load
+  std::optional<engine::Analysis> unlimited_;    // of the firmness of lines
+  std::optional<wedged::PatternFirmness> firmness_;
   bool goes_on_ = false;  // a state is kept from which the search can be resumed
 };
 
@@ -248,7 +250,7 @@ void Patterns::prepare(CommandRun& run) {
   const auto& file = options_.input.file;
   contact_ = contact_problem(run, options_.input, options_.friction);
   friction_ = friction_at(contact_.problem, options_.friction, file);
-  if (!options_.lines && has_reference_load(contact_.structure)) {
+  if (has_reference_load(contact_.structure)) {
     loaded_ = run.within_limits(
         [&](const auto& work) { return wedged::loaded_problem(contact_.structure, work); });
     if (!loaded_->has_reference) loaded_.reset();
@@ -270,7 +272,10 @@ void Patterns::prepare(CommandRun& run) {
   question_.exists = options_.exists;
   auto& search = question_.search;
   search.order = options_.order;
-  keep_state(run, options_.checkpoint, contact_.problem);
+  engine::Facts facts{{"the problem", hexadecimal(contact_.problem.provenance.fingerprint)}};
+  if (loaded_)
+    facts.emplace_back("the loads", hexadecimal(fingerprint_of_loads(contact_.structure)));
+  run.keep_state(options_.checkpoint, std::move(facts));
   // If an earlier run has finished, no further evidence is recorded.
   certificate_.emplace(run.session(), run.has_searched() ? std::string() : options_.certificate,
                        file, tree_fingerprint(), run.has_begun_to_search(),
@@ -278,13 +283,18 @@ void Patterns::prepare(CommandRun& run) {
   if (certificate_->wanted())
     question_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
   if (options_.lines) {
+    if (loaded_) {
+      unlimited_.emplace(run.session().transport());
+      firmness_.emplace(*unlimited_, *loaded_, options_.friction);
+    }
     lines_.emplace(run.session(), contact_.problem,
                    PartsOwner{.option = "--output",
                               .name = *table_->find("--output")->given,
                               .content = "the patterns",
                               .tree = tree_fingerprint(),
                               .checkpoint = options_.checkpoint.state},
-                   run.has_begun_to_search(), run.has_searched());
+                   firmness_ ? &*firmness_ : nullptr, run.has_begun_to_search(),
+                   run.has_searched());
     question_.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
@@ -303,12 +313,12 @@ void Patterns::search(CommandRun& run) {
   if (lines_) lines_->close(*findings_);
   const bool sorted = options_.sort == PatternSort::critical;
   const bool searched =
-      (sorted || loaded_) && run.session().from_first_rank([&] { return whole(); });
+      (sorted || (loaded_ && !lines_)) && run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;
   if (sorted)
     numbers_.brackets =
         wedged::pattern_brackets(analysis, contact_.problem, findings_->leaves, options_.friction);
-  if (loaded_)
+  if (loaded_ && !lines_)
     numbers_.firmness =
         wedged::firmness_of_patterns(analysis, *loaded_, options_.friction, findings_->leaves);
 }

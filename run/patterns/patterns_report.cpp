@@ -52,15 +52,14 @@ const char* name_of(wedged::Branching branching) {
   return "";
 }
 
-ordered_json firmness_json(const std::optional<wedged::Firmness>& firmness) {
-  if (!firmness) return nullptr;
-  const auto end = [](double factor) {
-    return number_or_null(std::isfinite(factor) ? std::optional(factor) : std::nullopt);
-  };
-  return {{"low", end(firmness->low)},
-          {"low_out", end(firmness->low_out)},
-          {"high", end(firmness->high)},
-          {"high_out", end(firmness->high_out)}};
+void add_firmness(CsvWriter& csv, const std::optional<wedged::Firmness>& firmness) {
+  for (const auto end : {&wedged::Firmness::low, &wedged::Firmness::low_out,
+                         &wedged::Firmness::high, &wedged::Firmness::high_out}) {
+    if (firmness)
+      csv.number((*firmness).*end);
+    else
+      csv.nothing();
+  }
 }
 
 }  // namespace
@@ -231,6 +230,10 @@ void PatternsReport::write_csv(std::ostream& out) const {
   csv.word("pattern");
   add_pattern_columns(csv);
   csv.word("state").word("margin").word("margin_upper");
+  if (!firmness_.empty()) {
+    for (const char* const end : {"low", "low_out", "high", "high_out"})
+      csv.word(fmt::format("firmness_{}", end));
+  }
   add_configuration_columns(csv, problem_);
   csv.end_row();
   std::size_t number = 0;
@@ -238,6 +241,7 @@ void PatternsReport::write_csv(std::ostream& out) const {
     csv.count(++number);
     add_pattern(csv, problem_, leaf.block, leaf.pattern, findings_.inactive());
     csv.word(state_name(leaf.state)).number(leaf.lower).number(leaf.upper);
+    if (!firmness_.empty()) add_firmness(csv, firmness_[number - 1]);
     add_configuration(csv, problem_, of_all_candidates(problem_, leaf.block, leaf.reaction),
                       of_all_candidates(problem_, leaf.block, leaf.displacement));
     csv.end_row();

@@ -97,8 +97,8 @@ class Result(dict):
 
     def rows(self, of=None):
         """Table of the answer as a list of dicts with the names of the result file: one row per
-        pattern (`patterns`, `critical`, `sweep` of friction), interval of load factors (`hold`)
-        or piece of its diagram, ray, member (`limit`), point (`sweep` of loads), or nonzero column
+        pattern (`patterns`, `critical`, `sweep` of friction), interval of load factors (`hold`,
+        with `mu` first if there are several) or piece of its diagram, ray, member (`limit`), point (`sweep` of loads), or nonzero column
         of the program (`mip`).
 
         of: name of another list of the answer, such as "staircase" of `sweep`, "groups" of
@@ -330,8 +330,10 @@ def _list(answer, name):
 
 
 def _intervals(result):
-    diagram = result.answer.get("diagram")
-    return (diagram["pieces"] if diagram else result.answer["intervals"]) or []
+    answer = result.answer
+    if "points" in answer:
+        return [{"mu": point["mu"], **each} for point in answer["points"] for each in point["intervals"]]
+    return (answer["diagram"]["pieces"] if "diagram" in answer else answer["intervals"]) or []
 
 
 def _rays(result):

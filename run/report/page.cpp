@@ -21,6 +21,7 @@
 #include "run/report/problem_facts.hpp"
 #include "run/report/sweep_section.hpp"
 #include "run/report/turning_script.hpp"
+#include "run/results/hold_chart.hpp"
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
 #include "run/verdict/words.hpp"
@@ -81,6 +82,14 @@ void add_bracket(Markup& page, const CriticalBracket& found) {
   page.close();
 }
 
+void add_held_loads(Markup& page, const ResultReader& reader, const Verdict& verdict) {
+  const auto chart = hold_chart(reader, headline(verdict));
+  if (!chart) return;
+  page.open("section", {{"id", "loads"}}).element("h2", "Loads that can be held");
+  page.verbatim(inline_chart("held", *chart));
+  page.close();
+}
+
 }  // namespace
 
 std::string report_page(const ResultReader& reader) {
@@ -100,6 +109,7 @@ std::string report_page(const ResultReader& reader) {
     add_bracket(page, *found);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
+  if (is_charted_hold(reader)) add_held_loads(page, reader, verdict);
   if (list.answers.size() > 1) add_gallery(page, reader, list);
   add_problem_section(page, reader, scenes, leading == nullptr);
   page.open("section", {{"id", "origin"}}).element("h2", "Details of the run");

@@ -35,6 +35,8 @@ class WrittenVerdict {
       verdict.answer = holding_friction(answer);
     } else if (kind == "holding-factors") {
       verdict.answer = holding_factors(answer);
+    } else if (kind == "holding-sweep") {
+      verdict.answer = holding_sweep(answer);
     } else if (kind == "holding-diagram") {
       verdict.answer = holding_diagram(answer);
     } else if (kind == "friction-steps") {
@@ -160,6 +162,12 @@ class WrittenVerdict {
                                  standing(each, "standing"), bracket(each, "below"),
                                  bracket(each, "above")});
     }
+    return found;
+  }
+  [[nodiscard]] HoldingSweep holding_sweep(const ResultJson& answer) const {
+    HoldingSweep found{.requested = count(answer, "requested")};
+    for (const auto& each : reader_.list(answer, "points"))
+      found.points.push_back(holding_factors(each));
     return found;
   }
   [[nodiscard]] HoldingDiagram holding_diagram(const ResultJson& answer) const {

@@ -14,7 +14,7 @@
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
-#include "run/sweep/sweep_points.hpp"
+#include "run/command/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/words.hpp"
 

@@ -14,6 +14,7 @@ std::string headline_of(const Sticking& found, engine::Status ended);
 std::string headline_of(const CriticalBracket& found, engine::Status ended);
 std::string headline_of(const HoldingBracket& found, engine::Status ended);
 std::string headline_of(const HoldingFactors& found, engine::Status ended);
+std::string headline_of(const HoldingSweep& found, engine::Status ended);
 std::string headline_of(const HoldingDiagram& found, engine::Status ended);
 std::string headline_of(const FrictionSteps& found, engine::Status ended);
 std::string headline_of(const LoadInterval& found, engine::Status ended);
@@ -28,6 +29,7 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingBracket& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const HoldingSweep& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);

@@ -33,9 +33,26 @@ std::string part(const HoldingFactors::Interval& each) {
   return fmt::format("from {} to {}{}", rounded_up(each.low), rounded_down(each.high), standing);
 }
 
+std::string parts(const HoldingFactors& found) {
+  std::string text;
+  for (std::size_t i = 0; i < found.intervals.size(); ++i) {
+    if (i > 0) text += i + 1 == found.intervals.size() ? " and " : ", ";
+    text += part(found.intervals[i]);
+  }
+  return text;
+}
+
 bool is_everything(const HoldingFactors& found) {
   return found.intervals.size() == 1 && std::isinf(found.intervals.front().low) &&
          std::isinf(found.intervals.front().high);
+}
+
+// "from 1 to 2", "all", "none"; of a dead load "yes" or "no".
+std::string factors_at(const HoldingFactors& found) {
+  const bool reference = found.of_reference;
+  if (found.intervals.empty()) return found.open ? "not known" : reference ? "none" : "no";
+  if (!reference) return "yes";
+  return is_everything(found) ? "all" : parts(found);
 }
 
 }  // namespace
@@ -119,16 +136,29 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
     return fmt::format("It can hold the reference load at any factor {}{}.", where,
                        unless_proved(found.intervals.front().standing));
   }
-  std::string parts;
-  for (std::size_t i = 0; i < found.intervals.size(); ++i) {
-    if (i > 0) parts += i + 1 == found.intervals.size() ? " and " : ", ";
-    parts += part(found.intervals[i]);
-  }
   const auto others = found.open || ended != engine::Status::solved
                           ? std::string("; others are not known")
                           : fmt::format(", and no other{}", unless_proved(found.outside));
-  return fmt::format("It can hold these factors of the reference load {}: {}{}.", where, parts,
-                     others);
+  return fmt::format("It can hold these factors of the reference load {}: {}{}.", where,
+                     parts(found), others);
+}
+
+std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
+  if (found.points.empty()) return "The loads that it can hold are not known.";
+  if (found.points.front().reason == HoldReason::supports) return by_supports;
+  const auto at = [](const HoldingFactors& point) {
+    return fmt::format("at {}{} {}", point.friction, of_each(point.factor), factors_at(point));
+  };
+  const auto& points = found.points;
+  const auto known = points.size() == found.requested
+                         ? fmt::format("At {} friction coefficients", points.size())
+                         : fmt::format("At {} of {} friction coefficients, the only ones known,",
+                                       points.size(), found.requested);
+  const char* const what =
+      points.front().of_reference ? "these factors of the reference load" : "the dead load";
+  const auto others = points.size() > 2 ? "; the table has those between" : "";
+  return fmt::format("{} it can hold {}: {}{}{}.", known, what, at(points.front()),
+                     points.size() > 1 ? ", " + at(points.back()) : "", others);
 }
 
 std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
@@ -209,6 +239,17 @@ void reserve(const HoldingGrip& grip, std::vector<Reservation>& all) {
 }
 
 }  // namespace
+
+void reserve(const HoldingSweep& found, engine::Status ended, std::vector<Reservation>& all) {
+  for (const auto& point : found.points) {
+    std::vector<Reservation> own;
+    reserve(point, ended, own);
+    for (auto& each : own) {
+      each.sentence = fmt::format("At friction coefficient {}: {}", point.friction, each.sentence);
+      all.push_back(std::move(each));
+    }
+  }
+}
 
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all) {
   if (found.grip) reserve(*found.grip, all);

@@ -82,15 +82,19 @@ bool is_of_dead_load(const CertificateCheck::Held& held) {
 }
 
 std::string grip_text(const CertificateCheck::GripBounds& grip) {
-  std::string text = "the normal reactions of every state under the dead load add up to ";
-  if (grip.below) text += fmt::format("{:.17g} or more", *grip.below);
-  if (grip.below && grip.above) text += " and ";
-  if (grip.above) text += fmt::format("{:.17g} or less", *grip.above);
+  auto text = fmt::format(
+      "the normal reactions of every state under the dead load add up to {:.17g} or more",
+      grip.below);
+  if (grip.above) text += fmt::format(" and {:.17g} or less", *grip.above);
+  if (grip.states) {
+    text += fmt::format(", those of some states to {:.17g} and {:.17g}", grip.states->low,
+                        grip.states->high);
+  }
   return text;
 }
 
 std::string of_held(const CertificateCheck::Held& held) {
-  const bool grip = held.grip && (held.grip->below || held.grip->above);
+  const bool grip = held.grip && held.grip->says_something();
   if (held.held.empty() && held.none.empty() && !grip)
     return "NOTHING PROVED: the certificate has neither a state nor a complete tree";
   auto text = fmt::format("PROVED: at friction coefficient {}", held.friction);
@@ -201,7 +205,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
 
 void reserve(const CertificateCheck& found, std::vector<Reservation>& all) {
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim)) {
-    const bool grip = held->grip && (held->grip->below || held->grip->above);
+    const bool grip = held->grip && held->grip->says_something();
     if (found.refusals == 0 && held->held.empty() && held->none.empty() && !grip)
       all.push_back({"The certificate claims nothing about any load.", true});
   }

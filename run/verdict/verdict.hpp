@@ -122,6 +122,12 @@ struct HoldingFactors {
   std::optional<HoldingGrip> grip{};  ///< if it was requested
 };
 
+/// The same at several coefficients: `hold --mu` with more than one.
+struct HoldingSweep {
+  std::uint64_t requested = 0;           ///< number of coefficients
+  std::vector<HoldingFactors> points{};  ///< of the first of them, all if the search was not ended
+};
+
 /// Pairs of factors of two reference loads that can be held at one coefficient: `hold --diagram`.
 struct HoldingDiagram {
   double friction = 0;
@@ -239,7 +245,10 @@ struct CertificateCheck {
   };
   /// Bounds of the sum of the normal reactions in all states under the dead load.
   struct GripBounds {
-    std::optional<double> below{}, above{};  ///< absent: none is proved
+    double below = 0;
+    std::optional<double> above{};  ///< absent: none is proved
+    std::optional<Range> states{};  ///< sums of two states
+    [[nodiscard]] bool says_something() const { return below > 0 || above || states; }
   };
   /// States under load.
   struct Held {
@@ -273,9 +282,10 @@ struct Measurement {
 };
 
 /// Absent: the command answers no question.
-using AnyAnswer = std::variant<std::monostate, Sticking, CriticalBracket, HoldingBracket,
-                               HoldingFactors, HoldingDiagram, FrictionSteps, LoadInterval,
-                               MemberLoss, LoadSteps, MixedOptimum, CertificateCheck, Measurement>;
+using AnyAnswer =
+    std::variant<std::monostate, Sticking, CriticalBracket, HoldingBracket, HoldingFactors,
+                 HoldingSweep, HoldingDiagram, FrictionSteps, LoadInterval, MemberLoss, LoadSteps,
+                 MixedOptimum, CertificateCheck, Measurement>;
 
 struct Verdict {
   engine::Status ended = engine::Status::solved;  ///< of the searches

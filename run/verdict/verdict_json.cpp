@@ -100,6 +100,12 @@ ordered_json answer_json(const HoldingFactors& found) {
   return json;
 }
 
+ordered_json answer_json(const HoldingSweep& found) {
+  auto points = ordered_json::array();
+  for (const auto& each : found.points) points.push_back(answer_json(each));
+  return {{"kind", "holding-sweep"}, {"requested", found.requested}, {"points", std::move(points)}};
+}
+
 ordered_json answer_json(const HoldingDiagram& found) {
   return {{"kind", "holding-diagram"},
           {"friction", found.friction},

@@ -128,16 +128,16 @@ std::vector<CertificateCheck::Range> ranges_of(const std::vector<verify::FactorR
   return result;
 }
 
-// @param blocks of the structure; a sum is stated if there is one
-CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction, bool reference,
-                               std::size_t blocks) {
+CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction, bool reference) {
   CertificateCheck::Held held{.friction = friction,
                               .of_reference = reference,
                               .total = claims.total,
                               .held = ranges_of(claims.held),
                               .none = ranges_of(claims.none)};
-  if (blocks == 1 && claims.grips.size() == 1)
-    held.grip = {claims.grips.front().below, claims.grips.front().above};
+  if (!claims.grip) return held;
+  held.grip = {claims.grip->below, claims.grip->above, {}};
+  if (const auto& states = claims.grip->states)
+    held.grip->states = CertificateCheck::Range{states->low, states->high};
   return held;
 }
 
@@ -224,8 +224,7 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   const auto but_for_far_motion = outcome.tally().but_for_far_motion;
   const bool reference =
       std::ranges::any_of(enclosure.loads[1].acts, [](bool acts) { return acts; });
-  auto held =
-      held_of(proof.claims(trees, states), friction, reference, certificate.header.blocks.size());
+  auto held = held_of(proof.claims(trees, states), friction, reference);
   held.but_far_motions = but_for_far_motion > 0;
   held.far_motion = verify::farthest_motion;
   findings.check.claim = std::move(held);

@@ -5,6 +5,7 @@
 #include "run/session/kept_state.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/ignored_loads.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 
@@ -33,6 +34,19 @@ void warn_of_facets(CommandRun& run, const ProblemInput& input,
 void keep_state(CommandRun& run, const CheckpointChoice& choice,
                 const problems::WedgedProblem& problem) {
   run.keep_state(choice, {{"the problem", hexadecimal(problem.provenance.fingerprint)}});
+}
+
+std::uint64_t fingerprint_of_loads(const problems::Structure& structure) {
+  support::Fingerprint fingerprint;
+  for (const auto& load : structure.loads) {
+    fingerprint.add(load.kind == problems::Load::Kind::dead ? 0.0 : 1.0);
+    fingerprint.add(static_cast<double>(load.node));
+    if (!load.load_case.empty()) fingerprint.add(std::string_view(load.load_case));
+    for (const double component : load.force) fingerprint.add(component);
+  }
+  for (const double force : structure.imposed_forces.reshaped()) fingerprint.add(force);
+  for (const auto& point : structure.contact) fingerprint.add(point.clearance);
+  return fingerprint.value();
 }
 
 }  // namespace kusabi::run

@@ -38,4 +38,7 @@ void warn_of_facets(CommandRun& run, const ProblemInput& input,
 void keep_state(CommandRun& run, const CheckpointChoice& choice,
                 const problems::WedgedProblem& problem);
 
+/// Fingerprint of the loads and clearances of a structure.
+std::uint64_t fingerprint_of_loads(const problems::Structure& structure);
+
 }  // namespace kusabi::run

@@ -11,7 +11,7 @@ import re
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
+from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
 
 LADDER = EXAMPLES / "ladder.toml"
 PEG = EXAMPLES / "peg-under-load.toml"
@@ -151,6 +151,48 @@ class HoldCertificate(KusabiCase):
         said = self.proved(self.folder / "cert", LADDER)[2]
         below, above = map(float, re.search(r"add up to ([0-9.]+) or more and ([0-9.]+) or less", said).groups())
         self.assertTrue(least - 1e-8 <= below <= least + 1e-12 and most - 1e-12 <= above <= most + 1e-8)
+
+    def test_sums_of_decoupled_parts_are_added(self):
+        # A ladder, another one with loads three times as large, and a peg without load that cannot be wedged.
+        text = LADDER.read_text()
+        body = moved(text[text.index("[[mesh]]"):], 10).replace("ladder", "other").replace("force = [0, -1]", "force = [0, -3]")
+        peg = PEG.read_text()
+        peg = moved(peg[peg.index("[[mesh]]"):peg.index("[[loads]]")], 20).replace("clearance = 0.001", "")
+        place = self.folder / "parts.toml"
+        place.write_text(text + body + peg)
+        single = self.solve("hold", LADDER, "--mu", 0.4, "--grip")["result"]["grip"]
+        grip = self.solve("hold", place, "--mu", 0.4, "--grip", "--certificate", self.folder / "cert")["result"]["grip"]
+        said = self.proved(self.folder / "cert", place)[2]
+        below, above = map(float, re.search(r"add up to ([0-9.]+) or more and ([0-9.]+) or less", said).groups())
+        low, high = map(float, re.search(r"those of some states to ([0-9.]+) and ([0-9.]+)", said).groups())
+        for end, found, state in (("least", below, low), ("most", above, high)):
+            self.assertAlmostEqual(grip[end]["held"], 4 * single[end]["held"], delta=1e-7)
+            self.assertAlmostEqual(found, grip[end]["out"], delta=1e-12)
+            self.assertAlmostEqual(state, grip[end]["held"], delta=1e-8)
+        # Without the tree that excludes wedged configurations of the peg there is no upper bound.
+        body = (self.folder / "cert").read_text()
+        body = body[:body.rindex("digest ")]
+        trees = re.findall(r"(?m)^tree .*$", body)
+        (number,) = [k for k, each in enumerate(trees, 1) if re.fullmatch(r"tree \d+ 0", each)]
+        other = re.sub(rf"(?m)^dead {number} .*\n", "", body)
+        other = re.sub(r"(?m)^end \d+$", lambda m: f"end {len(re.findall('(?m)^(dead|alive|wedged) ', other))}", other)
+        forged = self.folder / "forged"
+        forged.write_text(sealed(other))
+        run, said = self.verified(forged, place)
+        self.assertEqual(run.returncode, 1)
+        self.assertNotIn("or less", said)
+
+    def test_a_least_sum_of_zero_is_attained(self):
+        place = self.folder / "free.toml"
+        text = PEG.read_text()
+        text = text[:text.index("[[loads]]")] + '[[supports]]\nnodes = ["peg.1,8"]\n'
+        place.write_text(text + '[[springs]]\nnodes = ["peg.1,7"]\naxes = ["x"]\nstiffness = 1\n')
+        result = self.solve("hold", place, "--mu", 0.5, "--grip", "--certificate", self.folder / "cert")
+        grip = result["result"]["grip"]
+        self.assertEqual((grip["least"]["held"], grip["least"]["out"]), (0, 0))
+        self.assertLess(grip["most"]["out"], 1e-6)
+        said = self.proved(self.folder / "cert", place)[2]
+        self.assertRegex(said, r"add up to 0 or more and [0-9.e-]+ or less, those of some states to 0 and ")
 
     def test_no_largest_sum_where_it_can_be_wedged(self):
         result = self.solve("hold", "ladder.toml", "--mu", 1.4, "--grip")

@@ -4,13 +4,14 @@ loads along lines.
     python3 hold_diagram_test.py KUSABI SOURCES
 """
 import csv
+import json
 import math
 import pathlib
 import sys
 import xml.etree.ElementTree
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import EXAMPLES, KusabiCase, main  # noqa: E402: beside the folder of this file
+from kusabi_case import EXAMPLES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
 
 #: A moment and a side force at the tip.
 PEG = "peg-under-two-loads.toml"
@@ -71,6 +72,32 @@ class HoldDiagram(KusabiCase):
     def test_above_the_critical_coefficient_it_holds_everything(self):
         self.assertTrue(any(piece["everything"] for piece in self.diagram(BOTH, 0.76)["pieces"]))
 
+    def test_vertices_are_the_corners_of_the_pieces(self):
+        # A piece of two candidates begins where the gap opens and ends where loads close it at a third one.
+        for piece in self.diagram(BOTH, 0.5)["pieces"]:
+            self.assertEqual(len(piece["vertices"]), 4 if len(piece["pattern"]["contact"]) == 2 else 1)
+            self.assertEqual(len(piece["rays"]), 2)
+
+    def test_decoupled_parts_hold_what_each_of_them_holds(self):
+        # Two pegs; the second one has other shares of both loads.
+        mu, share, other_share = 0.5, -0.4, 0.7
+        second = moved(BOTH[BOTH.index("[[mesh]]"):], 10).replace("peg", "second")
+        second = second.replace("[0, 0.5]", f"[0, {0.5 * share}]").replace("[0, -0.5]", f"[0, {-0.5 * share}]")
+        second = second.replace("force = [1, 0]", f"force = [{other_share}, 0]")
+        diagram = self.diagram(BOTH + second, mu)
+        self.assertIn(4, {len(each["pattern"]["contact"]) for each in diagram["pieces"]})
+        checked = {True: 0, False: 0}
+        for i in range(-20, 21):
+            for k in range(-20, 21):
+                moment, side = 0.41 * i + 0.01, 0.23 * k + 0.003
+                both = [jams(mu, moment + a, side + b) and jams(mu, share * (moment + a), other_share * (side + b))
+                        for a in (-1e-3, 0, 1e-3) for b in (-1e-3, 0, 1e-3)]
+                if any(both) == all(both):
+                    inside = any(contains(piece, moment, side, 1e-7) for piece in diagram["pieces"])
+                    self.assertEqual(inside, both[0], (moment, side))
+                    checked[inside] += 1
+        self.assertGreater(min(checked.values()), 20)
+
     def test_lines_are_intervals_of_one_load(self):
         text = (EXAMPLES / "ladder.toml").read_text()
         first, second = text.replace('kind = "reference"', 'kind = "reference"\ncase = "climber"'), """
@@ -129,6 +156,12 @@ class Firmness(KusabiCase):
             for end, wanted in (("low", -(mu + 2) / 2), ("high", (mu - 2) / 2)):
                 self.assertAlmostEqual(found[end], wanted, delta=2e-6)
                 self.assertTrue(min(found[end], found[end + "_out"]) <= wanted <= max(found[end], found[end + "_out"]))
+            self.solve("patterns", place, "--mu", mu, "--csv", self.folder / "a.csv")
+            (row,) = csv.DictReader((self.folder / "a.csv").read_text().splitlines())
+            self.assertEqual({key: float(row[f"firmness_{key}"]) for key in found}, found)
+            lines = self.folder / "a.jsonl"
+            self.assertEqual(self.kusabi("patterns", place, "--mu", mu, "--format", "jsonl", "--output", lines).returncode, 0)
+            self.assertEqual(json.loads(lines.read_text().splitlines()[1])["firmness"], found)
             self.assertIn("load held from", self.kusabi("patterns", place, "--mu", mu).stdout)
             self.assertTrue(any("holds the reference load up to" in each for each in result["verdict"]["details"]))
 

@@ -2,6 +2,7 @@
 
     python3 hold_test.py KUSABI SOURCES
 """
+import csv
 import math
 import pathlib
 import sys
@@ -103,6 +104,9 @@ class Hold(KusabiCase):
         self.assertIn("ignores the clearance or interference of 4 contact candidates", said)
 
     def test_refusals(self):
+        for words in (("--mu", "0.4,0.3"), ("--mu", "-0.1"), ("--mu", "0.1:0.2"), ("--mu", "0.1,0.2", "--diagram"),
+                      ("--mu", "0.1,0.2", "--certificate", self.folder / "cert")):
+            self.assertIn("--mu", self.refused("hold", EXAMPLES / "ladder.toml", *words))
         bare = LADDER.split("[[loads]]")[0]
         self.assertIn("there is no dead load", self.refused("hold", self.problem(bare)))
         self.assertIn("there is no load", self.refused("hold", self.problem(bare), "--mu", 0.4))
@@ -110,6 +114,49 @@ class Hold(KusabiCase):
         self.assertIn('expected --case with one of them: "a"', self.refused("hold", self.problem(cases)))
         both = PEG.replace("clearance = 0.001", "clearance = 0.001\ninterference = 0.001")
         self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
+
+    def test_several_coefficients_have_the_answers_of_each(self):
+        place = self.problem(PEG)
+        mus = [0.4, 0.5, 0.74, 0.76, 2]
+        words = ("--csv", self.folder / "a.csv", "--svg", self.folder / "a.svg", "--grip")
+        result = self.solve("hold", place, "--mu", ",".join(map(str, mus)), *words)
+        report = self.folder / "a.html"
+        self.assertEqual(self.kusabi("report", self.result, "--output", report).returncode, 0)
+        self.assertIn('id="loads"', report.read_text())
+        self.assertEqual(self.kusabi("draw", self.result, "--svg", self.folder / "b.svg").returncode, 0)
+        points = result["result"]["points"]
+        self.assertEqual([each["mu"] for each in points], mus)
+        self.assertIsNone(result["result"]["intervals"])
+        for mu, point in zip(mus, points):
+            alone = self.solve("hold", place, "--mu", mu, "--grip")
+            self.assertEqual(point["grip"], alone["result"]["grip"])
+            self.assertEqual(point["intervals"], alone["result"]["intervals"])
+        self.assertEqual([len(each["intervals"]) for each in points], [2, 2, 2, 1, 1])
+        self.check_end(points[1]["intervals"][1]["low"], points[1]["intervals"][1]["low_out"], 0.75 / 0.5)
+        rows = list(csv.DictReader((self.folder / "a.csv").read_text().splitlines()))
+        self.assertEqual([row["mu"] for row in rows], ["0.4", "0.4", "0.5", "0.5", "0.74", "0.74", "0.76", "2"])
+        self.assertEqual([row["low"] == "" for row in rows], [True, False] * 3 + [True, True])
+        self.assertRegex(result["verdict"]["sentence"], r"^At 5 friction coefficients .* at 0.4 up to -1.875.* at 2 all;")
+        for name in ("a.svg", "b.svg"):
+            picture = (self.folder / name).read_text()
+            self.assertEqual(picture.count("held from 0.4 to 0.74"), 2)
+            self.assertEqual(picture.count("held from 0.76 to 2"), 1)
+
+    def test_several_coefficients_of_a_dead_load(self):
+        text = LADDER.split("[[loads]]\nkind = \"reference\"")[0]
+        result = self.solve("hold", self.problem(text), "--mu", "0.31:0.35:0.01")
+        held = {each["mu"]: len(each["intervals"]) for each in result["result"]["points"]}
+        self.assertEqual(held, {0.31: 0, 0.32: 0, 0.33: 0, 0.34: 1, 0.35: 1})
+        self.assertEqual(result["verdict"]["sentence"], "At 5 friction coefficients it can hold the dead load: at 0.31 no, "
+                                                        "at 0.35 yes; the table has those between.")
+
+    def test_an_early_end_of_several_coefficients(self):
+        result = self.solve("hold", "peg-under-load.toml", "--mu", "0.4,0.5,0.6", "--node-limit", 90)
+        self.assertEqual(result["verdict"]["exit_code"], 3)
+        points = result["result"]["points"]
+        self.assertTrue(0 < len(points) < 3)
+        self.assertEqual(len(points[0]["intervals"]), 2)
+        self.assertIn("of 3 friction coefficients", result["verdict"]["sentence"])
 
     def test_limits_leave_a_partial_answer(self):
         result = self.solve("hold", "peg-under-load.toml", "--mu", 0.5, "--node-limit", 3)

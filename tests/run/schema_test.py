@@ -38,7 +38,8 @@ WEDGED = {
 # Arguments of `hold`.
 HOLD = {
     "ladder.toml": ((), ("--mu", 0.4), ("--mu", 0.6), ("--mu", 1.4), ("--node-limit", 1), ("--mu", 0.4, "--grip"),
-                    ("--mu", 0.3, "--grip"), ("--mu", 1.4, "--grip"), ("--mu", 0.4, "--total", 2)),
+                    ("--mu", 0.3, "--grip"), ("--mu", 1.4, "--grip"), ("--mu", 0.4, "--total", 2),
+                    ("--mu", "0.3,0.4,1.4", "--grip")),
     "press-fit.toml": (("--mu", 0.2, "--grip"),),
     "peg-under-two-loads.toml": (("--mu", 0.5, "--diagram"), ("--mu", 0.8, "--diagram")),
     "peg-under-load.toml": ((), ("--mu", 0.5), ("--mu", 0.5, "--node-limit", 3)),
@@ -82,7 +83,7 @@ OPTIONAL_OF = {
               "result": {"guaranteed_interval", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
-    "hold": {"structure": {"reference_loads"}},
+    "hold": {"structure": {"reference_loads"}, "result": {"points"}},
 }
 # keys are names of the problem
 NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
@@ -167,6 +168,7 @@ class Schema(KusabiCase):
                 self.check("hold", name, words)
         self.check_is_documented(self.solve("hold", "ladder.toml"))
         self.check_is_documented(self.solve("hold", "peg-under-load.toml", "--mu", 0.5))
+        self.check_is_documented(self.solve("hold", "ladder.toml", "--mu", "0.3,0.4"))
 
     def test_limit(self):
         for name, calls in LIMIT.items():

@@ -25,9 +25,9 @@ HoldTree read_tree(Lines& lines, const Certificate& header, const std::optional<
   HoldTree tree;
   tree.line = lines.number();
   tree.block = read_block_number(lines, header);
-  const std::string count = "the number of its loads, 1 or 2";
+  const std::string count = "the number of its loads, 0, 1 or 2";
   const auto shares = lines.integer(10, count);
-  if (shares != 1 && shares != 2) lines.refuse(count);
+  if (shares > 2) lines.refuse(count);
   for (std::uint64_t j = 0; j < shares; ++j) tree.shares.push_back(read_share(lines));
   if (total) {
     tree.grip = GripBound{GripBound::Kind::equal, *total};

@@ -206,19 +206,21 @@ bool HoldProof::out_of_equilibrium() const {
   return false;
 }
 
+// Without dead load and wedged configurations all reactions of a block are zero.
 GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
                              const std::vector<bool>& states) const {
-  GripRange range{.block = block};
+  GripRange range;
   constexpr LoadShare dead{1, 0};
+  if (!parts_[block].dead) range.states = FactorRange{0, 0};
   for (std::size_t t = 0; t < trees.size(); ++t) {
     const auto& tree = certificate_.trees[t];
-    if (!trees[t] || tree.block != block || !tree.grip || tree.shares != std::vector{dead})
-      continue;
+    if (!trees[t] || tree.block != block) continue;
+    if (tree.shares.empty() && !parts_[block].dead) range.above = 0;
+    if (!tree.grip || tree.shares != std::vector{dead}) continue;
     const double total = tree.grip->total;
     if (tree.grip->kind == GripBound::Kind::above)
       range.above = std::min(range.above.value_or(no_end), total);
-    if (tree.grip->kind == GripBound::Kind::below)
-      range.below = std::max(range.below.value_or(0), total);
+    if (tree.grip->kind == GripBound::Kind::below) range.below = std::max(range.below, total);
   }
   for (std::size_t k = 0; k < states.size(); ++k) {
     const auto& state = certificate_.states[k];
@@ -235,6 +237,35 @@ GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
   return range;
 }
 
+// Sums of the bounds and of the states of all blocks, rounded so that they remain true.
+std::optional<GripRange> HoldProof::whole_grip(const std::vector<bool>& trees,
+                                               const std::vector<bool>& states) const {
+  const bool asked = std::ranges::any_of(certificate_.trees, [](const auto& tree) {
+    return tree.grip && tree.grip->kind != GripBound::Kind::equal;
+  });
+  if (!asked) return {};
+  const auto sum = [](double one, double other, double toward) {
+    if (one == 0 || other == 0) return one + other;
+    return std::nextafter(one + other, toward);
+  };
+  GripRange whole{.below = 0, .above = 0, .states = FactorRange{0, 0}};
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    const auto own = grip_of(block, trees, states);
+    whole.below = sum(whole.below, own.below, 0);
+    if (whole.above && own.above)
+      whole.above = sum(*whole.above, *own.above, no_end);
+    else
+      whole.above.reset();
+    if (whole.states && own.states) {
+      whole.states->low = sum(whole.states->low, own.states->low, no_end);
+      whole.states->high = sum(whole.states->high, own.states->high, 0);
+    } else {
+      whole.states.reset();
+    }
+  }
+  return whole;
+}
+
 HoldClaims HoldProof::claims(const std::vector<bool>& trees,
                              const std::vector<bool>& states) const {
   HoldClaims claims;
@@ -249,12 +280,8 @@ HoldClaims HoldProof::claims(const std::vector<bool>& trees,
     const auto& part = parts_[block];
     if (part.loose && (part.dead || part.reference))
       claims.held = common(claims.held, held_by(block, states));
-    auto grip = grip_of(block, trees, states);
-    const bool asked = std::ranges::any_of(certificate_.trees, [&](const auto& tree) {
-      return tree.block == block && tree.grip && tree.grip->kind != GripBound::Kind::equal;
-    });
-    if (asked) claims.grips.push_back(grip);
   }
+  claims.grip = whole_grip(trees, states);
   bool unseen = false;  // the reference load is in equilibrium at one factor at most
   for (const auto& work : unseen_[1]) unseen = unseen || sgn(work) != 0;
   for (const auto& work : unseen_[0]) unseen = unseen || sgn(work) != 0;

@@ -24,10 +24,10 @@ struct FactorRange {
   friend bool operator==(const FactorRange&, const FactorRange&) = default;
 };
 
-/// Bounds of the sum of the normal reactions of a block in all states under the dead load.
+/// Bounds of the sum of the normal reactions in all states under the dead load, of a block or of
+/// all candidates.
 struct GripRange {
-  std::size_t block = 0;
-  std::optional<double> below{};  ///< no state has a smaller sum
+  double below = 0;               ///< no state has a smaller sum
   std::optional<double> above{};  ///< no state has a larger sum
   /// Sums of the proved states, rounded towards each other: each end is in the range.
   std::optional<FactorRange> states{};
@@ -39,7 +39,7 @@ struct HoldClaims {
   std::vector<FactorRange> none{};  ///< no factor has one; in ascending order
   /// The same with the normal reactions of one block adding up to `total`.
   std::optional<double> total{};
-  std::vector<GripRange> grips{};
+  std::optional<GripRange> grip{};  ///< if a tree restricts a sum
 };
 
 class HoldProof {
@@ -77,6 +77,8 @@ class HoldProof {
   [[nodiscard]] bool out_of_equilibrium() const;
   [[nodiscard]] GripRange grip_of(std::size_t block, const std::vector<bool>& trees,
                                   const std::vector<bool>& states) const;
+  [[nodiscard]] std::optional<GripRange> whole_grip(const std::vector<bool>& trees,
+                                                    const std::vector<bool>& states) const;
 
   const HoldCertificate& certificate_;
   std::vector<BlockProof> blocks_;

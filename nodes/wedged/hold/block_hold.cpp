@@ -26,8 +26,8 @@ constexpr double least_factor_share = 1e-12;
 /// there.
 constexpr std::array<double, 4> steps_below{0, 1e-8, 1e-6, 1e-4};
 
-/// A bracket of the coefficient that is not divided by trees, relative: a hundred times that of a
-/// leaf.
+/// A bracket of the coefficient that is not divided by trees, and of a load factor that counts as
+/// decided, relative: a hundred times that of a leaf.
 constexpr double close_enough = 1e-7;
 
 /// The least friction factor that is not zero; infinite if there is none.
@@ -63,15 +63,19 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
 HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low,
                               double high) {
   HoldTree tree(block_, shares, mu, question_.precision, grip_);
-  auto found = first_leaf(analysis_, tree);
+  TreeEvidence evidence{mu, {shares.begin(), shares.end()}, grip_};
+  auto found = first_leaf(analysis_, tree, recorded_ ? &evidence : nullptr);
   costs_.push_back({mu, low, high, found.opened, found.tally.iterations});
+  if (recorded_ && !shares.empty() && found.is_infeasible()) {
+    std::erase_if(trees_, [&](const TreeEvidence& each) { return each.mu != mu; });
+    trees_.push_back(std::move(evidence));
+  }
   return found;
 }
 
 HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
                        Standard standard) const {
   HoldNodes nodes(block_, std::array{share}, mu, question_.precision, grip_);
-  nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(pattern);
   if (standard == Standard::proved) return sign;
   if (sign == HoldSign::limit || sign == HoldSign::face) return HoldSign::feasible;
@@ -82,7 +86,6 @@ std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pa
                                           double factor, double mu) const {
   if (!pattern || !std::isfinite(factor)) return {};
   HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, question_.precision, grip_);
-  nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(*pattern);
   if (sign != HoldSign::feasible && sign != HoldSign::limit) return {};
   auto leaf = nodes.leaf(*pattern);
@@ -102,14 +105,15 @@ double BlockHold::factor_scale() const {
 // Bisection. Undecided points divide the interval; both sides then approach them separately.
 BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
                                   const std::function<HoldSign(double)>& sign) const {
-  auto [feasible, infeasible, endless] = ends;
+  auto [feasible, infeasible, endless, wide] = ends;
   double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
   const auto narrow = [&](double from, double to) {
     return std::abs(to - from) <=
            std::max(question_.width * std::max(std::abs(from), std::abs(to)), floor);
   };
   bool met_open = false;
-  for (int step = 0; step < most_halvings; ++step) {
+  bool stopped = false;
+  for (int step = 0; step < most_halvings && !stopped; ++step, stopped = ended()) {
     const bool toward_infeasible = met_open && step % 2 != 0;
     const double from = !met_open ? feasible : toward_infeasible ? open_infeasible : feasible;
     const double to = !met_open ? infeasible : toward_infeasible ? infeasible : open_feasible;
@@ -134,7 +138,10 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
         met_open = true;
     }
   }
-  return {feasible, infeasible, endless};
+  wide = (met_open || stopped) &&
+         std::abs(infeasible - feasible) >
+             std::max(close_enough * std::max(std::abs(feasible), std::abs(infeasible)), floor);
+  return {feasible, infeasible, endless, wide};
 }
 
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
@@ -149,7 +156,7 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
   double feasible = from;
   double step = std::max(std::abs(from), scale);
   double infeasible = endless;
-  for (int doubling = 0; doubling < most_doublings; ++doubling, step *= 2) {
+  for (int doubling = 0; doubling < most_doublings && !ended(); ++doubling, step *= 2) {
     const double next = from + direction * step;
     const HoldSign sign = at(pattern, {1, next}, mu, standard);
     if (sign == HoldSign::feasible) feasible = next;
@@ -180,7 +187,6 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     const LoadShare share{0, static_cast<double>(direction)};
     const auto outcome =
         search(std::array{share}, mu, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end);
-    if (outcome.is_infeasible()) dead_ranges_.push_back({share});
     for (const auto& leaf : outcome.leaf)
       pieces_.push_back({leaf.pattern, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end, 0});
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
@@ -207,8 +213,8 @@ HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, doub
   held.pattern = pattern;
   held.proved = standard == Standard::proved && !up.endless_by_limit && !down.endless_by_limit &&
                 at(pattern, {1, from}, mu, standard) == HoldSign::feasible;
-  held.high_proved = std::isinf(up.feasible) || std::isfinite(up.infeasible);
-  held.low_proved = std::isinf(down.feasible) || std::isfinite(down.infeasible);
+  held.high_proved = std::isinf(up.feasible) || (std::isfinite(up.infeasible) && !up.wide);
+  held.low_proved = std::isinf(down.feasible) || (std::isfinite(down.infeasible) && !down.wide);
   return held;
 }
 
@@ -257,7 +263,6 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     }
     unknown.pop_back();
     gaps.push_back({low, high, outcome.is_infeasible()});
-    if (outcome.is_infeasible()) dead_ranges_.push_back(shares);
     if (outcome.tally.open() != 0) found.open = true;
   }
 }
@@ -321,7 +326,6 @@ HeldFactors BlockHold::dead_alone(double mu) {
   if (outcome.leaf.empty() && !at_limit) {
     found.proved = outcome.is_infeasible();
     found.open = outcome.tally.open() != 0;
-    if (found.proved) dead_ranges_.push_back({LoadShare{1, 0}});
     return found;
   }
   if (!at_limit) pieces_.push_back({outcome.leaf.front().pattern, 0, 0, 0});
@@ -333,9 +337,7 @@ HeldFactors BlockHold::dead_alone(double mu) {
   return found;
 }
 
-void BlockHold::record(const support::IndexSet& candidates, std::uint32_t number, double mu,
-                       HoldRecord& record) const {
-  const RecordedBlock block{block_, candidates, number, mu, question_.precision};
+void BlockHold::record(const RecordedBlock& block, HoldRecord& record) const {
   const bool has_dead = grip_ || block_.has_dead_part();
   if (wedged_) record_state(analysis_, block, *wedged_, {}, {}, record);
   for (const auto& piece : pieces_) {
@@ -349,7 +351,7 @@ void BlockHold::record(const support::IndexSet& candidates, std::uint32_t number
     if (std::isinf(piece.low)) add({0, -1});
     if (std::isinf(piece.high)) add({0, 1});
   }
-  for (const auto& shares : dead_ranges_) record_tree(analysis_, block, shares, grip_, record);
+  for (const auto& tree : trees_) record_tree(analysis_, block, tree, record);
 }
 
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
@@ -434,7 +436,6 @@ HoldingFriction BlockHold::friction() {
   }
   while (found.upper && *found.upper > least) {
     HoldNodes nodes(block_, share, *found.upper, question_.precision);
-    nodes.end_when(analysis_.budget().stop());
     const double start = std::max(found.lower, least);
     const auto sign = [&](double mu) {
       nodes.set_friction(mu);

@@ -14,10 +14,14 @@ namespace kusabi::wedged {
 
 class BlockHold {
  public:
-  /// @pre arguments outlive this object
+  /// @pre arguments outlive this object  @param recorded true: for record()
   BlockHold(engine::Analysis& analysis, const LoadedProblem& block, const HoldQuestion& question,
-            std::vector<HoldCost>& costs)
-      : analysis_(analysis), block_(block), question_(question), costs_(costs) {
+            std::vector<HoldCost>& costs, bool recorded = false)
+      : analysis_(analysis),
+        block_(block),
+        question_(question),
+        costs_(costs),
+        recorded_(recorded) {
     if (question.total) grip_ = GripRestriction{GripRestriction::Kind::equal, *question.total};
   }
 
@@ -25,8 +29,9 @@ class BlockHold {
   /// @param with_dead true: a dead load or a clearance acts on the block
   HeldFactors factors(double mu, bool with_dead);
 
-  /// The interval of a pattern that has a state at the factor zero.
-  [[nodiscard]] HeldInterval ends_of(const LoadedPattern& pattern, double mu) const {
+  /// The interval of a pattern that has a state at the factor zero. On this rank alone.
+  [[nodiscard]] HeldInterval ends_of(const LoadedPattern& pattern, double mu) {
+    together_ = false;
     return interval(pattern, 0, mu, Standard::proved);
   }
 
@@ -37,8 +42,14 @@ class BlockHold {
   HoldingFriction friction();
 
   /// Records the evidence of the last answer of factors() or dead_alone().
-  void record(const support::IndexSet& candidates, std::uint32_t number, double mu,
-              HoldRecord& record) const;
+  /// @param block the same, at its coefficient
+  void record(const RecordedBlock& block, HoldRecord& record) const;
+
+  /// The tree without states at a lower bound of friction(); nothing if it is not proved.
+  [[nodiscard]] std::optional<TreeEvidence> tree_at(double mu) const {
+    if (trees_.empty() || trees_.back().mu != mu) return {};
+    return trees_.back();
+  }
 
   /// The state of a pattern under the dead load and a factor of the reference load. Nothing if
   /// neither a state nor its relative interior is known.
@@ -51,6 +62,7 @@ class BlockHold {
   struct Ends {
     double feasible, infeasible;
     bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
+    bool wide = false;              ///< undecided between them, over more than the usual width
   };
   struct Gap {
     double low, high;
@@ -82,14 +94,18 @@ class BlockHold {
   void narrow(HoldingFriction& found);
   bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
+  // True on all ranks if the analysis is to end: long bisections then do so.
+  [[nodiscard]] bool ended() const { return together_ && analysis_.ended(); }
 
   engine::Analysis& analysis_;
   const LoadedProblem& block_;
   const HoldQuestion& question_;
   std::vector<HoldCost>& costs_;
   std::optional<GripRestriction> grip_{};
-  // Evidence of the last answer.
-  std::vector<std::vector<LoadShare>> dead_ranges_;
+  bool recorded_;
+  bool together_ = true;  // every rank makes the same calls
+  // Evidence of the last answer: the trees without states at the last coefficient with one.
+  std::vector<TreeEvidence> trees_;
   std::vector<Piece> pieces_;
   std::optional<LoadedPattern> wedged_;
 };

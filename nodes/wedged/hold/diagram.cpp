@@ -24,7 +24,7 @@ constexpr std::size_t most_planes = 96;
 const Eigen::Vector2d off_the_axes(0.0137, -0.0239);
 /// Distance of a vertex from a held point on the line to it, relative to that from a point inside.
 constexpr double piece_width = 1e-5;
-/// Distance of two vertices that are printed as one, relative to that from a point inside.
+/// Distance of two vertices that are one, relative to that from a point inside.
 constexpr double same_vertex = 1e-4;
 /// Turn of a direction towards the inside for a direction without end at a limit.
 constexpr double small_turn = 1e-6;
@@ -32,10 +32,9 @@ constexpr double small_turn = 1e-6;
 /// The factors of one leaf, in units of the loads.
 class PieceSearch {
  public:
-  PieceSearch(engine::Analysis& analysis, const LoadedProblem& block, double mu,
-              Precision precision, LoadedPattern pattern, Eigen::Vector2d unit)
-      : analysis_(analysis),
-        block_(block),
+  PieceSearch(const LoadedProblem& block, double mu, Precision precision, LoadedPattern pattern,
+              Eigen::Vector2d unit)
+      : block_(block),
         mu_(mu),
         precision_(precision),
         pattern_(std::move(pattern)),
@@ -56,12 +55,14 @@ class PieceSearch {
   HoldSign sign(LoadShare share);
   bool is_endless(const Eigen::Vector2d& along);
   Shot shoot(const Eigen::Vector2d& along);
+  Shot shot_at(const Eigen::Vector2d& along);
+  Polygon sampled();
+  Polygon held_part(const Polygon& sample, bool& fine);
   void approach_origin();
   std::optional<Eigen::Vector2d> nearest_endless(const Eigen::Vector2d& ray,
                                                  const std::vector<Eigen::Vector2d>& endless);
   void enclose();
 
-  engine::Analysis& analysis_;
   const LoadedProblem& block_;
   double mu_;
   Precision precision_;
@@ -70,11 +71,11 @@ class PieceSearch {
   Eigen::Vector2d inside_;
   std::array<double, 3> works_{};  // of the loads, by the multipliers of the last infeasible point
   std::vector<HalfPlane> planes_;  // about `inside_`
+  std::vector<std::pair<Eigen::Vector2d, Shot>> shots_;
 };
 
 HoldSign PieceSearch::sign(LoadShare share) {
   HoldNodes nodes(block_, std::array{share}, mu_, precision_);
-  nodes.end_when(analysis_.budget().stop());
   const HoldSign sign = nodes.sign(pattern_);
   if (sign == HoldSign::infeasible) works_ = nodes.works();
   return sign;
@@ -154,66 +155,72 @@ std::optional<Eigen::Vector2d> PieceSearch::nearest_endless(
   return inner;
 }
 
+PieceSearch::Shot PieceSearch::shot_at(const Eigen::Vector2d& along) {
+  for (const auto& [direction, shot] : shots_)
+    if ((direction - along).norm() <= diagram_width / 8) return shot;
+  shots_.emplace_back(along, shoot(along));
+  return shots_.back().second;
+}
+
+// Held points and directions without end, of a few directions.
+Polygon PieceSearch::sampled() {
+  Polygon hull;
+  for (int k = 0; k < first_directions; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.3) / first_directions;
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    const auto shot = shot_at(along);
+    if (shot.endless)
+      hull.rays.push_back(along);
+    else
+      hull.vertices.emplace_back(inside_ + shot.held * along);
+  }
+  return hull;
+}
+
+// The part of the enclosing polygon that is held, with further half-planes where it is smaller.
+// @param sample of a few directions, for a half-plane or a strip @param fine set: nothing is
+// missing
+Polygon PieceSearch::held_part(const Polygon& sample, bool& fine) {
+  fine = true;
+  const auto outer = intersection(planes_);
+  const bool pointed = !outer.vertices.empty();  // otherwise a half-plane or a strip
+  Polygon hull = pointed ? Polygon{} : sample;
+  for (const auto& vertex : outer.vertices) {
+    const auto [endless, held] = shot_at(vertex.normalized());
+    const double distance = endless ? vertex.norm() : std::min(held, vertex.norm());
+    hull.vertices.emplace_back(inside_ + distance * vertex.normalized());
+    fine = fine && vertex.norm() - distance <= piece_width * vertex.norm();
+  }
+  auto endless = sample.rays;
+  if (pointed && outer.rays.size() == 2) {
+    const Eigen::Vector2d middle = (outer.rays[0] + outer.rays[1]).normalized();
+    if (is_endless(middle)) endless.push_back(middle);
+  }
+  for (const auto& ray : outer.rays) {
+    const auto inner = nearest_endless(ray, endless);
+    if (shot_at(ray).endless)
+      hull.rays.push_back(ray);
+    else if (inner)
+      hull.rays.push_back(*inner);
+    else
+      fine = false;
+  }
+  return hull;
+}
+
 DiagramPiece PieceSearch::around(const Eigen::Vector2d& from) {
   DiagramPiece piece{.pattern = pattern_};
   inside_ = from;
   approach_origin();
-  std::vector<std::pair<Eigen::Vector2d, Shot>> known;
-  for (int k = 0; k < first_directions; ++k) {
-    const double angle = 2 * std::numbers::pi * (k + 0.3) / first_directions;
-    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
-    known.emplace_back(along, shoot(along));
-    const auto& shot = known.back().second;
-    if (!shot.endless) piece.vertices.emplace_back(inside_ + shot.held * along);
-    if (shot.endless) piece.rays.push_back(along);
-  }
-  const DiagramPiece first = piece;
-  piece.endless_all = piece.vertices.empty();
+  const Polygon sample = sampled();
+  piece.hull = sample;
+  piece.endless_all = sample.vertices.empty();
   piece.fine = piece.endless_all;
   for (std::size_t before = 0; planes_.size() > before && planes_.size() < most_planes;) {
     before = planes_.size();
-    piece.fine = true;
-    const auto outer = intersection(planes_);
-    const bool pointed = !outer.vertices.empty();  // otherwise a half-plane or a strip
-    piece.vertices = pointed ? decltype(piece.vertices){} : first.vertices;
-    piece.rays = pointed ? decltype(piece.rays){} : first.rays;
-    const auto shot_at = [&](const Eigen::Vector2d& along) {
-      for (const auto& [direction, shot] : known)
-        if ((direction - along).norm() <= diagram_width / 8) return shot;
-      known.emplace_back(along, shoot(along));
-      return known.back().second;
-    };
-    for (const auto& vertex : outer.vertices) {
-      const auto [endless, held] = shot_at(vertex.normalized());
-      const double distance = endless ? vertex.norm() : std::min(held, vertex.norm());
-      piece.vertices.emplace_back(inside_ + distance * vertex.normalized());
-      piece.fine = piece.fine && vertex.norm() - distance <= piece_width * vertex.norm();
-    }
-    auto endless = first.rays;
-    if (pointed && outer.rays.size() == 2) {
-      const Eigen::Vector2d middle = (outer.rays[0] + outer.rays[1]).normalized();
-      if (is_endless(middle)) endless.push_back(middle);
-    }
-    for (const auto& ray : outer.rays) {
-      const auto inner = nearest_endless(ray, endless);
-      if (!shot_at(ray).endless && !inner) piece.fine = false;
-      if (shot_at(ray).endless)
-        piece.rays.push_back(ray);
-      else if (inner)
-        piece.rays.push_back(*inner);
-    }
+    piece.hull = held_part(sample, piece.fine);
   }
-  std::vector<Eigen::Vector2d> apart;
-  for (const auto& vertex : piece.vertices) {
-    const bool is_there = std::ranges::any_of(apart, [&](const auto& other) {
-      return (other - vertex).norm() <= same_vertex * (vertex - inside_).norm();
-    });
-    if (!is_there) apart.push_back(vertex);
-  }
-  piece.vertices = std::move(apart);
-  const auto in_factors = [&](Eigen::Vector2d& point) { point = point.cwiseProduct(unit_); };
-  std::ranges::for_each(piece.vertices, in_factors);
-  std::ranges::for_each(piece.rays, in_factors);
+  piece.hull = with_corners_only(std::move(piece.hull), inside_, same_vertex, piece_width);
   return piece;
 }
 
@@ -264,22 +271,58 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
   return all;
 }
 
+// A piece of one list and one of the other, wherever they have a common part.
+std::vector<DiagramPiece> common_pieces(const std::vector<DiagramPiece>& one,
+                                        const std::vector<DiagramPiece>& other) {
+  std::vector<DiagramPiece> result;
+  for (const auto& a : one) {
+    for (const auto& b : other) {
+      DiagramPiece both = a.endless_all ? b : a;
+      both.pattern = {a.pattern.contact | b.pattern.contact,
+                      a.pattern.separated | b.pattern.separated};
+      both.fine = a.fine && b.fine;
+      if (!a.endless_all && !b.endless_all) {
+        auto part = common_part(a.hull, b.hull);
+        if (!part) continue;
+        both.hull = std::move(*part);
+      }
+      result.push_back(std::move(both));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                    Precision precision) {
   Diagram found;
-  const auto blocks = problems::blocks_of(loaded.problem);
-  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
-    const LoadedProblem block = loaded_block(loaded, blocks[number]);
+  found.pieces.push_back({.pattern = {}, .endless_all = true});
+  const auto unit = units_of(loaded);
+  for (const auto& candidates : problems::blocks_of(loaded.problem)) {
+    const LoadedProblem block = loaded_block(loaded, candidates);
     if (!is_loaded(block)) continue;
-    found.block = number;
-    const auto unit = units_of(block);
     const auto begins = patterns_of(analysis, block, mu, precision, unit, found);
-    if (found.status != engine::Status::solved) return found;
-    for (const auto& [pattern, point] : begins)
-      found.pieces.push_back(
-          PieceSearch(analysis, block, mu, precision, pattern, unit).around(point));
+    std::vector<DiagramPiece> own;
+    for (const auto& [pattern, point] : begins) {
+      if (found.status == engine::Status::solved && analysis.ended()) {
+        found.status =
+            engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().why(); });
+      }
+      if (found.status != engine::Status::solved) break;
+      own.push_back(PieceSearch(block, mu, precision, pattern, unit).around(point));
+      own.back().pattern = in_whole(pattern, candidates);
+    }
+    if (found.status != engine::Status::solved) {
+      found.pieces.clear();
+      return found;
+    }
+    found.pieces = common_pieces(found.pieces, own);
+  }
+  const auto in_factors = [&](Eigen::Vector2d& point) { point = point.cwiseProduct(unit); };
+  for (auto& piece : found.pieces) {
+    std::ranges::for_each(piece.hull.vertices, in_factors);
+    std::ranges::for_each(piece.hull.rays, in_factors);
   }
   return found;
 }

@@ -49,42 +49,46 @@ class FirmnessSearch {
     }
   };
 
-  FirmnessSearch(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                 std::span<const Configuration> leaves)
-      : analysis_(analysis), mu_(mu), leaves_(leaves) {
-    question_.width = firmness_width;
-    question_.total = 1;
-    const LoadedProblem alone = without_dead(loaded);
-    for (const auto& candidates : problems::blocks_of(loaded.problem)) {
-      candidates_.push_back(candidates);
-      blocks_.push_back(loaded_block(alone, candidates));
-    }
-  }
+  FirmnessSearch(const PatternFirmness& firmness, std::span<const Configuration> leaves)
+      : firmness_(firmness), leaves_(leaves) {}
 
   [[nodiscard]] Node root() const { return {0, leaves_.size()}; }
 
   void expand(Node&& node, engine::Expansion<FirmnessSearch>& out) {
     if (engine::branch_into_halves(node, 1, out)) return;
-    const auto& leaf = leaves_[node.first];
-    const auto& block = blocks_[leaf.block];
-    if (leaf.state != LeafState::feasible || !acts(block, 0)) return;
-    const SignPattern own = own_leaf(leaf, candidates_[leaf.block]);
-    std::vector<HoldCost> costs;
-    const BlockHold hold(analysis_, block, question_, costs);
-    const auto found = hold.ends_of({own.contact, own.separated}, mu_);
-    out.solution({node.first, {found.low_out, found.low, found.high, found.high_out}});
+    if (const auto found = firmness_.of(leaves_[node.first]))
+      out.solution({node.first, {found->low_out, found->low, found->high, found->high_out}});
   }
 
  private:
-  engine::Analysis& analysis_;
-  double mu_;
+  const PatternFirmness& firmness_;
   std::span<const Configuration> leaves_;
-  HoldQuestion question_;
-  std::vector<support::IndexSet> candidates_;
-  std::vector<LoadedProblem> blocks_;
 };
 
 }  // namespace
+
+PatternFirmness::PatternFirmness(engine::Analysis& analysis, const LoadedProblem& loaded, double mu)
+    : analysis_(analysis),
+      mu_(mu),
+      out_of_equilibrium_(unseen_work(loaded, {0, 1}) > negligible_work),
+      candidates_(problems::blocks_of(loaded.problem)) {
+  question_.width = firmness_width;
+  question_.total = 1;
+  const LoadedProblem alone = without_dead(loaded);
+  for (const auto& candidates : candidates_) blocks_.push_back(loaded_block(alone, candidates));
+}
+
+std::optional<Firmness> PatternFirmness::of(const Configuration& leaf) const {
+  const auto& block = blocks_[leaf.block];
+  if (leaf.state != LeafState::feasible) return {};
+  if (out_of_equilibrium_) return Firmness{};
+  if (!acts(block, 0)) return {};
+  const SignPattern own = own_leaf(leaf, candidates_[leaf.block]);
+  std::vector<HoldCost> costs;
+  BlockHold hold(analysis_, block, question_, costs);
+  const auto found = hold.ends_of({own.contact, own.separated}, mu_);
+  return Firmness{found.low_out, found.low, found.high, found.high_out};
+}
 
 std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& analysis,
                                                           const LoadedProblem& loaded, double mu,
@@ -93,9 +97,8 @@ std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& anal
     return std::vector<Configuration>(leaves.begin(), leaves.end());
   });
   if (known.empty()) return {};
-  if (unseen_work(loaded, {0, 1}) > negligible_work)
-    return std::vector<std::optional<Firmness>>(known.size(), Firmness{});
-  FirmnessSearch search(analysis, loaded, mu, known);
+  const PatternFirmness firmness(analysis, loaded, mu);
+  FirmnessSearch search(firmness, known);
   const auto outcome = analysis.search(search, {});
   if (!analysis.is_first() || outcome.status != engine::Status::solved) return {};
   std::vector<std::optional<Firmness>> result(known.size());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/hold/hold_search.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
 
@@ -20,9 +21,27 @@ struct Firmness {
   double high = 0, high_out = 0;
 };
 
+/// Firmness of one pattern after another, on this rank.
+class PatternFirmness {
+ public:
+  /// @pre `analysis`, whose limits it obeys, outlives this object
+  PatternFirmness(engine::Analysis& analysis, const LoadedProblem& loaded, double mu);
+
+  /// Nothing for a leaf without margin, and where the load does not act.
+  [[nodiscard]] std::optional<Firmness> of(const Configuration& leaf) const;
+
+ private:
+  engine::Analysis& analysis_;
+  double mu_;
+  bool out_of_equilibrium_;
+  HoldQuestion question_;
+  std::vector<support::IndexSet> candidates_;  // of each block
+  std::vector<LoadedProblem> blocks_;
+};
+
 /// Every rank makes the same call. @param leaves on rank 0
-/// @returns on rank 0 one for each leaf, in their order: nothing for leaves without margin, and
-///          where the load does not act; empty if the search was stopped, and on other ranks
+/// @returns on rank 0 PatternFirmness::of() each leaf, in their order; empty if the search was
+///          stopped, and on other ranks
 std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& analysis,
                                                           const LoadedProblem& loaded, double mu,
                                                           std::span<const Configuration> leaves);

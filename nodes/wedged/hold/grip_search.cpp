@@ -21,13 +21,22 @@ constexpr LoadShare dead_load{1, 0};
 /// Share of the sum of a state below which another sum is zero.
 constexpr double negligible_sum = 1e-12;
 
+/// Width of a bracket at a largest sum of zero, relative to the size of the dead load and the
+/// clearances as a force.
+constexpr double least_sum_share = 1e-9;
+
 using Kind = GripRestriction::Kind;
 
 class BlockGrip {
  public:
   BlockGrip(engine::Analysis& analysis, const LoadedProblem& block, double mu,
-            const HoldQuestion& question, std::vector<HoldCost>& costs)
-      : analysis_(analysis), block_(block), mu_(mu), question_(question), costs_(costs) {}
+            const HoldQuestion& question, std::vector<HoldCost>& costs, bool recorded)
+      : analysis_(analysis),
+        block_(block),
+        mu_(mu),
+        question_(question),
+        costs_(costs),
+        recorded_(recorded) {}
 
   /// A state under the dead load, or proof that there is none.
   HoldOutcome first() { return search(std::array{dead_load}, {}); }
@@ -37,10 +46,14 @@ class BlockGrip {
   /// The end in one direction from a state.
   GripEnd end(Kind kind, const LoadedLeaf& leaf);
   [[nodiscard]] engine::Status status() const { return status_; }
+  /// Trees without states beyond both ends, or of a block without dead load that without wedged
+  /// configurations.
+  [[nodiscard]] const std::vector<TreeEvidence>& trees() const { return trees_; }
 
  private:
   HoldOutcome search(std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip);
-  [[nodiscard]] bool reaches(const LoadedPattern& pattern, Kind kind, double total) const;
+  [[nodiscard]] bool reaches(const LoadedPattern& pattern,
+                             const std::optional<GripRestriction>& grip) const;
   void follow(GripEnd& end, Kind kind) const;
   [[nodiscard]] double sum_of(const LoadedLeaf& leaf) const;
 
@@ -49,14 +62,19 @@ class BlockGrip {
   double mu_;
   const HoldQuestion& question_;
   std::vector<HoldCost>& costs_;
+  bool recorded_;
+  std::vector<TreeEvidence> trees_;
   engine::Status status_ = engine::Status::solved;
 };
 
 HoldOutcome BlockGrip::search(std::span<const LoadShare> shares,
                               const std::optional<GripRestriction>& grip) {
   HoldTree tree(block_, shares, mu_, question_.precision, grip);
-  auto found = first_leaf(analysis_, tree);
+  TreeEvidence evidence{mu_, {shares.begin(), shares.end()}, grip};
+  auto found = first_leaf(analysis_, tree, recorded_ ? &evidence : nullptr);
   costs_.push_back({mu_, 0, 0, found.opened, found.tally.iterations});
+  const bool needed = grip || (shares.empty() && !is_under_dead(block_));
+  if (recorded_ && needed && found.is_infeasible()) trees_.push_back(std::move(evidence));
   if (found.status != engine::Status::solved) status_ = found.status;
   return found;
 }
@@ -69,34 +87,38 @@ double BlockGrip::sum_of(const LoadedLeaf& leaf) const {
   return sum / leaf.amounts.front();
 }
 
-bool BlockGrip::reaches(const LoadedPattern& pattern, Kind kind, double total) const {
-  HoldNodes nodes(block_, std::array{dead_load}, mu_, question_.precision,
-                  GripRestriction{kind, total});
-  nodes.end_when(analysis_.budget().stop());
+bool BlockGrip::reaches(const LoadedPattern& pattern,
+                        const std::optional<GripRestriction>& grip) const {
+  HoldNodes nodes(block_, std::array{dead_load}, mu_, question_.precision, grip);
   return nodes.sign(pattern) == HoldSign::feasible;
 }
 
 // Moves `held` to the end of its pattern, and `out` beside it.
 void BlockGrip::follow(GripEnd& end, Kind kind) const {
   const bool up = kind == Kind::above;
-  double out = up ? 2 * end.held : 0;
+  const double floor = up ? least_sum_share * scale_of(block_, dead_load) : 0;
+  double out = up ? std::max(2 * end.held, floor) : 0;
   if (up) {
-    for (int step = 0; step < most_steps && reaches(*end.pattern, kind, out); ++step) {
+    for (int step = 0; step < most_steps && reaches(*end.pattern, GripRestriction{kind, out});
+         ++step) {
       end.held = out;
       out *= 2;
     }
   }
-  for (int step = 0; step < most_steps; ++step) {
-    if (std::abs(out - end.held) <= question_.width * std::max(out, end.held)) break;
+  for (int step = 0; step < most_steps && !analysis_.ended(); ++step) {
+    if (std::abs(out - end.held) <= std::max(floor, question_.width * std::max(out, end.held)))
+      break;
     const double middle = end.held + (out - end.held) / 2;
     if (middle == end.held || middle == out) break;
-    (reaches(*end.pattern, kind, middle) ? end.held : out) = middle;
+    (reaches(*end.pattern, GripRestriction{kind, middle}) ? end.held : out) = middle;
   }
   end.out = out;
 }
 
 GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   const double away = kind == Kind::above ? 1 : -1;
+  const LoadedPattern apart{{}, problems::all_candidates(block_.problem)};
+  if (kind == Kind::below && reaches(apart, {})) return {.pattern = apart};
   GripEnd end{.held = sum_of(leaf), .out = 0, .pattern = leaf.pattern};
   const double begin = end.held;
   for (int round = 0; round < most_steps; ++round) {
@@ -142,15 +164,14 @@ void add(GripEnd& sum, const GripEnd& own) {
 
 // Certificate of a block: trees beyond its ends, and the states at them.
 void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const GripOfBlock& own,
-                 HoldRecord& record) {
+                 const std::vector<TreeEvidence>& trees, HoldRecord& record) {
   for (const auto* end : {&own.least, &own.most}) {
     const Kind kind = end == &own.least ? Kind::below : Kind::above;
     if (end->pattern)
       record_state(analysis, block, *end->pattern, dead_load, GripRestriction{kind, end->held},
                    record);
-    if (end->unbounded || !end->out_proved || (kind == Kind::below && end->out <= 0)) continue;
-    record_tree(analysis, block, std::array{dead_load}, GripRestriction{kind, end->out}, record);
   }
+  for (const auto& tree : trees) record_tree(analysis, block, tree, record);
 }
 
 }  // namespace
@@ -165,7 +186,7 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
   const auto blocks = problems::blocks_of(loaded.problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    BlockGrip grip(analysis, block, mu, question, found.costs);
+    BlockGrip grip(analysis, block, mu, question, found.costs, record != nullptr);
     GripOfBlock own{.block = number};
     const auto wedged = grip.wedged();
     own.most.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
@@ -199,8 +220,9 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     if (found.status != engine::Status::solved) break;
     add(found.least, own.least);
     add(found.most, own.most);
-    if (record != nullptr && is_under_dead(block))
-      record_grip(analysis, {block, blocks[number], number, mu, question.precision}, own, *record);
+    if (record != nullptr)
+      record_grip(analysis, {block, blocks[number], number, mu, question.precision}, own,
+                  grip.trees(), *record);
     found.blocks.push_back(own);
   }
   return found;

@@ -1,4 +1,4 @@
-// Trees and leaves once more, with their evidence.
+// Trees with the evidence of their nodes, and leaves once more.
 #include "nodes/wedged/hold/hold_record.hpp"
 
 #include <algorithm>
@@ -8,11 +8,6 @@
 
 namespace kusabi::wedged {
 namespace {
-
-LoadedPattern in_whole(const LoadedPattern& own, const support::IndexSet& candidates) {
-  return {problems::in_whole(own.contact, candidates),
-          problems::in_whole(own.separated, candidates)};
-}
 
 HoldOutcome on_all_ranks(engine::Analysis& analysis, const engine::OutcomeOf<HoldTree>& outcome) {
   return engine::from_first_rank(analysis.transport(), [&] {
@@ -30,31 +25,46 @@ HoldOutcome on_all_ranks(engine::Analysis& analysis, const engine::OutcomeOf<Hol
   });
 }
 
+void report_nodes(HoldTree& tree, TreeEvidence& evidence) {
+  evidence.nodes.emplace();
+  tree.report_to(
+      [&nodes = *evidence.nodes](const LoadedPattern& node, std::vector<double> numbers) {
+        nodes.push_back({node, std::move(numbers)});
+      });
+}
+
 }  // namespace
+
+LoadedPattern in_whole(const LoadedPattern& own, const support::IndexSet& candidates) {
+  return {problems::in_whole(own.contact, candidates),
+          problems::in_whole(own.separated, candidates)};
+}
 
 HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree) {
   return on_all_ranks(analysis, analysis.search(tree, {}));
 }
 
-HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree) {
+HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree, TreeEvidence* evidence) {
   engine::Options options;
   options.goal = engine::Goal::first;
+  // A search with a journal may begin where an earlier run ended, whose evidence is lost.
+  if (evidence != nullptr && !analysis.is_kept()) report_nodes(tree, *evidence);
   auto outcome = on_all_ranks(analysis, analysis.search(tree, options));
   if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;
   return outcome;
 }
 
-void record_tree(engine::Analysis& analysis, const RecordedBlock& block,
-                 std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip,
+void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvidence evidence,
                  HoldRecord& record) {
-  HoldTree tree(block.problem, shares, block.mu, block.precision, grip);
-  tree.report_to([&](const LoadedPattern& node, std::span<const double> numbers) {
-    record.add(in_whole(node, block.candidates), numbers);
-  });
-  record.begin_tree(block.number, shares, grip);
-  engine::Options options;
-  options.goal = engine::Goal::first;
-  record.end_tree(on_all_ranks(analysis, analysis.search_anew(tree, options)).is_infeasible());
+  if (!evidence.nodes) {
+    HoldTree tree(block.problem, evidence.shares, block.mu, block.precision, evidence.grip);
+    report_nodes(tree, evidence);
+    engine::Options options;
+    options.goal = engine::Goal::first;
+    if (!on_all_ranks(analysis, analysis.search_anew(tree, options)).is_infeasible()) return;
+  }
+  for (auto& node : *evidence.nodes) node.pattern = in_whole(node.pattern, block.candidates);
+  record.tree(block.number, evidence);
 }
 
 void record_state(engine::Analysis& analysis, const RecordedBlock& block,
@@ -63,7 +73,6 @@ void record_state(engine::Analysis& analysis, const RecordedBlock& block,
   std::vector<LoadShare> shares;
   if (share) shares.push_back(*share);
   HoldNodes nodes(block.problem, shares, block.mu, block.precision, grip);
-  nodes.end_when(analysis.budget().stop());
   if (nodes.sign(pattern) == HoldSign::feasible) {
     record.state(block.number, share, in_whole(pattern, block.candidates),
                  nodes.state_numbers(pattern));

@@ -1,5 +1,5 @@
 // Evidence of states under load for a certificate (docs/certificates.md): trees without states, and
-// states. The trees of an answer are searched once more for it.
+// states. Trees are recorded while they are searched.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,28 @@ struct HoldOutcome {
 /// Searches a whole tree for all leaves with states; every rank gets the same, in one order.
 HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree);
 
+/// A pattern of a block as one of the whole problem.
+LoadedPattern in_whole(const LoadedPattern& own, const support::IndexSet& candidates);
+
+/// A node without a state, with the numbers that prove it.
+struct ClosedNode {
+  LoadedPattern pattern;
+  std::vector<double> numbers;
+};
+
+/// Evidence of a tree without states.
+struct TreeEvidence {
+  double mu = 0;
+  std::vector<LoadShare> shares{};                 ///< none: wedged configurations
+  std::optional<GripRestriction> grip{};           ///< of its states
+  std::optional<std::vector<ClosedNode>> nodes{};  ///< those that this rank closed; nothing: an
+                                                   ///< earlier run closed some of them
+};
+
 /// Searches a tree until its first leaf; every rank gets the same result.
-HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree);
+/// @param evidence null, or receives the nodes without states
+HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree,
+                       TreeEvidence* evidence = nullptr);
 
 /// Kind of a certificate: of a bound of the holding friction coefficient, or of all load factors.
 enum class HoldEnd { lower, upper, factors };
@@ -53,13 +73,8 @@ class HoldRecord {
   HoldRecord& operator=(const HoldRecord&) = delete;
   virtual ~HoldRecord() = default;
 
-  /// Begins a tree; on every rank. @param grip restriction of its states, if any
-  virtual void begin_tree(std::uint32_t block, std::span<const LoadShare> shares,
-                          const std::optional<GripRestriction>& grip) = 0;
-  /// A closed node of the tree, on the rank that closed it.
-  virtual void add(const LoadedPattern& node, std::span<const double> numbers) = 0;
-  /// Ends the tree. @param holds every node is closed with evidence; otherwise the tree is dropped
-  virtual void end_tree(bool holds) = 0;
+  /// A tree without states; on every rank, with the nodes that it closed.
+  virtual void tree(std::uint32_t block, const TreeEvidence& tree) = 0;
   /// A state under a load, or without one a wedged configuration that holds every load; on every
   /// rank.
   virtual void state(std::uint32_t block, const std::optional<LoadShare>& share,
@@ -80,15 +95,14 @@ struct RecordedBlock {
   Precision precision = Precision::escalating;
 };
 
-/// Searches a tree and records it.
-void record_tree(engine::Analysis& analysis, const RecordedBlock& block,
-                 std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip,
+/// Records a tree, which is searched again if some of its nodes were closed by an earlier run.
+void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvidence evidence,
                  HoldRecord& record);
 
 /// Solves a leaf and records its state, if it has one.
 /// @param share nothing: a wedged configuration
-/// @param grip restriction of the sum of the normal reactions. A state that is the only one of its
-///        pattern satisfies it up to rounding
+/// @param grip at least, at most or exactly this sum of the normal reactions, if the pattern has
+///        such a state with strict inequalities; otherwise any sum
 void record_state(engine::Analysis& analysis, const RecordedBlock& block,
                   const LoadedPattern& pattern, const std::optional<LoadShare>& share,
                   const std::optional<GripRestriction>& grip, HoldRecord& record);

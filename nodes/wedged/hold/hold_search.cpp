@@ -93,12 +93,12 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     if (!is_under_reference(block) && !is_under_dead(block)) continue;
     std::vector<HoldCost> costs;
-    BlockHold hold(analysis, block, question, costs);
+    BlockHold hold(analysis, block, question, costs, record != nullptr);
     found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
     found.costs = std::move(costs);
     for (auto& each : found.intervals) each.block = number;
     if (record != nullptr && found.status == engine::Status::solved)
-      hold.record(blocks[number], number, mu, *record);
+      hold.record({block, blocks[number], number, mu, question.precision}, *record);
   }
   return found;
 }
@@ -134,7 +134,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     if (block.problem.modes.matrix.cols() == 0) continue;
     const bool reference = is_under_reference(block);
     if (!reference && !is_under_dead(block)) continue;
-    BlockHold hold(analysis, block, question, found.costs);
+    BlockHold hold(analysis, block, question, found.costs, record != nullptr);
     auto own = reference ? hold.factors(mu, is_under_dead(block)) : hold.dead_alone(mu);
     searched = true;
     wedged = wedged && own.any_by_wedging;
@@ -144,7 +144,8 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     found.open = found.open || own.open;
     found.intervals = common(found.intervals, own.intervals);
     if (found.status != engine::Status::solved) break;
-    if (record) hold.record(blocks[number], number, mu, *record);
+    if (record != nullptr)
+      hold.record({block, blocks[number], number, mu, question.precision}, *record);
   }
   found.any_by_wedging = searched && wedged;
   return found;
@@ -152,31 +153,37 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
 
 namespace {
 
-// Certificates of both bounds: a tree of the block that decides the lower one, and a state of each
-// block at the upper one.
+/// Evidence of a holding friction coefficient: a tree of the block that decides the lower bound,
+/// and a pattern of each block at the upper one.
+struct FrictionEvidence {
+  std::uint32_t lower_block = 0;
+  std::optional<TreeEvidence> tree{};
+  std::vector<std::optional<LoadedPattern>> patterns{};
+};
+
 void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
-                     const HoldingFriction& found, std::uint32_t lower_block,
-                     std::span<const std::optional<LoadedPattern>> patterns,
+                     const HoldingFriction& found, const FrictionEvidence& evidence,
                      const HoldQuestion& question) {
   constexpr LoadShare dead{1, 0};
   const auto blocks = problems::blocks_of(loaded.problem);
   if (found.lower_known) {
     const auto record = question.recorder(HoldEnd::lower, found.lower);
-    if (!found.not_in_equilibrium) {
-      const LoadedProblem block = loaded_block(loaded, blocks[lower_block]);
-      record_tree(analysis,
-                  {block, blocks[lower_block], lower_block, found.lower, question.precision},
-                  std::array{dead}, {}, *record);
+    if (evidence.tree) {
+      const auto number = evidence.lower_block;
+      const LoadedProblem block = loaded_block(loaded, blocks[number]);
+      record_tree(analysis, {block, blocks[number], number, found.lower, question.precision},
+                  *evidence.tree, *record);
     }
     record->finish();
   }
   if (!found.upper) return;
   const auto record = question.recorder(HoldEnd::upper, *found.upper);
-  for (std::uint32_t number = 0; number < patterns.size(); ++number) {
-    if (!patterns[number]) continue;
+  for (std::uint32_t number = 0; number < evidence.patterns.size(); ++number) {
+    const auto& pattern = evidence.patterns[number];
+    if (!pattern) continue;
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     record_state(analysis, {block, blocks[number], number, *found.upper, question.precision},
-                 *patterns[number], dead, {}, *record);
+                 *pattern, dead, {}, *record);
   }
   record->finish();
 }
@@ -193,28 +200,27 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     found.not_in_equilibrium = true;
     found.upper.reset();
     found.lower_known = true;
-    if (question.recorder) record_friction(analysis, loaded, found, 0, {}, question);
+    if (question.recorder) record_friction(analysis, loaded, found, {}, question);
     return found;
   }
   const auto blocks = problems::blocks_of(loaded.problem);
-  std::vector<std::optional<LoadedPattern>> patterns(blocks.size());
-  std::uint32_t lower_block = 0;
+  FrictionEvidence evidence;
+  evidence.patterns.resize(blocks.size());
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     if (block.problem.modes.matrix.cols() == 0 || !is_under_dead(block)) continue;
-    auto costs = std::move(found.costs);
-    BlockHold hold(analysis, block, question, costs);
+    BlockHold hold(analysis, block, question, found.costs, static_cast<bool>(question.recorder));
     auto own = hold.friction();
-    found.costs = std::move(costs);
     if (own.upper) own.state = hold.state(own.pattern, 0, *own.upper);
     if (own.status != engine::Status::solved) found.status = own.status;
     if (own.lower_known && (!found.lower_known || own.lower > found.lower)) {
       found.lower = own.lower;
       found.lower_known = true;
       found.lower_proved = own.lower_proved;
-      lower_block = number;
+      evidence.lower_block = number;
+      evidence.tree = hold.tree_at(own.lower);
     }
-    patterns[number] = own.pattern;
+    evidence.patterns[number] = own.pattern;
     found.upper_proved = found.upper_proved && own.upper_proved;
     const bool decides = !own.upper || (found.upper && *own.upper >= *found.upper);
     if (decides) {
@@ -227,7 +233,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     if (found.status != engine::Status::solved || !found.upper) break;
   }
   if (question.recorder && found.status == engine::Status::solved)
-    record_friction(analysis, loaded, found, lower_block, patterns, question);
+    record_friction(analysis, loaded, found, evidence, question);
   return found;
 }
 

@@ -76,7 +76,10 @@ void HoldNodes::set_friction(double mu) {
 HoldSign HoldNodes::sign(const LoadedPattern& node) {
   ++programs_;
   const bool leaf = (node.contact | node.separated) == all_;
-  if (scales_.empty() && node.separated == all_) return HoldSign::infeasible;
+  if (scales_.empty() && node.separated == all_) {
+    multipliers_ = Eigen::VectorXd::Zero(all_.size() + problem_.modes.matrix.cols());
+    return HoldSign::infeasible;
+  }
   const auto answer = solver_.solve(node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
   multipliers_ = solver_.multipliers();
@@ -97,6 +100,7 @@ HoldSign HoldNodes::degenerate(const LoadedPattern& node, double upper) {
   const bool leaf = (node.contact | node.separated) == all_;
   if (leaf && !loaded.includes(node.contact)) return HoldSign::face;
   if (!loaded.includes(node.contact) || loaded.meets(inside->moved)) return HoldSign::open;
+  limit_ = {loaded, all_ - loaded};
   return HoldSign::limit;
 }
 
@@ -179,7 +183,7 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
       out.solution(nodes_.leaf(node));
       return;
     case HoldSign::limit:
-      tally_.limits.push_back(nodes_.leaf(node));
+      tally_.limits.push_back(nodes_.leaf(nodes_.limit()));
       return;
     case HoldSign::nothing:
     case HoldSign::face:

@@ -109,9 +109,10 @@ class HoldNodes {
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
   void set_friction(double mu);
 
-  /// `limit`: states at a limit, in which a load acts; `face`: a leaf with such states, in all of
-  /// which some candidate of U has no reaction, so that they are states of other leaves; `nothing`:
-  /// t* = 0 and no load acts; `open`: neither is known, or a candidate remains to be decided.
+  /// `limit`: states at a limit, in which a load acts, all of the leaf limit(); `face`: a leaf with
+  /// such states, in all of which some candidate of U has no reaction, so that they are states of
+  /// other leaves; `nothing`: t* = 0 and no load acts; `open`: neither is known, or a candidate
+  /// remains to be decided.
   HoldSign sign(const LoadedPattern& node);
 
   [[nodiscard]] const support::IndexSet& all() const { return all_; }
@@ -119,6 +120,8 @@ class HoldNodes {
   [[nodiscard]] double friction() const { return mu_; }
   /// The candidate by which a node is split, after sign().
   int candidate(const support::IndexSet& free) { return rule_.candidate(free, solver_); }
+  /// The leaf of all states of the last node, whose sign is `limit`.
+  [[nodiscard]] const LoadedPattern& limit() const { return limit_; }
   /// The state of the last node.
   [[nodiscard]] LoadedLeaf leaf(const LoadedPattern& pattern) const;
   /// Evidence that the last node is infeasible: multipliers of the normal displacements, the mean
@@ -148,7 +151,8 @@ class HoldNodes {
   BranchingRule rule_;
   ContactSolver solver_;
   MeanMotion mean_motion_;
-  double grip_unit_ = 1;         // of the equation of a restriction
+  double grip_unit_ = 1;  // of the equation of a restriction
+  LoadedPattern limit_;
   Eigen::VectorXd multipliers_;  // of the last node
   std::uint64_t iterations_ = 0, programs_ = 0;
 };
@@ -169,7 +173,7 @@ class HoldTree {
   }
 
   /// Receives the evidence of each infeasible node.
-  using Reporter = std::function<void(const LoadedPattern&, std::span<const double>)>;
+  using Reporter = std::function<void(const LoadedPattern&, std::vector<double>)>;
   void report_to(Reporter reporter) { reporter_ = std::move(reporter); }
 
   [[nodiscard]] Node root() const { return {}; }

@@ -1,5 +1,5 @@
 // Numbers separated by colons or commas.
-#include "run/sweep/sweep_points.hpp"
+#include "run/command/sweep_points.hpp"
 
 #include <algorithm>
 #include <functional>
