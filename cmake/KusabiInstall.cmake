@@ -29,6 +29,6 @@ install(FILES README.md NEWS.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMP
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 
 # A single file, for PYTHONPATH or for the folder of a script.
-install(FILES run/python/kusabi.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/python COMPONENT command)
+install(FILES run/python/kusabi.py run/python/mesh_file.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/python COMPONENT command)
 
 include(cmake/KusabiPackages.cmake)

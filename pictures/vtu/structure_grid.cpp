@@ -38,6 +38,8 @@ CellType cell_type(ElementShape shape) {
       return CellType::wedge;
     case ElementShape::prism15:
       return CellType::quadratic_wedge;
+    case ElementShape::pyramid5:
+      return CellType::pyramid;
     case ElementShape::hexahedron20:
       break;
   }

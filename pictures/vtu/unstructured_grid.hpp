@@ -21,6 +21,7 @@ enum class CellType : std::uint8_t {
   tetrahedron = 10,
   hexahedron = 12,
   wedge = 13,
+  pyramid = 14,
   quadratic_triangle = 22,
   quadratic_quadrilateral = 23,
   quadratic_tetrahedron = 24,

@@ -2,11 +2,14 @@
 #include "run/patterns/patterns.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
@@ -18,6 +21,7 @@
 #include "run/command/registrations.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/output/trace_file.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
@@ -43,6 +47,25 @@ bool has_reference_load(const problems::Structure& structure) {
   };
   return std::ranges::any_of(structure.loads, is_reference) &&
          problems::load_cases(structure).empty();
+}
+
+// Reports, once and after the progress, that a long list takes memory. @pre progress is shown
+void report_memory(engine::Supervision& supervision) {
+  constexpr std::uint64_t long_list = 100'000;
+  constexpr std::uint64_t kilobytes = 5;  // for each pattern of 20 candidates
+  supervision.watch = [watch = supervision.watch](engine::Goal goal,
+                                                  const engine::ShownObjective& shown) {
+    return [show = watch(goal, shown), reported = false](const engine::Progress& progress) mutable {
+      show(progress);
+      if (reported || progress.found < long_list) return;
+      reported = true;
+      print_message(
+          "{}{} patterns so far take about {:.1f} GB of memory; --output FILE --format jsonl "
+          "writes them during the search\n",
+          isatty(STDERR_FILENO) != 0 ? "\n" : "", progress.found,
+          static_cast<double>(kilobytes * progress.found) / 1e6);
+    };
+  };
 }
 
 class Patterns final : public Subcommand {
@@ -307,7 +330,9 @@ std::string Patterns::announcement(const std::string& ranks) const {
 }
 
 void Patterns::search(CommandRun& run) {
-  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  auto supervision = run.supervision(options_.limits);
+  if (supervision.watch && !options_.lines && !options_.exists) report_memory(supervision);
+  engine::Analysis analysis(run.session().transport(), std::move(supervision));
   findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
   if (lines_) lines_->close(*findings_);

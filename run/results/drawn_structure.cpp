@@ -30,7 +30,7 @@ Nodes around(const Nodes& corners_first, std::size_t corners) {
 }
 
 std::optional<problems::ElementShape> shape_named(const std::string& name) {
-  for (int shape = 0; shape <= static_cast<int>(problems::ElementShape::prism15); ++shape) {
+  for (int shape = 0; shape <= static_cast<int>(problems::ElementShape::pyramid5); ++shape) {
     const auto each = static_cast<problems::ElementShape>(shape);
     if (problems::shape_traits(each).name == name) return each;
   }

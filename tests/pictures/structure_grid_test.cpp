@@ -146,7 +146,8 @@ TEST(StructureGrid, KnowsTheTypeOfEveryShape) {
       {ElementShape::quadrilateral4, 9}, {ElementShape::quadrilateral8, 23},
       {ElementShape::tetrahedron4, 10},  {ElementShape::tetrahedron10, 24},
       {ElementShape::hexahedron8, 12},   {ElementShape::hexahedron20, 25},
-      {ElementShape::prism6, 13},        {ElementShape::prism15, 26}};
+      {ElementShape::prism6, 13},        {ElementShape::prism15, 26},
+      {ElementShape::pyramid5, 14}};
   for (const auto& [shape, type] : types) {
     const auto& traits = kusabi::problems::shape_traits(shape);
     Structure structure;

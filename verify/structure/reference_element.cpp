@@ -18,6 +18,7 @@ struct Shape {
   bool simplex;
   bool quadratic;
   bool prism;
+  bool pyramid;
   std::vector<Place> nodes;
 };
 
@@ -36,24 +37,25 @@ Shape shape_of(std::size_t dimension, std::size_t count) {
   const std::vector<Place> wedge{{0, 0, -2}, {2, 0, -2}, {0, 2, -2}, {0, 0, 2},  {2, 0, 2},
                                  {0, 2, 2},  {1, 0, -2}, {1, 1, -2}, {0, 1, -2}, {1, 0, 2},
                                  {1, 1, 2},  {0, 1, 2},  {0, 0, 0},  {2, 0, 0},  {0, 2, 0}};
+  const std::vector<Place> pyramid{{-2, -2, -2}, {2, -2, -2}, {2, 2, -2}, {-2, 2, -2}, {0, 0, 0}};
   const auto cut = [&](const std::vector<Place>& all, bool simplex, bool quadratic) -> Shape {
-    return {dimension,
-            simplex,
-            quadratic,
-            count == 15 || (dimension == 3 && count == 6),
-            {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)}};
+    return {dimension,  simplex,
+            quadratic,  count == 15 || (dimension == 3 && count == 6),
+            count == 5, {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)}};
   };
   if (dimension == 2 && (count == 3 || count == 6)) return cut(triangle, true, count == 6);
   if (dimension == 2 && (count == 4 || count == 8)) return cut(square, false, count == 8);
   if (dimension == 3 && (count == 4 || count == 10)) return cut(tetrahedron, true, count == 10);
   if (dimension == 3 && (count == 8 || count == 20)) return cut(cube, false, count == 20);
   if (dimension == 3 && (count == 6 || count == 15)) return cut(wedge, false, count == 15);
+  if (dimension == 3 && count == 5) return cut(pyramid, false, false);
   throw std::invalid_argument("no element has so many nodes");
 }
 
 // Monomials of degree at most 1 or 2 on simplices; on prisms products of those in xi and eta with
-// those in zeta, without those of degree 2 in both; otherwise those of superlinear degree at most 1
-// or 2 (serendipity space of Arnold and Awanou).
+// those in zeta, without those of degree 2 in both; on pyramids 1, and zeta times those linear in
+// xi and in eta, which is one value at zeta = 0, the apex; otherwise those of superlinear degree at
+// most 1 or 2 (serendipity space of Arnold and Awanou).
 std::vector<Exponents> monomials(const Shape& shape) {
   const int last = shape.dimension == 3 ? 2 : 0;
   std::vector<Exponents> all;
@@ -64,9 +66,10 @@ std::vector<Exponents> monomials(const Shape& shape) {
         int superlinear = 0;
         for (const int exponent : {i, j, k}) superlinear += exponent > 1 ? exponent : 0;
         const int most = shape.quadratic ? 2 : 1;
-        const bool has = shape.simplex ? degree <= most
-                         : shape.prism ? i + j <= most && k <= most && i + j + k < 4
-                                       : superlinear <= (shape.quadratic ? 2 : 0);
+        const bool has = shape.simplex   ? degree <= most
+                         : shape.prism   ? i + j <= most && k <= most && i + j + k < 4
+                         : shape.pyramid ? superlinear == 0 && (k == 1 || degree == 0)
+                                         : superlinear <= (shape.quadratic ? 2 : 0);
         if (has) all.push_back({i, j, k});
       }
     }
@@ -193,13 +196,24 @@ std::vector<std::pair<Point, Enclosure>> product_rule(const Shape& shape) {
   return rule;
 }
 
+// That of the cube, with zeta from -1 to 0.
+std::vector<std::pair<Point, Enclosure>> pyramid_rule(const Shape& shape) {
+  auto rule = product_rule(shape);
+  for (auto& [point, weight] : rule) {
+    point[2] = (point[2] - Enclosure(1)) / Enclosure(2);
+    weight = weight / Enclosure(2);
+  }
+  return rule;
+}
+
 std::vector<ReferencePoint> points_of(const Shape& shape) {
   const auto powers = monomials(shape);
   const auto factors = coefficients(shape, powers);
   std::vector<ReferencePoint> points;
-  const auto rule = shape.simplex ? simplex_rule(shape)
-                    : shape.prism ? prism_rule(shape)
-                                  : product_rule(shape);
+  const auto rule = shape.simplex   ? simplex_rule(shape)
+                    : shape.prism   ? prism_rule(shape)
+                    : shape.pyramid ? pyramid_rule(shape)
+                                    : product_rule(shape);
   for (const auto& [place, weight] : rule) {
     auto& point = points.emplace_back();
     point.weight = weight;

@@ -19,7 +19,7 @@ struct ReferencePoint {
 };
 
 /// The integration points of the shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10,
-/// 8, 20, 6 or 15 in space.
+/// 8, 20, 6, 15 or 5 in space.
 /// @throws std::invalid_argument if there is no such shape
 const std::vector<ReferencePoint>& reference_points(std::size_t dimension, std::size_t nodes);
 

@@ -44,6 +44,7 @@ class AbaqusFile {
   AbaqusMaterials materials_;
   AbaqusSupports supports_;
   AbaqusLoads loads_;
+  AbaqusGravity gravity_;
   AbaqusContact contact_;
 };
 
@@ -59,6 +60,7 @@ MeshData AbaqusFile::read() && {
   contact_.finish(text_, mesh);
   unite_supports(text_, mesh);
   loads_.finish(text_, mesh);
+  gravity_.finish(mesh);
   mesh.warnings = text_.warnings();
   sort_by_tag(mesh);
   return std::move(mesh);
@@ -103,13 +105,16 @@ void AbaqusFile::read_understood(const AbaqusCard& card) {
   if (keyword == "*SURFACE") return groups().read_surface(text_, card);
   if (keyword == "*MATERIAL") return materials_.read_material(text_, card);
   if (keyword == "*ELASTIC") return materials_.read_elastic(text_, card);
+  if (keyword == "*DENSITY") return materials_.read_density(text_);
   if (keyword == "*SOLID SECTION") return materials_.read_section(text_, card, parts_.current());
   if (keyword == "*BOUNDARY") return supports_.read_boundary(text_, card, parts_.current());
   if (keyword == "*CLOAD") return loads_.read(text_, card, parts_.assembly());
+  if (keyword == "*DLOAD") return gravity_.read(text_, card, parts_.assembly());
   if (keyword == "*TRANSFORM") return read_transform(text_, card, parts_.current());
   if (keyword == "*STEP") {
     supports_.begin_step();
     loads_.begin_step();
+    gravity_.begin_step();
   }
   leave_out(card, "is left out");
 }

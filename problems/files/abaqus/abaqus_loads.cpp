@@ -1,15 +1,25 @@
-// Loads by node and axis.
+// Loads by node and axis, gravity by set.
 #include "problems/files/abaqus/abaqus_loads.hpp"
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace kusabi::problems {
 
-void AbaqusLoads::read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& assembly) {
+namespace {
+
+/// True in the first card of a step that removes the loads of earlier ones.
+bool clears(const AbaqusCard& card, int step, int& cleared_in) {
   const std::string* const operation = card.find("OP");
-  const bool is_new = operation != nullptr && capitals(*operation) == "NEW";
-  if (is_new && std::exchange(cleared_in_, step_) != step_) components_.clear();
+  if (operation == nullptr || capitals(*operation) != "NEW") return false;
+  return std::exchange(cleared_in, step) != step;
+}
+
+}  // namespace
+
+void AbaqusLoads::read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& assembly) {
+  if (clears(card, step_, cleared_in_)) components_.clear();
   const bool follows = card.find("FOLLOWER") != nullptr;
   if (follows) text.warn("*CLOAD of a force that follows the structure is left out", card.at);
   while (text.next_data()) {
@@ -41,6 +51,35 @@ void AbaqusLoads::finish(AbaqusText& text, MeshData& mesh) const {
       loads.push_back({node, Eigen::Vector3d::Zero(), component.at});
     loads.back().force(axis) = component.force;
   }
+}
+
+void AbaqusGravity::read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& assembly) {
+  if (clears(card, step_, cleared_in_)) loads_.clear();
+  while (text.next_data()) {
+    const MeshText& line = text.line();
+    if (line.fields() < 2 || capitals(line.field(1)) != "GRAV") {
+      text.warn("*DLOAD other than GRAV is left out", text.here());
+      continue;
+    }
+    const bool all = line.field(0).empty();
+    if (!all && number_in(line.field(0))) {
+      text.warn("*DLOAD GRAV of a single element is left out", text.here());
+      continue;
+    }
+    const double magnitude = line.real(2, "an acceleration");
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    for (std::size_t axis = 0; axis < 3 && axis + 3 < line.fields(); ++axis)
+      direction(static_cast<Eigen::Index>(axis)) = line.real(axis + 3, "a direction");
+    if (direction.isZero(0))
+      line.fail("gravity without a direction; expected SET, GRAV, g, x, y, z");
+    const std::string set = all ? "" : assembly.groups.surface_name(line, 0);
+    loads_[set] = {set, magnitude * direction.normalized(), text.here()};
+  }
+}
+
+void AbaqusGravity::finish(MeshData& mesh) const {
+  for (const auto& [set, load] : loads_)
+    if (!load.acceleration.isZero(0)) mesh.gravity.push_back(load);
 }
 
 }  // namespace kusabi::problems

@@ -1,7 +1,8 @@
-// Loads of an Abaqus file: forces at nodes, *CLOAD.
+// Loads of an Abaqus file: forces at nodes, *CLOAD, and gravity, *DLOAD.
 #pragma once
 
 #include <map>
+#include <string>
 #include <utility>
 
 #include "problems/files/abaqus/abaqus_model.hpp"
@@ -30,6 +31,22 @@ class AbaqusLoads {
   int step_ = 0;
   int cleared_in_ = -1;                                    // step with OP=NEW
   std::map<std::pair<int, int>, Component> components_{};  // by node and axis
+};
+
+/// Gravity at the end of the last step. That of a step replaces earlier one of the same set.
+class AbaqusGravity {
+ public:
+  /// Data lines: SET, GRAV, MAGNITUDE, DIRECTION; without a set all elements. Other distributed
+  /// loads are left out with a warning.
+  void read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& assembly);
+  void begin_step() { ++step_; }
+  /// Adds the gravity to the mesh.
+  void finish(MeshData& mesh) const;
+
+ private:
+  int step_ = 0;
+  int cleared_in_ = -1;                         // step with OP=NEW
+  std::map<std::string, MeshGravity> loads_{};  // by the name of the set
 };
 
 }  // namespace kusabi::problems

@@ -47,6 +47,14 @@ void AbaqusMaterials::read_elastic(AbaqusText& text, const AbaqusCard& card) {
   while (text.next_data()) latest_->fault = "changes with temperature";
 }
 
+void AbaqusMaterials::read_density(AbaqusText& text) {
+  if (latest_ == nullptr)
+    text.line().fail("*DENSITY without a material; expected *MATERIAL before it");
+  if (!text.next_data()) text.line().fail("*DENSITY without a number; expected the density");
+  latest_->density = text.line().real(0, "a density");
+  while (text.next_data()) continue;  // at other temperatures
+}
+
 void AbaqusMaterials::read_section(AbaqusText& text, const AbaqusCard& card,
                                    AbaqusModel& part) const {
   allow_only(text, card, {"ELSET", "MATERIAL", "ORIENTATION", "CONTROLS", "OFFSET"});
@@ -84,6 +92,7 @@ void AbaqusMaterials::finish(MeshData& mesh) const {
     }
     section.modulus = material->second.modulus;
     section.ratio = material->second.ratio;
+    section.density = material->second.density;
     if (material->second.fault.empty()) continue;
     section.fault =
         fmt::format("material {} {}", support::in_quotes(section.material), material->second.fault);

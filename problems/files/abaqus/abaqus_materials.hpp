@@ -1,4 +1,5 @@
-// Materials of an Abaqus file and their elements: *MATERIAL, *ELASTIC and *SOLID SECTION.
+// Materials of an Abaqus file and their elements: *MATERIAL, *ELASTIC, *DENSITY and
+// *SOLID SECTION.
 #pragma once
 
 #include <map>
@@ -14,6 +15,7 @@ class AbaqusMaterials {
  public:
   void read_material(AbaqusText& text, const AbaqusCard& card);
   void read_elastic(AbaqusText& text, const AbaqusCard& card);
+  void read_density(AbaqusText& text);
   /// The section is added to the mesh of the part.
   void read_section(AbaqusText& text, const AbaqusCard& card, AbaqusModel& part) const;
 
@@ -26,6 +28,7 @@ class AbaqusMaterials {
   struct Material {
     double modulus = 0;
     double ratio = 0;
+    double density = 0;
     bool read = false;                        ///< an *ELASTIC
     std::string fault = "has no elasticity";  ///< empty with the constants of an isotropic material
   };

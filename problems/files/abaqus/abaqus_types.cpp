@@ -20,7 +20,7 @@ struct Row {
 constexpr auto stress = PlaneState::stress;
 constexpr auto strain = PlaneState::strain;
 
-constexpr std::array<Row, 18> of_bodies{{{"CPS3", MeshShape::triangle3, stress},
+constexpr std::array<Row, 19> of_bodies{{{"CPS3", MeshShape::triangle3, stress},
                                          {"CPS4", MeshShape::quadrilateral4, stress},
                                          {"CPS6", MeshShape::triangle6, stress},
                                          {"CPS8", MeshShape::quadrilateral8, stress},
@@ -29,6 +29,7 @@ constexpr std::array<Row, 18> of_bodies{{{"CPS3", MeshShape::triangle3, stress},
                                          {"CPE6", MeshShape::triangle6, strain},
                                          {"CPE8", MeshShape::quadrilateral8, strain},
                                          {"C3D4", MeshShape::tetrahedron4, std::nullopt},
+                                         {"C3D5", MeshShape::pyramid5, std::nullopt},
                                          {"C3D6", MeshShape::prism6, std::nullopt},
                                          {"C3D8", MeshShape::hexahedron8, std::nullopt},
                                          {"C3D10", MeshShape::tetrahedron10, std::nullopt},

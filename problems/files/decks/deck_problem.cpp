@@ -1,9 +1,10 @@
-// Head, materials, supports, pairs and loads.
+// Head, materials, supports, pairs, loads and weight.
 #include "problems/files/decks/deck_problem.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -28,7 +29,54 @@ std::string stem_of(const std::string& file) {
   return stem.empty() || stem.size() > longest ? "deck" : stem;
 }
 
-void write_head(DeckDraft& draft, const DeckChoices& choices, const std::string& prefix) {
+std::string vector_text(const DeckDraft& draft, const Eigen::Vector3d& vector) {
+  return draft.dimension() == 2 ? fmt::format("[{}, {}]", vector.x(), vector.y())
+                                : fmt::format("[{}, {}, {}]", vector.x(), vector.y(), vector.z());
+}
+
+/// The weight of a deck: one acceleration, and for each section whether its elements have it.
+struct DeckWeight {
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+  std::vector<bool> of_section;
+};
+
+/// True if gravity is on all elements of a section and these have a density. Gravity on a part of
+/// them is left out with a warning.
+bool has_weight(DeckDraft& draft, const MeshGravity& load, const MeshSection& section) {
+  if (section.density == 0 || section.elements.empty()) return false;
+  if (load.group.empty()) return true;
+  const MeshGroup* group = draft.group(load.group);
+  const std::set<int> loaded(group->elements.begin(), group->elements.end());
+  const auto count = std::ranges::count_if(section.elements,
+                                           [&](int element) { return loaded.contains(element); });
+  if (count != 0 && count < std::ssize(section.elements)) {
+    draft.warn(load.at, fmt::format("gravity on a part of the elements of {} is left out",
+                                    draft.line(section.at)));
+  }
+  return count != 0 && count == std::ssize(section.elements);
+}
+
+DeckWeight weight_of(DeckDraft& draft) {
+  const MeshData& mesh = draft.mesh();
+  DeckWeight weight{Eigen::Vector3d::Zero(), std::vector<bool>(mesh.sections.size(), false)};
+  for (const MeshGravity& load : mesh.gravity) {
+    if (!weight.gravity.isZero(0) && weight.gravity != load.acceleration) {
+      draft.warn(load.at, "gravity of another size or direction is left out");
+      continue;
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < mesh.sections.size(); ++i) {
+      if (!has_weight(draft, load, mesh.sections[i])) continue;
+      any = weight.of_section[i] = true;
+    }
+    if (any) weight.gravity = load.acceleration;
+    if (!any) draft.warn(load.at, "gravity on elements without *DENSITY is left out");
+  }
+  return weight;
+}
+
+void write_head(DeckDraft& draft, const DeckChoices& choices, const std::string& prefix,
+                const Eigen::Vector3d& gravity) {
   const std::string& heading = draft.mesh().heading;
   const std::string file = std::filesystem::path(choices.file).filename().string();
   draft.write(fmt::format(
@@ -39,6 +87,7 @@ void write_head(DeckDraft& draft, const DeckChoices& choices, const std::string&
   draft.write(fmt::format("name = {}\ndimension = {}\nunits = {{ length = {}, force = {} }}\n",
                           toml_text(heading.empty() ? prefix : heading), draft.dimension(),
                           toml_text(choices.length), toml_text(choices.force)));
+  if (!gravity.isZero(0)) draft.write(fmt::format("gravity = {}\n", vector_text(draft, gravity)));
   draft.write(fmt::format(
       "\n[[mesh]]\nname = {}\nfile = {}\nsupports = false            # those below instead\n",
       toml_text(prefix), toml_text(choices.file)));
@@ -55,7 +104,7 @@ std::optional<PlaneState> state_of(const MeshData& mesh, const MeshSection& sect
   return state;
 }
 
-void write_material(DeckDraft& draft, const MeshSection& section) {
+void write_material(DeckDraft& draft, const MeshSection& section, bool with_density) {
   const auto shape = [&](int number) {
     return draft.mesh().elements[static_cast<std::size_t>(number)].shape;
   };
@@ -74,6 +123,7 @@ void write_material(DeckDraft& draft, const MeshSection& section) {
     draft.write(bars ? fmt::format("A = {}\n", section.measure)
                      : fmt::format("nu = {}\n", section.ratio));
   }
+  if (with_density) draft.write(fmt::format("density = {}\n", section.density));
   if (draft.dimension() == 3 || bars) return;
   draft.write(fmt::format("thickness = {}\n", section.measure));
   if (const auto state = state_of(draft.mesh(), section)) {
@@ -92,11 +142,8 @@ void write_support(DeckDraft& draft, const ChosenNodes& nodes, const std::array<
 }
 
 void write_load(DeckDraft& draft, const ChosenNodes& nodes, const std::array<double, 3>& force) {
-  const auto components = draft.dimension() == 2
-                              ? fmt::format("{}, {}", force[0], force[1])
-                              : fmt::format("{}, {}, {}", force[0], force[1], force[2]);
-  draft.write(fmt::format("\n[[loads]]\nkind = \"dead\"\n{}force = [{}]\n", draft.lines(nodes),
-                          components));
+  draft.write(fmt::format("\n[[loads]]\nkind = \"dead\"\n{}force = {}\n", draft.lines(nodes),
+                          vector_text(draft, Eigen::Vector3d(force.data()))));
 }
 
 // Calls `write` with all nodes of each value. Sets whose nodes have the same value stand for their
@@ -156,8 +203,10 @@ void write_loads(DeckDraft& draft) {
 DeckProblem deck_problem(const MeshData& mesh, const DeckChoices& choices) {
   const std::string prefix = stem_of(choices.file);
   DeckDraft draft(mesh, prefix);
-  write_head(draft, choices, prefix);
-  for (const MeshSection& section : mesh.sections) write_material(draft, section);
+  const DeckWeight weight = weight_of(draft);
+  write_head(draft, choices, prefix, weight.gravity);
+  for (std::size_t i = 0; i < mesh.sections.size(); ++i)
+    write_material(draft, mesh.sections[i], weight.of_section[i]);
   write_supports(draft);
   write_pairs(draft, choices.gap);
   write_loads(draft);

@@ -48,7 +48,7 @@ TomlText mesh_file_name(const TomlReader& reader, const toml::node& entry) {
   if (!name.text.ends_with(".msh") && !is_abaqus_file(name.text)) {
     reader.fail(entry,
                 "file is not the name of a mesh; expected file = \"....msh\" (Gmsh) or "
-                "\"....inp\" (Abaqus, CalculiX)");
+                "\"....inp\" (Abaqus, CalculiX); mesh_file.py converts VTU, VTK and others");
   }
   return name;
 }

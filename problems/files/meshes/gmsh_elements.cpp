@@ -11,7 +11,7 @@
 namespace kusabi::problems {
 namespace {
 
-constexpr std::array<std::pair<int, MeshShape>, 13> known{{{15, MeshShape::point},
+constexpr std::array<std::pair<int, MeshShape>, 14> known{{{15, MeshShape::point},
                                                            {1, MeshShape::line2},
                                                            {8, MeshShape::line3},
                                                            {2, MeshShape::triangle3},
@@ -23,10 +23,10 @@ constexpr std::array<std::pair<int, MeshShape>, 13> known{{{15, MeshShape::point
                                                            {5, MeshShape::hexahedron8},
                                                            {17, MeshShape::hexahedron20},
                                                            {6, MeshShape::prism6},
-                                                           {18, MeshShape::prism15}}};
+                                                           {18, MeshShape::prism15},
+                                                           {7, MeshShape::pyramid5}}};
 
-constexpr std::array<std::pair<int, const char*>, 7> unknown{{{7, "a pyramid of 5 nodes"},
-                                                              {10, "a quadrilateral of 9 nodes"},
+constexpr std::array<std::pair<int, const char*>, 6> unknown{{{10, "a quadrilateral of 9 nodes"},
                                                               {12, "a hexahedron of 27 nodes"},
                                                               {13, "a prism of 18 nodes"},
                                                               {14, "a pyramid of 14 nodes"},

@@ -196,7 +196,7 @@ MeshShape GmshFile::shape(int type, std::size_t field) const {
   if (!shape) {
     text_.fail(field, fmt::format("an element that is {}; expected points, lines, triangles of 3 "
                                   "or 6, quadrilaterals of 4 or 8, tetrahedra of 4 or 10, "
-                                  "hexahedra of 8 or 20, prisms of 6 or 15 nodes{}",
+                                  "hexahedra of 8 or 20, prisms of 6 or 15, pyramids of 5 nodes{}",
                                   gmsh_called(type), gmsh_remedy(type)));
   }
   return *shape;

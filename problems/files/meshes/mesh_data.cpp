@@ -15,7 +15,7 @@ struct Kind {
   std::string_view called;
 };
 
-constexpr std::array<Kind, 13> kinds{{{0, 1, 1, "a point"},
+constexpr std::array<Kind, 14> kinds{{{0, 1, 1, "a point"},
                                       {1, 2, 2, "a line of 2 nodes"},
                                       {1, 3, 2, "a line of 3 nodes"},
                                       {2, 3, 3, "a triangle of 3 nodes"},
@@ -27,7 +27,8 @@ constexpr std::array<Kind, 13> kinds{{{0, 1, 1, "a point"},
                                       {3, 8, 8, "a hexahedron of 8 nodes"},
                                       {3, 20, 8, "a hexahedron of 20 nodes"},
                                       {3, 6, 6, "a prism of 6 nodes"},
-                                      {3, 15, 6, "a prism of 15 nodes"}}};
+                                      {3, 15, 6, "a prism of 15 nodes"},
+                                      {3, 5, 5, "a pyramid of 5 nodes"}}};
 
 const Kind& kind_of(MeshShape shape) {
   return kinds[static_cast<std::size_t>(shape)];

@@ -38,6 +38,7 @@ enum class MeshShape {
   hexahedron20,
   prism6,
   prism15,
+  pyramid5,
 };
 
 /// Dimension of a shape, 0 to 3.
@@ -46,7 +47,7 @@ int mesh_nodes(MeshShape shape);
 int mesh_corners(MeshShape shape);
 /// Name of a shape in messages: "a triangle of 6 nodes".
 std::string_view mesh_called(MeshShape shape);
-/// The element shape of triangles, quadrilaterals, tetrahedra, hexahedra and prisms.
+/// The element shape of triangles, quadrilaterals, tetrahedra, hexahedra, prisms and pyramids.
 ElementShape element_shape(MeshShape shape);
 
 struct MeshNode {
@@ -89,7 +90,8 @@ struct MeshSection {
   MeshPlace at;
   std::string set;       ///< name of the group of these elements
   std::string material;  ///< its name
-  std::string fault;  ///< empty, or why the modulus is not known: "material \"A\" is not elastic"
+  std::string fault;   ///< empty, or why the modulus is not known: "material \"A\" is not elastic"
+  double density = 0;  ///< mass per volume; zero if it is not given
 };
 
 struct MeshSupport {
@@ -101,6 +103,13 @@ struct MeshSupport {
 struct MeshLoad {
   int node;
   Eigen::Vector3d force;  ///< along the axes, in the unit of the file
+  MeshPlace at;
+};
+
+/// Gravity on the elements of a group, or on all.
+struct MeshGravity {
+  std::string group;             ///< empty: all elements
+  Eigen::Vector3d acceleration;  ///< in the units of the file
   MeshPlace at;
 };
 
@@ -127,6 +136,7 @@ struct MeshData {
   std::vector<MeshSection> sections;
   std::vector<MeshSupport> supports;
   std::vector<MeshLoad> loads;
+  std::vector<MeshGravity> gravity;
   std::vector<MeshPair> pairs;
   std::vector<std::string> warnings;  ///< ignored entries, a line each
 };

@@ -62,7 +62,7 @@ void element_group(ProblemDraft& draft, const TomlTable& group) {
     if (!shape) {
       reader.fail(*entry, fmt::format("an element has {} nodes; expected {}", names.size(),
                                       dimension == 2 ? "3, 4, 6 or 8 names in the plane"
-                                                     : "4, 6, 8, 10, 15 or 20 names in space"));
+                                                     : "4, 5, 6, 8, 10, 15 or 20 names in space"));
     }
     element.shape = *shape;
     std::vector<int> nodes;

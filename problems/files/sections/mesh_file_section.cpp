@@ -117,8 +117,8 @@ void MeshFileSection::read() {
       warn(mesh_.pairs.front().at,
            "contact pairs and ties are left out: kusabi import writes a problem file with them");
     }
-    if (!mesh_.loads.empty()) {
-      warn(mesh_.loads.front().at,
+    if (!mesh_.loads.empty() || !mesh_.gravity.empty()) {
+      warn(mesh_.loads.empty() ? mesh_.gravity.front().at : mesh_.loads.front().at,
            "loads are left out: kusabi import writes a problem file with them");
     }
   }

@@ -18,6 +18,7 @@ namespace {
 NaturalPoint<double> centre_of(const ShapeTraits& traits) {
   NaturalPoint<double> centre{};
   if (traits.family == ShapeFamily::product) return centre;
+  if (traits.family == ShapeFamily::pyramid) return {0, 0, -0.75};
   const int axes = traits.family == ShapeFamily::prism ? 2 : traits.dimension;  // of the simplex
   for (std::size_t k = 0; k < static_cast<std::size_t>(axes); ++k) centre[k] = 1.0 / (axes + 1);
   return centre;

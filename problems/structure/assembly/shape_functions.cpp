@@ -1,5 +1,6 @@
 // Shape functions: barycentric on simplices, products of linear functions on squares and cubes, and
-// of both on prisms (serendipity if quadratic).
+// of both on prisms (serendipity if quadratic); on pyramids those of a hexahedron of which one face
+// is a point.
 #include "problems/structure/assembly/shape_functions.hpp"
 
 #include <cmath>
@@ -122,6 +123,25 @@ NaturalSlopes<Scalar> prism_slopes(const ShapeTraits& traits, const NaturalPoint
   return slopes;
 }
 
+/// With the node's own xi and eta, s and t: -zeta (1 + s xi) (1 + t eta) / 4 at the base; 1 + zeta
+/// at the apex.
+template <class Scalar>
+NaturalSlopes<Scalar> pyramid_slopes(const ShapeTraits& traits, const NaturalPoint<Scalar>& at) {
+  const Scalar quarter = 0.25;
+  const Scalar one = 1.0;
+  NaturalSlopes<Scalar> slopes(traits.nodes.size());
+  for (std::size_t node = 0; node < 4; ++node) {
+    const Scalar side = traits.nodes[node][0];
+    const Scalar other = traits.nodes[node][1];
+    const Scalar along = one + side * at[0];
+    const Scalar across = one + other * at[1];
+    slopes[node] = {-quarter * at[2] * side * across, -quarter * at[2] * along * other,
+                    -quarter * along * across};
+  }
+  slopes[4] = {Scalar(0.0), Scalar(0.0), one};
+  return slopes;
+}
+
 template <class Scalar>
 struct WeightedPoint {
   NaturalPoint<Scalar> at{};
@@ -185,11 +205,18 @@ std::vector<WeightedPoint<Scalar>> rule_of(const ShapeTraits& traits) {
       return simplex_rule<Scalar>(d, traits.quadratic);
     case ShapeFamily::prism:
       return with_axis(simplex_rule<Scalar>(2, true), 2, traits.quadratic);
+    case ShapeFamily::pyramid:
     case ShapeFamily::product:
       break;
   }
   std::vector<WeightedPoint<Scalar>> rule{{{}, 1.0}};  // the first axis fastest
   for (std::size_t axis = 0; axis < d; ++axis) rule = with_axis(rule, axis, traits.quadratic);
+  if (traits.family == ShapeFamily::pyramid) {
+    for (auto& [at, weight] : rule) {  // from -1 to 0 along zeta
+      at[2] = Scalar(0.5) * (at[2] - Scalar(1.0));
+      weight *= Scalar(0.5);
+    }
+  }
   return rule;
 }
 
@@ -212,6 +239,8 @@ NaturalSlopes<Scalar> natural_slopes(ElementShape shape, const NaturalPoint<Scal
       return simplex_slopes(traits, at);
     case ShapeFamily::prism:
       return prism_slopes(traits, at);
+    case ShapeFamily::pyramid:
+      return pyramid_slopes(traits, at);
     case ShapeFamily::product:
       break;
   }
@@ -221,7 +250,7 @@ NaturalSlopes<Scalar> natural_slopes(ElementShape shape, const NaturalPoint<Scal
 template <class Scalar>
 const std::vector<IntegrationPoint<Scalar>>& integration_points(ElementShape shape) {
   static const auto all = [] {
-    std::array<std::vector<IntegrationPoint<Scalar>>, 10> rules;
+    std::array<std::vector<IntegrationPoint<Scalar>>, 11> rules;
     for (std::size_t each = 0; each < rules.size(); ++each)
       rules[each] = points_of<Scalar>(static_cast<ElementShape>(each));
     return rules;

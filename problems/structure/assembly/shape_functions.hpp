@@ -4,7 +4,8 @@
 // Full integration: 1 and 3 points for triangles, 2 x 2 and 3 x 3 for quadrilaterals, 1 and 4 for
 // tetrahedra, 2 x 2 x 2 and 3 x 3 x 3 for hexahedra, 3 x 3 for prisms of 15 nodes, as in Abaqus and
 // CalculiX for the elements without R in their name. Prisms of 6 nodes have 3 x 2 points, exact for
-// those with parallel edges; there they have 1 x 2.
+// those with parallel edges; there they have 1 x 2. Pyramids have 2 x 2 x 2, exact if the base is a
+// parallelogram; Abaqus has 1.
 #pragma once
 
 #include <vector>

@@ -190,13 +190,17 @@ template <std::size_t D>
 Eigen::VectorXd determinants_of(const Structure& structure, const Element& element) {
   const auto& traits = shape_traits(element.shape);
   const auto places = places_of<D, double>(structure, element);
-  const double factor = traits.family == ShapeFamily::simplex ? 1
-                        : traits.family == ShapeFamily::prism ? 2
-                                                              : std::exp2(D);
+  const double factor = traits.family == ShapeFamily::simplex   ? 1
+                        : traits.family == ShapeFamily::prism   ? 2
+                        : traits.family == ShapeFamily::pyramid ? 4
+                                                                : std::exp2(D);
   std::vector<double> values;
   for (int corner = 0; corner < traits.corners; ++corner) {
-    const auto slopes =
-        natural_slopes(element.shape, traits.nodes[static_cast<std::size_t>(corner)]);
+    auto at = traits.nodes[static_cast<std::size_t>(corner)];
+    // In a pyramid det J is zeta^2 times a bilinear function of xi and eta: at the apex that of the
+    // centre of the base.
+    if (traits.family == ShapeFamily::pyramid) at[2] = -1;
+    const auto slopes = natural_slopes(element.shape, at);
     values.push_back(factor * jacobian<D, double>(places, slopes).determinant);
   }
   for (const auto& point : integration_points<double>(element.shape))

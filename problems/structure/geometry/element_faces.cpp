@@ -44,6 +44,8 @@ const Family prism{6,
                    {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}},
                    {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
 
+const Family pyramid{5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, {}};
+
 const Family& family(ElementShape shape) {
   switch (shape) {
     case ElementShape::triangle3:
@@ -58,6 +60,8 @@ const Family& family(ElementShape shape) {
     case ElementShape::prism6:
     case ElementShape::prism15:
       return prism;
+    case ElementShape::pyramid5:
+      return pyramid;
     case ElementShape::hexahedron8:
     case ElementShape::hexahedron20:
       break;

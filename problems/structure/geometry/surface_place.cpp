@@ -9,7 +9,7 @@
 
 #include <Eigen/QR>
 
-#include "problems/structure/model/element_shape.hpp"
+#include "problems/structure/geometry/element_faces.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -111,40 +111,11 @@ std::vector<Share> shares_of(const FaceNodes& face, const Eigen::VectorXd& value
   return shares;
 }
 
-/// The vertices of the faces of each kind of element, in circular order.
-const std::vector<std::vector<std::size_t>>& face_corners(const ShapeTraits& shape) {
-  using Faces = std::vector<std::vector<std::size_t>>;
-  static const Faces triangle{{0, 1}, {1, 2}, {2, 0}};
-  static const Faces quadrilateral{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-  static const Faces tetrahedron{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
-  static const Faces hexahedron{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  static const Faces prism{{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
-  const bool simplex = shape.family == ShapeFamily::simplex;
-  if (shape.dimension == 2) return simplex ? triangle : quadrilateral;
-  if (shape.family == ShapeFamily::prism) return prism;
-  return simplex ? tetrahedron : hexahedron;
-}
-
-/// The midpoint node between two vertices.
-std::size_t middle_of(const ShapeTraits& shape, std::size_t first, std::size_t second) {
-  NaturalPoint<double> middle{};
-  for (std::size_t k = 0; k < 3; ++k)
-    middle[k] = (shape.nodes[first][k] + shape.nodes[second][k]) / 2;
-  return static_cast<std::size_t>(std::ranges::find(shape.nodes, middle) - shape.nodes.begin());
-}
-
 std::vector<FaceNodes> faces_of(const Element& element) {
-  const ShapeTraits& shape = shape_traits(element.shape);
   std::vector<FaceNodes> faces;
-  for (const auto& corners : face_corners(shape)) {
+  for (const auto& own : element_faces(element.shape)) {
     auto& face = faces.emplace_back();
-    for (const std::size_t corner : corners) face.push_back(element.nodes[corner]);
-    const std::size_t sides = corners.size() == 2 ? 1 : corners.size();
-    for (std::size_t side = 0; shape.quadratic && side < sides; ++side) {
-      face.push_back(
-          element.nodes[middle_of(shape, corners[side], corners[(side + 1) % corners.size()])]);
-    }
+    for (const int node : own) face.push_back(element.nodes[static_cast<std::size_t>(node)]);
   }
   return faces;
 }

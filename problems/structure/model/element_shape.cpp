@@ -53,7 +53,11 @@ constexpr std::array<NaturalPoint<double>, 15> prism{{{0, 0, -1},
                                                       {1, 0, 0},
                                                       {0, 1, 0}}};
 
-constexpr std::array<ShapeTraits, 10> shapes{
+// The vertices of the base, and the apex, which all points with zeta = 0 are.
+constexpr std::array<NaturalPoint<double>, 5> pyramid{
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {0, 0, 0}}};
+
+constexpr std::array<ShapeTraits, 11> shapes{
     {{"three-node triangle", 2, ShapeFamily::simplex, false, 3, Points(triangle).first<3>()},
      {"six-node triangle", 2, ShapeFamily::simplex, true, 3, Points(triangle)},
      {"four-node quadrilateral", 2, ShapeFamily::product, false, 4,
@@ -64,7 +68,8 @@ constexpr std::array<ShapeTraits, 10> shapes{
      {"eight-node hexahedron", 3, ShapeFamily::product, false, 8, Points(hexahedron).first<8>()},
      {"twenty-node hexahedron", 3, ShapeFamily::product, true, 8, Points(hexahedron)},
      {"six-node prism", 3, ShapeFamily::prism, false, 6, Points(prism).first<6>()},
-     {"fifteen-node prism", 3, ShapeFamily::prism, true, 6, Points(prism)}}};
+     {"fifteen-node prism", 3, ShapeFamily::prism, true, 6, Points(prism)},
+     {"five-node pyramid", 3, ShapeFamily::pyramid, false, 5, Points(pyramid)}}};
 
 }  // namespace
 

@@ -20,6 +20,7 @@ enum class ShapeFamily {
   simplex,  ///< xi, eta, zeta >= 0 with a sum up to 1
   product,  ///< from -1 to 1 each
   prism,    ///< xi, eta >= 0 with a sum up to 1; zeta from -1 to 1
+  pyramid,  ///< xi, eta from -1 to 1; zeta from -1 at the base to 0, where all are the apex
 };
 
 /// Data common to all elements of one shape.
@@ -35,7 +36,8 @@ struct ShapeTraits {
 
 const ShapeTraits& shape_traits(ElementShape shape);
 
-/// The shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10, 8, 20, 6 or 15 in space.
+/// The shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10, 8, 20, 6, 15 or 5 in
+/// space.
 std::optional<ElementShape> shape_of(int dimension, std::size_t nodes);
 
 }  // namespace kusabi::problems

@@ -87,6 +87,7 @@ enum class ElementShape {
   hexahedron20,
   prism6,
   prism15,
+  pyramid5,
 };
 
 /// An element of an isotropic body, in the plane or in space.

@@ -79,6 +79,29 @@ TEST(DeckProblem, HasTheLoadsAtTheEndOfTheLastStep) {
   EXPECT_THAT(cleared.text, Not(HasSubstr("[[loads]]")));
 }
 
+// Of the set with gravity alone; later of all elements, in another direction.
+TEST(DeckProblem, HasTheWeightOfItsGravity) {
+  std::string deck = blocks + contact;
+  deck.insert(deck.find("*ELASTIC"), "*DENSITY\n7.8e-9\n");
+  deck += "*STEP\n*STATIC\n*DLOAD\nUP, GRAV, 9810, 0, -2\nUP, P1, 3\n*END STEP\n";
+  const auto problem = imported(deck);
+  EXPECT_THAT(problem.warnings, Contains(HasSubstr("*DLOAD other than GRAV")));
+  EXPECT_THAT(problem.text, HasSubstr("gravity = [0, -9810]"));
+  double down = 0;
+  for (const auto& load : structure_of(problem, deck).loads) {
+    EXPECT_LT(load.node, 6);
+    down -= load.force(1);
+  }
+  EXPECT_NEAR(down, 2 * 2.5 * 7.8e-9 * 9810, 1e-12);  // area, thickness, density, gravity
+  const auto later = deck + "*STEP\n*DLOAD, OP=NEW\n, GRAV, 1, 1, 0, 0\n";
+  double right = 0;
+  for (const auto& load : structure_of(imported(later), later).loads) right += load.force(0);
+  EXPECT_NEAR(right, 5 * 2.5 * 7.8e-9, 1e-20);
+  const auto none = imported(deck.erase(deck.find("*DENSITY"), 16));
+  EXPECT_THAT(none.text, Not(HasSubstr("gravity")));
+  EXPECT_THAT(none.warnings, Contains(HasSubstr("without *DENSITY")));
+}
+
 TEST(DeckProblem, IsTheProblemOfTheSameStructureByHand) {
   const auto problem = imported(blocks + contact);
   EXPECT_THAT(problem.warnings, IsEmpty());

@@ -1,5 +1,5 @@
-// Prisms of Gmsh and Abaqus: one element of 15 nodes whose middle nodes are at the middles of its
-// edges, in the orders of both manuals.
+// Prisms and pyramids of Gmsh and Abaqus. Prisms: one element of 15 nodes whose middle nodes are at
+// the middles of its edges, in the orders of both manuals.
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,27 +66,56 @@ TEST(Prism, OfAbaqusHasItsNodesInOrder) {
                             "14, 15\n");
 }
 
+/// Nodes of a face of the only element, which has these corners.
+std::vector<std::string> nodes_of_face(const std::string& corners, const std::string& type,
+                                       const std::string& face) {
+  const ProblemText problem{test::head(3) + test::mesh_of("a.inp", 3) +
+                                "[[contact]]\nnodes = [\"m.s\"]\nnormal = \"surface\"\n",
+                            {{"a.inp", "*NODE\n" + corners + "*ELEMENT, TYPE=" + type +
+                                           "\n*SURFACE, NAME=s\n1, " + face + "\n"}}};
+  std::vector<std::string> names;
+  const Structure structure = read_structure(problem, "test.toml");
+  for (const auto& candidate : structure.contact)
+    names.push_back(structure.node_names[static_cast<std::size_t>(candidate.node)]);
+  return names;
+}
+
 // Faces as Abaqus numbers them: S1 and S2 are the triangles, S4 the one of nodes 2, 3, 6, 5.
 TEST(Prism, HasTheFacesOfAbaqus) {
   const auto group = [](const std::string& face) {
-    const ProblemText problem{
-        test::head(3) + test::mesh_of("a.inp", 3) +
-            "[[contact]]\nnodes = [\"m.s\"]\nnormal = \"surface\"\n",
-        {{"a.inp",
-          "*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n3, 0, 4, 0\n4, 0, 0, 6\n5, 2, 0, 6\n6, 0, 4, "
-          "6\n*ELEMENT, TYPE=C3D6\n1, 1, 2, 3, 4, 5, 6\n*SURFACE, NAME=s\n1, " +
-              face + "\n"}}};
-    std::vector<std::string> names;
-    const Structure structure = read_structure(problem, "test.toml");
-    for (const auto& candidate : structure.contact)
-      names.push_back(structure.node_names[static_cast<std::size_t>(candidate.node)]);
-    return names;
+    return nodes_of_face("1, 0, 0, 0\n2, 2, 0, 0\n3, 0, 4, 0\n4, 0, 0, 6\n5, 2, 0, 6\n6, 0, 4, 6\n",
+                         "C3D6\n1, 1, 2, 3, 4, 5, 6", face);
   };
   EXPECT_THAT(group("S1"), testing::ElementsAre("m.1", "m.2", "m.3"));
   EXPECT_THAT(group("S2"), testing::ElementsAre("m.4", "m.5", "m.6"));
   EXPECT_THAT(group("S3"), testing::ElementsAre("m.1", "m.2", "m.4", "m.5"));
   EXPECT_THAT(group("S4"), testing::ElementsAre("m.2", "m.3", "m.5", "m.6"));
   EXPECT_THAT(group("S5"), testing::ElementsAre("m.1", "m.3", "m.4", "m.6"));
+}
+
+// S1 is the base, S2 the triangle on the edge of nodes 1 and 2, the others follow around it.
+TEST(Pyramid, HasTheFacesOfAbaqus) {
+  const auto group = [](const std::string& face) {
+    return nodes_of_face("1, 0, 0, 0\n2, 2, 0, 0\n3, 2, 4, 0\n4, 0, 4, 0\n5, 1, 1, 3\n",
+                         "C3D5\n1, 1, 2, 3, 4, 5", face);
+  };
+  EXPECT_THAT(group("S1"), testing::ElementsAre("m.1", "m.2", "m.3", "m.4"));
+  EXPECT_THAT(group("S2"), testing::ElementsAre("m.1", "m.2", "m.5"));
+  EXPECT_THAT(group("S3"), testing::ElementsAre("m.2", "m.3", "m.5"));
+  EXPECT_THAT(group("S4"), testing::ElementsAre("m.3", "m.4", "m.5"));
+  EXPECT_THAT(group("S5"), testing::ElementsAre("m.1", "m.4", "m.5"));
+}
+
+TEST(Pyramid, OfGmshHasItsNodesInOrder) {
+  const ProblemText problem{
+      test::head(3) + test::mesh_of("a.msh", 3),
+      {{"a.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 2 0 0\n3 2 4 0\n4 0 4 0\n5 1 "
+        "1 3\n$EndNodes\n$Elements\n1\n1 7 2 1 1 1 2 3 4 5\n$EndElements\n"}}};
+  const Structure structure = read_structure(problem, "test.toml");
+  ASSERT_EQ(structure.elements.size(), 1U);
+  EXPECT_EQ(structure.elements[0].shape, ElementShape::pyramid5);
+  EXPECT_EQ(structure.elements[0].nodes, (std::vector{0, 1, 2, 3, 4}));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace kusabi::problems::test {
 namespace {
 
-using Cell = std::array<int, 3>;
+using Cell = std::array<int, 3>;  // place on the grid, in halves of a cell
 constexpr int cells = 3;
 
 double random_part(std::mt19937& bits) {
@@ -27,13 +27,29 @@ std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell)
   const int d = dimension_of(shape);
   std::vector<std::vector<Cell>> elements;
   const auto at = [&](int i, int j, int k) {
-    return Cell{cell[0] + i, cell[1] + j, d == 3 ? cell[2] + k : 0};
+    return Cell{2 * (cell[0] + i), 2 * (cell[1] + j), d == 3 ? 2 * (cell[2] + k) : 0};
   };
   if (shape == ElementShape::prism6 || shape == ElementShape::prism15) {
     for (const auto& [a, b] : {std::pair(0, 1), {1, 0}}) {  // both halves of the square
       auto& own = elements.emplace_back();
       for (int k = 0; k < 2; ++k) {
         for (const auto& [i, j] : {std::pair(0, 0), {b, a}, {1, 1}}) own.push_back(at(i, j, k));
+      }
+    }
+    return elements;
+  }
+  if (shape == ElementShape::pyramid5) {  // from the centre of the cell to each of its faces
+    for (const std::size_t axis : {0U, 1U, 2U}) {
+      for (const int side : {-1, 1}) {
+        auto& own = elements.emplace_back(5, at(0, 0, 0));
+        for (auto& place : own) {
+          for (int& component : place) ++component;
+        }
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+          own[corner][axis] += side;
+          own[corner][(axis + 1) % 3] += corner == 1 || corner == 2 ? side : -side;
+          own[corner][(axis + 2) % 3] += corner < 2 ? 1 : -1;
+        }
       }
     }
     return elements;
@@ -50,10 +66,10 @@ std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell)
   std::iota(axes.begin(), axes.end(), 0);
   do {  // from one vertex of the cell to the opposite one, axis by axis
     auto& own = elements.emplace_back();
-    Cell place = cell;
+    Cell place = at(0, 0, 0);
     own.push_back(place);
     for (const int axis : axes) {
-      ++place[static_cast<std::size_t>(axis)];
+      place[static_cast<std::size_t>(axis)] += 2;
       own.push_back(place);
     }
   } while (std::ranges::next_permutation(axes).found);
@@ -64,7 +80,7 @@ class PatchMaker {
  public:
   PatchMaker(ElementShape shape, double moved, std::mt19937& bits)
       : shape_(shape),
-        moved_(moved / cells),
+        moved_(moved / cells / (shape == ElementShape::pyramid5 ? 2 : 1)),
         bits_(bits),
         body_(empty_structure(dimension_of(shape))) {}
 
@@ -96,7 +112,7 @@ class PatchMaker {
     if (found != corners_.end()) return found->second;
     Eigen::VectorXd place(body_.dimension);
     for (Eigen::Index axis = 0; axis < place.size(); ++axis)
-      place(axis) = cell[static_cast<std::size_t>(axis)] / double{cells};
+      place(axis) = cell[static_cast<std::size_t>(axis)] / (2 * double{cells});
     return corners_[cell] = add_moved(place, moved_);
   }
 
@@ -128,8 +144,8 @@ class PatchMaker {
 }  // namespace
 
 std::string name_of(ElementShape shape) {
-  constexpr std::array names{"T3",    "T6",   "Q4",    "Q8",   "Tet4",
-                             "Tet10", "Hex8", "Hex20", "Pri6", "Pri15"};
+  constexpr std::array names{"T3",   "T6",    "Q4",   "Q8",    "Tet4", "Tet10",
+                             "Hex8", "Hex20", "Pri6", "Pri15", "Pyr5"};
   return names.at(static_cast<std::size_t>(shape));
 }
 
@@ -142,7 +158,7 @@ bool is_quadratic(ElementShape shape) {
 }
 
 int corners_of(ElementShape shape) {
-  constexpr std::array corners{3, 3, 4, 4, 4, 4, 8, 8, 6, 6};
+  constexpr std::array corners{3, 3, 4, 4, 4, 4, 8, 8, 6, 6, 5};
   return corners.at(static_cast<std::size_t>(shape));
 }
 

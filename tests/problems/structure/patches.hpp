@@ -14,7 +14,7 @@ inline constexpr ElementShape all_shapes[] = {
     ElementShape::triangle3,      ElementShape::triangle6,    ElementShape::quadrilateral4,
     ElementShape::quadrilateral8, ElementShape::tetrahedron4, ElementShape::tetrahedron10,
     ElementShape::hexahedron8,    ElementShape::hexahedron20, ElementShape::prism6,
-    ElementShape::prism15};
+    ElementShape::prism15,        ElementShape::pyramid5};
 
 std::string name_of(ElementShape shape);
 int dimension_of(ElementShape shape);

@@ -138,6 +138,8 @@ std::vector<std::vector<int>> turns_of(ElementShape shape) {
   switch (test::corners_of(shape)) {
     case 3:
       return {{1, 2, 0}, {0, 2, 1}};  // the second reverses the orientation
+    case 5:
+      return {{1, 2, 3, 0, 4}, {0, 3, 2, 1, 4}};
     case 6:
       return {{1, 2, 0, 4, 5, 3}, {0, 2, 1, 3, 5, 4}, {3, 4, 5, 0, 1, 2}};
     case 8:

@@ -14,11 +14,11 @@
 namespace kusabi::problems {
 namespace {
 
-constexpr std::array shapes{ElementShape::triangle3,      ElementShape::triangle6,
-                            ElementShape::quadrilateral4, ElementShape::quadrilateral8,
-                            ElementShape::tetrahedron4,   ElementShape::tetrahedron10,
-                            ElementShape::hexahedron8,    ElementShape::hexahedron20,
-                            ElementShape::prism6,         ElementShape::prism15};
+constexpr std::array shapes{
+    ElementShape::triangle3,      ElementShape::triangle6,    ElementShape::quadrilateral4,
+    ElementShape::quadrilateral8, ElementShape::tetrahedron4, ElementShape::tetrahedron10,
+    ElementShape::hexahedron8,    ElementShape::hexahedron20, ElementShape::prism6,
+    ElementShape::prism15,        ElementShape::pyramid5};
 
 /// A structure of the element of which all others are images.
 Structure reference_element(ElementShape shape) {
@@ -64,7 +64,10 @@ TEST_P(Faces, EncloseTheElement) {
   }
   const auto family = shape_traits(GetParam()).family;
   const bool simplex = family == ShapeFamily::simplex;
-  const double solid = family == ShapeFamily::prism ? 1 : simplex ? 1.0 / 6 : 8;
+  const double solid = family == ShapeFamily::prism     ? 1
+                       : family == ShapeFamily::pyramid ? 4.0 / 3
+                       : simplex                        ? 1.0 / 6
+                                                        : 8;
   EXPECT_NEAR(volume, dimension == 2 ? (simplex ? 0.5 : 4) : solid, 1e-14);
   EXPECT_LT(sum.norm(), 1e-14);
 }
