@@ -21,9 +21,13 @@ struct QuadraticBound {
   }
 };
 
+/// Rounds of the optimisation, each with a larger weight; it usually ends before.
+inline constexpr int most_form_rounds = 22;
+
 struct QuadraticQuestion {
-  double enough = 0;  ///< a bound up to here is of no interest
-  double most = 0;    ///< nor is one above
+  double enough = 0;              ///< a bound up to here is of no interest
+  double most = 0;                ///< nor is one above
+  int rounds = most_form_rounds;  ///< 0: the first multipliers only
   support::Stop stop{};
 };
 
