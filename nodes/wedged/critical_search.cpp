@@ -102,7 +102,9 @@ class SmallestStrategies {
   // Global search within a limit of nodes: small trees are solved, others get a lower bound for the
   // descent.
   void automatic() {
-    if (start() || search_patterns() || bound_by_forms() || known_at_most()) return;
+    if (start() || bound_by_first_forms() || search_patterns(PrimalPart::first) ||
+        bound_by_forms(most_form_rounds) || search_patterns(PrimalPart::later) || known_at_most())
+      return;
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
     if (stopped(CriticalPhase::trial)) return;
@@ -135,15 +137,16 @@ class SmallestStrategies {
 
   [[nodiscard]] bool is_answered() const {
     const double cells = grid_.precision == Precision::doubles ? cells_in_doubt : 1;
-    return bracket_.is_one_cell(cells * grid_.width);
+    return bracket_.is_one_cell(cells * grid_.width) || bracket_.lower() >= grid_.most;
   }
 
   // Search without a tree for patterns that stick at less friction than is known. @return true: the
   // bracket is the answer, or there is no time for more
-  bool search_patterns() {
+  bool search_patterns(PrimalPart part) {
     if (problem_.contact_names.size() < fewest_to_start) return false;
     const auto before = bracket_.upper();
-    const auto programs = reduce_by_patterns(analysis_, problem_, grid_, bracket_);
+    const auto programs = reduce_by_patterns(analysis_, problem_, grid_, part, bracket_);
+    if (programs == 0) return false;
     findings_.costs.push_back({CriticalPhase::primal, 0, 0, programs});
     if (stopped(CriticalPhase::primal)) return true;
     if (bracket_.upper() != before) ends_.prove_at_once();
@@ -151,13 +154,16 @@ class SmallestStrategies {
   }
 
   // Lower bound without a tree. @return true: the bracket is the answer, or the time is over
-  bool bound_by_forms() {
+  bool bound_by_forms(int rounds) {
     if (problem_.contact_names.size() < fewest_for_forms) return false;
-    auto forms = quadratic_forms(analysis_, problem_, grid_, bracket_);
+    auto forms = quadratic_forms(analysis_, problem_, grid_, bracket_, rounds);
     findings_.costs.push_back({CriticalPhase::form, forms.factor, 0, forms.evaluations});
     if (forms.factor > 0) ends_.prove_by_forms(std::move(forms));
     return stopped(CriticalPhase::form) || is_answered();
   }
+
+  // A first lower bound soon, in case that the search for patterns of a large block is interrupted.
+  bool bound_by_first_forms() { return grid_.precision == Precision::doubles && bound_by_forms(0); }
 
   // Searches a feasible leaf at the largest coefficient, if the user specified one, as a descent
   // would do first. @return true: there is none

@@ -5,19 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "solvers/conic/pack.hpp"
+#include "solvers/conic/block_product.hpp"
 
 namespace kusabi::conic {
 
 namespace {
-
-// Packs in a block of rows: as many as give each block eight products that do not depend on each
-// other, and fit the registers.
-template <class Real>
-constexpr int block_height = lanes<Real> == 1 ? 4 : 2;
-
-// Columns of B that are copied at a time: a block of rows takes a quarter of the first cache.
-constexpr int copied_columns = 128;
 
 // Smaller matrices stay in the cache without copies.
 constexpr int most_direct_rows = 48;
@@ -31,24 +23,6 @@ struct ColumnView {
   Real* data;
   int distance;
 };
-
-template <class Real, int Height>
-using Sums = Packed<Real>[lanes<Real>][Height];
-
-// sums += the block of X Y' below `x` and beside `y`, Height packs by one, for `count` columns.
-template <int Height, class Real>
-KUSABI_INLINE void add_products(const Real* x, int x_distance, const Real* y, int y_distance,
-                                int count, Sums<Real, Height>& sums) {
-  constexpr int width = lanes<Real>;
-  for (int k = 0; k < count; ++k, x += x_distance, y += y_distance) {
-    Packed<Real> left[Height];
-    for (int i = 0; i < Height; ++i) left[i] = load(x + width * i);
-    for (int j = 0; j < width; ++j) {
-      const Packed<Real> right = y[j];
-      for (int i = 0; i < Height; ++i) sums[j][i] += left[i] * right;
-    }
-  }
-}
 
 // Adds the block of B B' of the rows at `x` and at `y` to `sum`, or puts it there.
 template <int Height, class Real>

@@ -54,7 +54,9 @@ void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
     const auto cell = root.locate({}, {.infeasible = 0, .feasible = CriticalCell::nowhere},
                                   CriticalMethod::newton, most);
     start.infeasible = root.at(cell.infeasible);
-    if (cell.infeasible < most)
+    // In doubles each program takes long, and the leaf is near the answer if the root is.
+    const bool near = cell.infeasible > 0 || grid.precision != Precision::doubles;
+    if (near && cell.infeasible < most)
       take_leaf(leaves, leaf_with(support::IndexSet::below(m), m), most, start);
     const auto singles = single_contacts(block);
     if (!singles.empty() && singles.front().factor < start.feasible)

@@ -44,7 +44,7 @@ LeafPoint begin_of(engine::Analysis& analysis, const problems::WedgedProblem& bl
 }
 
 std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                           std::uint32_t number, const CriticalGrid& grid,
+                           std::uint32_t number, const CriticalGrid& grid, PrimalPart part,
                            NarrowingBracket& bracket) {
   const auto block = problems::block_problem(problem, problems::blocks_of(problem)[number]);
   const int m = static_cast<int>(block.contact_names.size());
@@ -52,7 +52,8 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
   PrimalQuestion question{.infeasible = bracket.lower(),
                           .most = bracket.upper().value_or(grid.most),
                           .enough = 0,
-                          .known = {}};
+                          .known = {},
+                          .part = part};
   if (bracket.leaf() && bracket.leaf()->block == number)
     question.known = {*bracket.upper(), bracket.leaf()->pattern.contact};
   bool better = false;
@@ -74,11 +75,12 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
 }  // namespace
 
 std::uint64_t reduce_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                                 const CriticalGrid& grid, NarrowingBracket& bracket) {
+                                 const CriticalGrid& grid, PrimalPart part,
+                                 NarrowingBracket& bracket) {
   std::uint64_t programs = 0;
   const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem).size());
   for (std::uint32_t number = 0; number < blocks; ++number)
-    programs += search_block(analysis, problem, number, grid, bracket);
+    programs += search_block(analysis, problem, number, grid, part, bracket);
   return programs;
 }
 

@@ -120,6 +120,9 @@ class Level {
     }
     if (best_.factor < before && better_) better_(best_);
     analysis_.say_now_and_then([&] {
+      if (reach_ > 1)
+        return fmt::format("looking for patterns of clusters of candidates: {} programs",
+                           programs_);
       return best_.is_known()
                  ? fmt::format(
                        "looking for patterns without a tree: one sticks at {:.6g}, {} programs",
@@ -227,8 +230,10 @@ PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedP
                              const PrimalQuestion& question,
                              const std::function<void(const PrimalPattern&)>& better) {
   PrimalFindings findings;
+  const bool with_clusters = static_cast<int>(block.contact_names.size()) >= fewest_to_cluster;
+  if (question.part == PrimalPart::later && !with_clusters) return findings;
   Level level(analysis, block, question, 1, better);
-  if (static_cast<int>(block.contact_names.size()) >= fewest_to_cluster && !level.done()) {
+  if (with_clusters && question.part != PrimalPart::later && !level.done()) {
     auto trials = prolonged(analysis, block, question, findings.programs);
     if (level.best().is_known())
       for (auto& trial : trials)
@@ -240,7 +245,7 @@ PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedP
     }
     level.descend();
   }
-  level.run();
+  if (!with_clusters || question.part != PrimalPart::first) level.run();
   findings.best = level.best();
   findings.programs += level.programs();
   return findings;

@@ -35,12 +35,17 @@ struct PrimalPattern {
   }
 };
 
+/// Parts of the search of a block with clusters: those of `first` begin with the clusters, those of
+/// `later` with modes of all candidates. Other blocks have a first part only.
+enum class PrimalPart { first, later, both };
+
 struct PrimalQuestion {
   double infeasible = 0;  ///< no pattern is feasible up to this coefficient
   double most = 0;        ///< no coefficient above is of interest
   double enough = 0;      ///< the search ends with a pattern that is feasible at this coefficient
   double from = 8;        ///< coefficient of the first trials while no pattern is known
   PrimalPattern known;    ///< best known pattern
+  PrimalPart part = PrimalPart::both;
 };
 
 struct PrimalFindings {

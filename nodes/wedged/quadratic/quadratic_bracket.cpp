@@ -11,14 +11,17 @@
 namespace kusabi::wedged {
 
 QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, const NarrowingBracket& bracket) {
+                               const CriticalGrid& grid, const NarrowingBracket& bracket,
+                               int rounds) {
   QuadraticForms result;
   double least = std::min(grid.most, bracket.upper_or_infinity());
   for (const auto& block : problems::blocks_of(problem)) {
     auto own = analysis.by_first_rank([&] {
-      return quadratic_bound(
-          problems::block_problem(problem, block),
-          {.enough = bracket.lower(), .most = least, .stop = analysis.budget().stop()});
+      return quadratic_bound(problems::block_problem(problem, block),
+                             {.enough = bracket.lower(),
+                              .most = least,
+                              .rounds = rounds,
+                              .stop = analysis.budget().stop()});
     });
     result.evaluations += static_cast<std::uint64_t>(own.evaluations);
     least = std::min(least, own.factor);

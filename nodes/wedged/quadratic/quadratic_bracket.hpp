@@ -24,7 +24,9 @@ struct QuadraticForms {
 
 /// Forms of all blocks at the least of their coefficients; none if that is not above the lower
 /// bound of the bracket. On all ranks.
+/// @param rounds of the optimisation: QuadraticQuestion::rounds
 QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                               const CriticalGrid& grid, const NarrowingBracket& bracket);
+                               const CriticalGrid& grid, const NarrowingBracket& bracket,
+                               int rounds);
 
 }  // namespace kusabi::wedged

@@ -21,9 +21,13 @@ struct QuadraticBound {
   }
 };
 
+/// Rounds of the optimisation, each with a larger weight; it usually ends before.
+inline constexpr int most_form_rounds = 22;
+
 struct QuadraticQuestion {
-  double enough = 0;  ///< smaller bounds are of no interest
-  double most = 0;    ///< larger bounds are of no interest
+  double enough = 0;              ///< smaller bounds are of no interest
+  double most = 0;                ///< larger bounds are of no interest
+  int rounds = most_form_rounds;  ///< 0: the first multipliers only
   support::Stop stop{};
 };
 

@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "solvers/conic/dense_product.hpp"
+
 namespace kusabi::wedged {
 namespace {
 
@@ -22,7 +24,7 @@ QuadraticPoint ReducedForm::first_point() const {
 
 void ReducedForm::assemble(QuadraticPoint& point) {
   const auto m = candidates();
-  responses_.noalias() = products_.transpose() * rows();
+  responses_ = conic::product_with_transpose(products_.transpose(), rows().transpose());
   sums_ = responses_.rightCols(tangents() * m) + point.slips();
   shares_ = sums_;
   for (Eigen::Index k = 0; k < tangents(); ++k)
@@ -30,7 +32,7 @@ void ReducedForm::assemble(QuadraticPoint& point) {
   minus_linear_ = -symmetric_part(responses_.leftCols(m));
   friction_part_ = symmetric_part(sizes_);
   friction_part_.diagonal() += squares_;
-  friction_part_.noalias() += sums_ * shares_.transpose() / 4;
+  friction_part_ += conic::product_with_transpose(sums_, shares_) / 4;
 }
 
 double ReducedForm::potential(double factor, double weight) {
@@ -48,12 +50,12 @@ double ReducedForm::potential(double factor, double weight) {
 QuadraticForm::Slopes ReducedForm::slopes() {
   const auto m = candidates();
   const auto e = tangents();
-  Slopes by{.by_products = Eigen::MatrixXd(m, m),
-            .by_slips = Eigen::MatrixXd(m, e * m),
+  Slopes by{.by_products = {},
+            .by_slips = {},
             .by_squares = factor_ * inverse_.diagonal(),
             .by_pairs = {},
             .by_log_factor = factor_ * inverse_.cwiseProduct(friction_part_).sum()};
-  by.by_slips.noalias() = factor_ / 2 * inverse_ * shares_;
+  by.by_slips = factor_ / 2 * conic::product_with_transpose(inverse_, shares_.transpose());
   for (Eigen::Index k = 0; k < e; ++k)
     by.by_squares -= by.by_slips.middleCols(k * m, m)
                          .cwiseProduct(shares_.middleCols(k * m, m))
@@ -61,8 +63,9 @@ QuadraticForm::Slopes ReducedForm::slopes() {
                          .sum()
                          .transpose() /
                      2;
-  by.by_products.noalias() = rows().leftCols(m) * inverse_;
-  by.by_products.noalias() += rows().rightCols(e * m) * by.by_slips.transpose();
+  Eigen::MatrixXd moved(m, rows().cols());
+  moved << inverse_, by.by_slips;
+  by.by_products = conic::product_with_transpose(rows(), moved);
   return by;
 }
 
@@ -76,6 +79,10 @@ Eigen::VectorXd ReducedForm::row_sizes() const {
 }
 
 double ReducedForm::largest_factor(double above) {
+  // Most points of a search are refused by this factorisation.
+  if (above > 0 &&
+      Eigen::LLT<Eigen::MatrixXd>(minus_linear_ - above * friction_part_).info() != Eigen::Success)
+    return 0;
   const Eigen::LLT<Eigen::MatrixXd> factors(minus_linear_);
   if (factors.info() != Eigen::Success) return 0;
   Eigen::MatrixXd ratio = factors.matrixL().solve(friction_part_);

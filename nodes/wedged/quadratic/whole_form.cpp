@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "solvers/conic/dense_product.hpp"
 #include "solvers/conic/motions.hpp"
 
 namespace kusabi::wedged {
@@ -129,11 +130,10 @@ QuadraticPoint WholeForm::first_point() const {
 
 void WholeForm::assemble(QuadraticPoint& point) {
   const auto m = candidates();
-  const auto n = all_rows_.cols();
-  Eigen::MatrixXd acting(m, n);  // P r_n + N u_n
-  acting.noalias() = pairs_of(point) * all_rows_;
+  // P r_n + N u_n
+  Eigen::MatrixXd acting = conic::product_with_transpose(pairs_of(point), all_rows_.transpose());
   acting.leftCols(m) += products_;
-  fixed_.noalias() = all_rows_.transpose() * acting;
+  fixed_ = conic::product_with_transpose(all_rows_.transpose(), acting.transpose());
   fixed_ = (fixed_ + fixed_.transpose()).eval() / 2;
   fixed_.block(0, m, m, tangents() * m) += point.slips() / 2;
   fixed_.block(m, 0, tangents() * m, m) += point.slips().transpose() / 2;
@@ -177,12 +177,12 @@ QuadraticForm::Slopes WholeForm::slopes() {
   const auto m = candidates();
   const auto e = tangents();
   const double f = factor_;
-  const Eigen::MatrixXd images = all_rows_ * inverse_;
+  const Eigen::MatrixXd images = conic::product_with_transpose(all_rows_, inverse_);
   const Eigen::VectorXd own = inverse_.diagonal();
   Slopes by{.by_products = images.leftCols(m),
             .by_slips = inverse_.block(0, m, m, e * m),
             .by_squares = f * own.head(m),
-            .by_pairs = images * all_rows_.transpose()};
+            .by_pairs = conic::product_with_transpose(images, all_rows_)};
   by.by_log_factor =
       f * (inverse_.topLeftCorner(m, m).cwiseProduct(sizes_).sum() + own.head(m).dot(squares_)) -
       static_cast<double>(e * m);

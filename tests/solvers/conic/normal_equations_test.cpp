@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "solvers/conic/dense_product.hpp"
 #include "solvers/conic/motions.hpp"
 #include "solvers/conic/pack.hpp"
 
@@ -40,6 +41,20 @@ Eigen::VectorXd random_padded(int size) {
   Eigen::VectorXd numbers = Eigen::VectorXd::Zero(padded(size));
   numbers.head(size).setRandom();
   return numbers;
+}
+
+// Sizes around those of a block, and more columns than are copied at a time.
+TEST(DenseProduct, IsThatOfTheMatrices) {
+  for (const int rows : {1, 7, 8, 9, 33})
+    for (const int columns : {1, 8, 19})
+      for (const int depth : {0, 1, 128, 129, 300}) {
+        const Eigen::MatrixXd a = Eigen::MatrixXd::Random(rows, depth);
+        const Eigen::MatrixXd b = Eigen::MatrixXd::Random(columns, depth);
+        const Eigen::MatrixXd product = product_with_transpose(a, b);
+        ASSERT_EQ(product.rows(), rows);
+        ASSERT_EQ(product.cols(), columns);
+        EXPECT_LE((product - a * b.transpose()).norm(), rounding) << rows << ' ' << depth;
+      }
 }
 
 TEST(PackedColumns, ProductsAreThoseOfTheMatrix) {
