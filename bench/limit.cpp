@@ -1,23 +1,19 @@
-// Worst-case limit loads: run time of the family of grids, and random trusses with a gap after
-// static cuts, so that the tree of signs is measured too.
+// Worst-case limit loads of random trusses with a gap after static cuts, so that the tree of signs
+// is measured. (bench/limit.py: grids.)
 //
-//   bench_limit                   grids with 3 to 10 bays, alpha = 20 and 40 kN
-//   bench_limit gaps [TRUSSES]    random trusses with 6 nodes at integer coordinates, yield force 1
+//   bench_limit [TRUSSES]    random trusses with 6 nodes at integer coordinates, yield force 1
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <random>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
 #include "nodes/limit/search/sign_tree.hpp"
-#include "problems/families/grid_truss.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/input_error.hpp"
 
@@ -51,24 +47,6 @@ std::optional<Solved> solve(const problems::LimitModel& model, double alpha) {
   solved.nodes = outcome.opened();
   if (!outcome.solutions.empty()) solved.least = outcome.solutions.front().solution.factor;
   return solved;
-}
-
-void grids() {
-  fmt::print("bays  alpha  components        factor  rounds  cut programs  nodes  seconds\n");
-  for (int bays = 3; bays <= 10; ++bays) {
-    for (const double alpha : {20.0, 40.0}) {
-      const auto began = std::chrono::steady_clock::now();
-      const auto problem = limit_problem(checked(problems::grid_truss(bays)));
-      const auto model = limit_model(problem);
-      const auto solved = solve(model, alpha / model.force_unit);
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began;
-      if (!solved) continue;
-      fmt::print("{:>4}  {:>5}  {:>10}  {:>12.9f}  {:>6}  {:>12}  {:>5}  {:>7.3f}\n", bays, alpha,
-                 problem.uncertain_count(), solved->least * model.factor_unit,
-                 solved->root.counts.rounds, solved->root.counts.pricings, solved->nodes,
-                 seconds.count());
-    }
-  }
 }
 
 problems::Structure random_truss(std::mt19937& bits) {
@@ -128,10 +106,6 @@ void gaps(std::uint32_t count) {
 
 int main(int argc, char** argv) {
   const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
-  if (arguments.size() > 1 && std::string_view(arguments[1]) == "gaps") {
-    constexpr std::uint32_t usual = 20000;
-    gaps(arguments.size() > 2 ? static_cast<std::uint32_t>(std::stoul(arguments[2])) : usual);
-  } else {
-    grids();
-  }
+  constexpr std::uint32_t usual = 20000;
+  gaps(arguments.size() > 1 ? static_cast<std::uint32_t>(std::stoul(arguments[1])) : usual);
 }

@@ -185,14 +185,14 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
 }
 
 // After all struts have buckled.
-LimitAnswer loads_after_buckling(engine::Analysis& analysis, problems::Structure structure,
-                                 problems::LimitProblem problem, const LimitQuestion& question) {
+LimitFindings loads_after_buckling(engine::Analysis& analysis, problems::Structure structure,
+                                   problems::LimitProblem problem, const LimitQuestion& question) {
   problem.compression = question.residual;
   for (std::size_t i = 0; i < structure.members.size(); ++i)
     structure.members[i].yield->compression = question.residual(static_cast<Eigen::Index>(i));
-  return loads_at_strength(analysis, structure, problem,
-                           {.alpha = question.alpha, .split_from = question.split_from})
-      .answer;
+  return loads_at_strength(
+      analysis, structure, problem,
+      {.alpha = question.alpha, .split_from = question.split_from, .loss = question.loss});
 }
 
 }  // namespace
@@ -201,20 +201,29 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
                           const problems::LimitProblem& problem, const LimitQuestion& question) {
   auto findings = loads_at_strength(analysis, structure, problem, question);
   const bool collapses = findings.answer.status == LoadStatus::collapses;
-  if (question.residual.size() == 0 || question.loss || !collapses) return findings;
+  if (question.residual.size() == 0 || !collapses) return findings;
   analysis.say("the same with all struts at their residual strength");
-  findings.residual = loads_after_buckling(analysis, structure, problem, question);
+  auto residual = loads_after_buckling(analysis, structure, problem, question);
+  findings.residual = std::move(residual.answer);
+  findings.residual_loss = std::move(residual.loss);
+  for (auto& statement : residual.statements) {
+    statement.residual = true;
+    findings.statements.push_back(std::move(statement));
+  }
   return findings;
 }
 
 engine::Status LimitFindings::ended() const {
   if (residual && residual->ended() != engine::Status::solved) return residual->ended();
-  if (loss && loss->search != engine::Status::solved) return loss->search;
+  for (const auto* const each : {&loss, &residual_loss}) {
+    if (*each && (*each)->search != engine::Status::solved) return (*each)->search;
+  }
   return answer.ended();
 }
 
 bool LimitFindings::whole() const {
-  return answer.whole() && (!residual || residual->whole()) && (!loss || loss->proved);
+  return answer.whole() && (!residual || residual->whole()) && (!loss || loss->proved) &&
+         (!residual_loss || residual_loss->proved);
 }
 
 engine::Status LimitAnswer::ended() const {

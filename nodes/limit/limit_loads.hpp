@@ -21,10 +21,11 @@ struct LimitFindings {
   /// without one on the largest.
   std::vector<verify::LimitStatement> statements;
   /// The same analysis with all struts at their residual strength; nothing: there are no struts, or
-  /// no result at their strength.
+  /// no result at their strength. Its claims are among `statements`.
   std::optional<LimitAnswer> residual;
   /// Of a question about the loss of members; nothing: none, or no nominal factor was found.
   std::optional<LossAnswer> loss;
+  std::optional<LossAnswer> residual_loss;  ///< the same with all struts at residual strength
 
   /// As LimitAnswer, with struts and the loss of members.
   [[nodiscard]] engine::Status ended() const;

@@ -28,6 +28,7 @@ struct LimitReport {
         answer(governs.found.answer),
         residual(governs.found.residual),
         loss(governs.found.loss),
+        residual_loss(governs.found.residual_loss),
         load_case(governs.name),
         ranks(on_ranks) {}
 
@@ -38,6 +39,7 @@ struct LimitReport {
   const limit::LimitAnswer& answer;
   const std::optional<limit::LimitAnswer>& residual;  ///< struts at their residual strength
   const std::optional<limit::LossAnswer>& loss;
+  const std::optional<limit::LossAnswer>& residual_loss;
   const std::string& load_case;  ///< empty: the file has none
   int ranks;
 

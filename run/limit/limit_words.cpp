@@ -196,7 +196,6 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   } else if (answer.nominal) {
     yields(*answer.nominal, "Then");
   }
-  if (governs.found.residual) verdict.details.push_back(strut_sentence(*governs.found.residual));
   interval.incomplete = !all_whole(cases);
   verdict.answer = interval;
   const bool of_losses =
@@ -210,6 +209,7 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
     }
     verdict.answer = member_loss(cases);
   }
+  if (governs.found.residual) verdict.details.push_back(strut_sentence(governs.found));
   return verdict;
 }
 

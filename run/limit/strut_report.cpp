@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/utilisation.hpp"
+#include "run/limit/loss_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 
@@ -23,7 +24,9 @@ constexpr double at_strength = 1 - 1e-9;
 // Struts in compression at their strength at the collapse, or the worst one.
 std::vector<std::string> struts_at_strength(const LimitReport& report) {
   const auto& worst = report.answer.worst;
-  const auto& collapse = worst && worst->collapse ? worst->collapse : report.answer.nominal;
+  const auto& collapse = report.loss                ? report.loss->collapse
+                         : worst && worst->collapse ? worst->collapse
+                                                    : report.answer.nominal;
   std::vector<std::string> names;
   if (!collapse) return names;
   const auto used = problems::utilisation(report.problem, collapse->forces);
@@ -40,7 +43,14 @@ bool at_no_factor(const LimitAnswer& answer) {
                       : answer.status == limit::LoadStatus::not_carried;
 }
 
-std::string factor_text(const LimitAnswer& answer) {
+// Of the worst loss of members, if it is asked for.
+std::string factor_text(const LimitAnswer& answer, const std::optional<limit::LossAnswer>& loss) {
+  if (loss && loss->is_fatal())
+    return loss->proved ? "no load factor after a loss, proved" : "no load factor after a loss";
+  if (loss) {
+    return fmt::format("load factor {:.10g} ... {:.10g} after the worst loss{}", loss->ends.lower,
+                       loss->ends.upper, loss->proved ? ", proved" : " (not proved)");
+  }
   if (at_no_factor(answer)) return answer.whole() ? "no load factor, proved" : "no load factor";
   if (answer.worst) {
     const auto& [lower, upper, lower_proved, upper_proved] = answer.worst->ends;
@@ -56,9 +66,10 @@ std::string factor_text(const LimitAnswer& answer) {
 std::string strut_text(const LimitReport& report) {
   std::string text = "\nstruts, which lose force after they have buckled\n";
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "  all at their strength: {}; an upper value\n", factor_text(report.answer));
+  fmt::format_to(out, "  all at their strength: {}; an upper value\n",
+                 factor_text(report.answer, report.loss));
   fmt::format_to(out, "  all at their residual strength: {}; a lower value\n",
-                 factor_text(*report.residual));
+                 factor_text(*report.residual, report.residual_loss));
   if (report.residual->worst)
     fmt::format_to(out, "    {}\n", interval_text(guaranteed_interval(*report.residual)));
   const auto names = struts_at_strength(report);
@@ -80,12 +91,20 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
     json["proved"] = worst->proved;
     json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
   }
+  if (report.residual_loss) json["member_loss"] = loss_json(report.problem, *report.residual_loss);
   return json;
 }
 
-std::string strut_sentence(const LimitAnswer& residual) {
-  if (at_no_factor(residual))
+std::string strut_sentence(const limit::LimitFindings& found) {
+  const auto& residual = *found.residual;
+  const auto& loss = found.residual_loss;
+  if (at_no_factor(residual) || (loss && loss->is_fatal()))
     return "With all struts at their residual strength no load factor is carried.";
+  if (loss && loss->ends.lower_proved) {
+    return fmt::format("With all struts at their residual strength it is at least {:.8g}.",
+                       loss->ends.lower);
+  }
+  if (loss) return "With all struts at their residual strength it is not known.";
   const auto& worst = residual.worst;
   if (worst && std::isfinite(worst->ends.lower)) {
     return fmt::format("With all struts at their residual strength it is at least {:.8g}{}.",

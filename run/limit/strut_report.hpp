@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/limit/limit_loads.hpp"
 #include "run/limit/limit_report.hpp"
 
 namespace kusabi::run {
@@ -16,7 +17,7 @@ std::string strut_text(const LimitReport& report);
 /// The key `struts` of a result. @pre report.residual
 nlohmann::ordered_json strut_json(const LimitReport& report);
 
-/// "If all struts have buckled, at least 0.5 is carried". @pre report.residual
-std::string strut_sentence(const limit::LimitAnswer& residual);
+/// "With all struts at their residual strength it is at least 0.5." @pre found.residual
+std::string strut_sentence(const limit::LimitFindings& found);
 
 }  // namespace kusabi::run

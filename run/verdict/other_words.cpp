@@ -35,15 +35,17 @@ std::string of_list(const CertificateCheck::List& list) {
                      list.patterns == 0 ? ": it cannot stick" : "", except);
 }
 
-std::string of_factor(const CertificateCheck::Factor& factor) {
+}  // namespace
+
+std::string factor_claim(const CertificateCheck::Factor& factor) {
   auto loads = factor.loads.half_width ? fmt::format("alpha = {}", *factor.loads.half_width)
                                        : std::string("uncertain loads within these half-widths");
   if (factor.cases > 1) loads += fmt::format(" in these {} load cases", factor.cases);
   if (factor.at_none) {
-    return fmt::format("PROVED: for {} some admissible load is carried at no load factor", loads);
+    return fmt::format("for {} some admissible load is carried at no load factor", loads);
   }
-  auto text = fmt::format("PROVED: the least load factor for {} is between {:.17g} and {:.17g}",
-                          loads, factor.lower, factor.upper);
+  auto text = fmt::format("the least load factor for {} is between {:.17g} and {:.17g}", loads,
+                          factor.lower, factor.upper);
   if (!factor.least) return text;
   const auto& [lower, upper] = *factor.least;
   if (lower > factor.upper) {
@@ -59,6 +61,8 @@ std::string of_factor(const CertificateCheck::Factor& factor) {
                     "admissible load, and no factor below {:.17g} is",
                     upper, lower);
 }
+
+namespace {
 
 std::string range_text(const CertificateCheck::Range& range) {
   if (std::isinf(range.low) && std::isinf(range.high)) return "all factors";
@@ -195,7 +199,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
                        counted(example->patterns, "pattern"));
   }
   if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
-    return of_factor(*factor);
+    return "PROVED: " + factor_claim(*factor);
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim))
     return of_held(*held);
   if (const auto* const loss = std::get_if<CertificateCheck::Loss>(&found.claim))

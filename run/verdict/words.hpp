@@ -22,6 +22,9 @@ struct Reservation {
 /// Open parts, then results that are computed only.
 std::vector<Reservation> reservations(const Verdict& verdict);
 
+/// The claim of a certificate of load factors: "the least load factor for alpha = 1 is between …".
+std::string factor_claim(const CertificateCheck::Factor& factor);
+
 /// A critical friction coefficient for a table: both bounds and their standing.
 std::string bracket_line(const CriticalBracket& found);
 

@@ -61,7 +61,10 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
 // The first load case that the statement refers to, or the reason why there is none. @throws
 // InputError if it is no truss
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
-                                                const problems::CheckedStructure& structure) {
+                                                const problems::CheckedStructure& structure,
+                                                const Eigen::VectorXd& residual) {
+  if (statement.residual && residual.size() == 0)
+    return "claims at residual strength, but no member of the file has one";
   std::vector<std::string> whys;
   for (const auto& name : cases_for(statement, structure)) {
     const auto of_case =
@@ -71,6 +74,8 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
     if (statement.claim == LimitClaim::least) {
       truss = verify::with_reversed_reference(std::move(truss));
     }
+    for (std::size_t i = 0; statement.residual && i < truss.bars.size(); ++i)
+      truss.bars[i].compression = residual(static_cast<Eigen::Index>(i));
     auto found = verify::limit_consistency(statement.evidence, truss);
     if (auto* const agreed = std::get_if<verify::LimitTruss>(&found))
       return AgreedTruss{std::move(*agreed), name, fingerprint, std::move(truss.load_names)};
@@ -92,12 +97,13 @@ struct Checking {
 // Truss of the certificate, or that of the structure; nothing if they disagree.
 std::optional<Checking> checking(const LimitStatement& statement,
                                  const std::optional<problems::CheckedStructure>& structure,
-                                 const std::string& file, CheckedStatement& checked) {
+                                 const Eigen::VectorXd& residual, const std::string& file,
+                                 CheckedStatement& checked) {
   auto truss = verify::recorded_truss(statement.evidence);
   auto names = statement.evidence.names;
   checked.load_case = statement.load_case;
   if (structure) {
-    auto found = truss_of(statement, *structure);
+    auto found = truss_of(statement, *structure, residual);
     if (const auto* why = std::get_if<std::string>(&found)) {
       checked.refusals.push_back(file + ": " + *why);
       return {};
@@ -197,6 +203,7 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
 
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
                                    const std::optional<problems::CheckedStructure>& structure,
+                                   const Eigen::VectorXd& residual,
                                    std::span<const LimitStatement> statements) {
   CheckedStatements result;
   auto& all = result.statements;
@@ -205,9 +212,10 @@ CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options
   for (const auto& statement : statements) {
     auto& checked = all.emplace_back();
     checked.claim = statement.claim;
+    checked.residual = statement.residual;
     checked.cuts = statement.evidence.cuts.size();
     checked.nodes = statement.evidence.nodes.size();
-    proofs.push_back(checking(statement, structure, options.problem, checked));
+    proofs.push_back(checking(statement, structure, residual, options.problem, checked));
     if (!proofs.back()) continue;
     check_load(*proofs.back(), checked);
     if (statement.claim == LimitClaim::none) continue;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "engine/outcome.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "run/command/command_run.hpp"
@@ -19,6 +21,7 @@ namespace kusabi::run {
 /// Result for a statement.
 struct CheckedStatement {
   verify::LimitClaim claim = verify::LimitClaim::largest;
+  bool residual = false;          ///< with all struts at their residual strength
   std::string load_case{};        ///< of the problem file, or of the certificate
   std::uint64_t fingerprint = 0;  ///< of the problem file, if there is one
   /// Name (or nothing) and half-width of each uncertain load.
@@ -35,9 +38,11 @@ struct CheckedStatements {
 
 /// Proves all statements on all ranks, in pieces of one node.
 /// @param structure of the problem file to prove them for, if any
+/// @param residual compression strengths of the problem file after buckling, by member; empty: none
 /// @throws support::InputError if limit analysis does not apply to the structure
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
                                    const std::optional<problems::CheckedStructure>& structure,
+                                   const Eigen::VectorXd& residual,
                                    std::span<const verify::LimitStatement> statements);
 
 }  // namespace kusabi::run

@@ -16,6 +16,7 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
 #include "support/input_error.hpp"
@@ -164,9 +165,9 @@ std::string cases_left_text(const std::vector<CheckedStatement>& statements,
 
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::CheckedStructure>& structure,
-                            const std::string& text) {
+                            const Eigen::VectorXd& residual, const std::string& text) {
   const auto recorded = statements_in(text, options.certificate);
-  const auto [statements, status] = check_statements(run, options, structure, recorded);
+  auto [statements, status] = check_statements(run, options, structure, residual, recorded);
   if (status != engine::Status::solved) return {.status = status};
   VerifyFindings findings;
   for (const auto& statement : statements) {
@@ -187,6 +188,13 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   }
   summary += summary_of(statements);
   if (structure) summary += cases_left_text(statements, *structure);
+  const auto after_buckling = std::ranges::stable_partition(
+      statements, [](const CheckedStatement& each) { return !each.residual; });
+  if (!after_buckling.empty()) {
+    summary += fmt::format("all struts at their residual strength, PROVED: {}\n",
+                           factor_claim(factor_of({after_buckling.begin(), after_buckling.end()})));
+  }
+  statements.erase(after_buckling.begin(), after_buckling.end());
   findings.check.claim = factor_of(statements);
   return findings;
 }

@@ -176,19 +176,51 @@ TEST_F(LossCommand, AddsColumnsToTheTableOfMembers) {
 }
 
 // By hand: bars of 5, 4 and 2 in tension; the strut a-e below holds 3, and 0.9 after buckling.
-TEST_F(LossCommand, GivesBothFactorsOfStruts) {
+std::string hanger_with_strut(const std::string& residual) {
   std::string text = hanger;
   text.replace(text.find("d = [0, 3]"), 10, "d = [0, 3]\ne = [0, -1]");
   text.replace(text.find("[\"b\", \"c\", \"d\"]"), 15, "[\"b\", \"c\", \"d\", \"e\"]");
   text.replace(text.find("[[supports]]"), 12,
-               "[[members]]\nyield = { tension = 1, compression = 3, residual = 0.3 }\nbetween = "
-               "[[\"a\", \"e\"]]\n[[supports]]");
-  std::ofstream(in_folder("hanger.toml")) << text;
+               "[[members]]\nyield = { tension = 1, compression = 3" + residual +
+                   " }\nbetween = "
+                   "[[\"a\", \"e\"]]\n[[supports]]");
+  return text;
+}
+
+TEST_F(LossCommand, GivesBothFactorsOfStruts) {
+  std::ofstream(in_folder("hanger.toml")) << hanger_with_strut(", residual = 0.3");
   const auto json = file_of(argument("hanger.toml"));
   EXPECT_NEAR(json["result"]["nominal"], 11, 1e-9);
   const auto& struts = json["result"]["struts"];
   EXPECT_NEAR(struts["nominal"], 8.9, 1e-9);
   EXPECT_EQ(struts["at_strength"], nlohmann::json({"a-e"}));
+  const auto lost = file_of(argument("hanger.toml") + " --lose 1")["result"];
+  EXPECT_NEAR(lost["member_loss"]["upper"], 6, 1e-6);  // without a-b
+  EXPECT_NEAR(lost["struts"]["member_loss"]["lower"], 3.9, 1e-6);
+  EXPECT_TRUE(lost["struts"]["member_loss"]["proved"]);
+}
+
+// The claim at residual strength is refused for any other residual strength.
+TEST_F(LossCommand, ProvesBothFactorsOfStruts) {
+  for (const std::string& share : {", residual = 0.3", ", residual = 0.301", ""})
+    std::ofstream(in_folder("hanger" + std::to_string(share.size()) + ".toml"))
+        << hanger_with_strut(share);
+  const auto certificate = argument("cert");
+  const auto run =
+      shell(command + " limit " + argument("hanger16.toml") + " --certificate " + certificate);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto verify = command + " verify " + certificate;
+  for (const std::string& call : {verify, verify + " --problem " + argument("hanger16.toml")}) {
+    const auto proved = shell(call);
+    EXPECT_EQ(proved.exit_code, 0) << proved.output;
+    EXPECT_THAT(proved.output, HasSubstr("all struts at their residual strength, PROVED"));
+    EXPECT_THAT(proved.output, HasSubstr("between 8.9"));
+  }
+  for (const char* const other : {"hanger18.toml", "hanger0.toml"}) {
+    const auto refused = shell(verify + " --problem " + argument(other));
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr("NOT PROVED"));
+  }
 }
 
 }  // namespace

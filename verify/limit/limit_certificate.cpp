@@ -177,7 +177,7 @@ void read_evidence(Lines& lines, LimitCertificate& certificate) {
 
 // The claim of the current line. @param before the previous claim of the same load case
 LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
-  const std::string what = before ? "'claim least', 'case' or 'end'"
+  const std::string what = before ? "'claim least', 'residual', 'case' or 'end'"
                                   : "'claim' and 'largest' or 'none', the first of a case";
   lines.expect_word("claim", what);
   const auto word = lines.remainder();
@@ -189,6 +189,23 @@ LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
   lines.refuse(what);
 }
 
+// Claims from the current line on; the line after them becomes the current one.
+void read_claims(Lines& lines, const LimitStatement& without_claim,
+                 std::vector<LimitStatement>& statements) {
+  std::optional<LimitClaim> before;
+  do {
+    const auto claim = read_claim(lines, before);
+    auto& [name, its_claim, evidence, residual] = statements.emplace_back(without_claim);
+    its_claim = claim;
+    if (claim == LimitClaim::least) {
+      for (double& value : evidence.reference) value = -value;
+    }
+    read_evidence(lines, evidence);
+    before = claim;
+    lines.next();
+  } while (lines.text().starts_with("claim"));
+}
+
 // Reads from the line 'case' to the next 'case' or 'end', which becomes the current line.
 void read_case(Lines& lines, const LimitCertificate& truss,
                std::vector<LimitStatement>& statements) {
@@ -198,21 +215,21 @@ void read_case(Lines& lines, const LimitCertificate& truss,
   const bool known =
       std::ranges::find(statements, name, &LimitStatement::load_case) != statements.end();
   if (known) lines.refuse(what);
-  auto loads = truss;
+  LimitStatement statement{name, LimitClaim::largest, truss};
+  auto& loads = statement.evidence;
   read_loads(lines, loads, true);
-  std::optional<LimitClaim> before;
-  do {
-    if (!before) lines.next();
-    const auto claim = read_claim(lines, before);
-    statements.push_back({name, claim, loads});
-    auto& evidence = statements.back().evidence;
-    if (claim == LimitClaim::least) {
-      for (double& value : evidence.reference) value = -value;
-    }
-    read_evidence(lines, evidence);
-    before = claim;
-    lines.next();
-  } while (lines.text().starts_with("claim"));
+  lines.next();
+  read_claims(lines, statement, statements);
+  if (!lines.text().starts_with("residual")) return;
+  const std::string strengths = "'residual' and a strength for each member, not negative";
+  lines.expect_word("residual", strengths);
+  loads.compression.clear();
+  lines.numbers(truss.members(), loads.compression, strengths);
+  if (std::ranges::any_of(loads.compression, [](double each) { return each < 0; }))
+    lines.refuse(strengths);
+  statement.residual = true;
+  lines.next();
+  read_claims(lines, statement, statements);
 }
 
 std::vector<LimitStatement> read_statements(Lines& lines) {

@@ -80,17 +80,20 @@ struct LimitStatement {
   std::string load_case;  ///< empty: the problem file has no load cases
   LimitClaim claim = LimitClaim::largest;
   LimitCertificate evidence;
+  /// True if the compression strengths are those of the struts after buckling.
+  bool residual = false;
 };
 
 /// The keyword of a claim in a file.
 std::string_view claim_word(LimitClaim claim);
 
 /// The text of a file. @param statements of one truss, at least one; those of a load case are
-///        adjacent and have the same loads up to the sign of the reference load
+///        adjacent and have the same loads up to the sign of the reference load; those at
+///        residual strength come last
 std::string limit_certificate_text(std::span<const LimitStatement> statements);
 
 /// The statements of a file. A load case has the claim `none` alone, or `largest` and optionally
-///        `least`.
+///        `least`; then, optionally, the same at residual strength.
 /// @param file for messages
 /// @throws CertificateError
 std::vector<LimitStatement> read_limit_certificate(std::string_view text, const std::string& file);

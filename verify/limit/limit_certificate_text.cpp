@@ -128,10 +128,17 @@ std::string limit_certificate_text(std::span<const LimitStatement> statements) {
   for (std::size_t first = 0; first < statements.size();) {
     put_loads(text, statements[first]);
     const auto& name = statements[first].load_case;
+    bool residual = false;
     do {
+      const auto& [load_case, claim, evidence, after_buckling] = statements[first];
+      if (after_buckling && !residual) {
+        text += "\nresidual";
+        put(text, evidence.compression);
+      }
+      residual = after_buckling;
       text += "\nclaim ";
-      text += claim_word(statements[first].claim);
-      put_evidence(text, statements[first].evidence);
+      text += claim_word(claim);
+      put_evidence(text, evidence);
       ++first;
     } while (first < statements.size() && statements[first].load_case == name);
   }

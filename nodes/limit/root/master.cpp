@@ -176,13 +176,6 @@ void Master::drop_cuts_from(std::size_t first) {
   cuts_ = first;
 }
 
-void Master::drop_cuts(std::span<const std::size_t> cuts) {
-  std::vector<int> rows;
-  for (const auto cut : cuts) rows.push_back(first_cut_row() + static_cast<int>(cut));
-  simplex_.drop_rows(rows);
-  cuts_ -= cuts.size();
-}
-
 void Master::decide(const Signs& signs) {
   leave_room(Eigen::VectorXd::Zero(model_.member_count()));
   for (int j = 0; j < model_.uncertain_count(); ++j) {

@@ -15,7 +15,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -88,8 +87,6 @@ class Master {
 
   /// Removes the cuts from `first` on.
   void drop_cuts_from(std::size_t first);
-  /// Removes these cuts; later ones move up. @param cuts ascending
-  void drop_cuts(std::span<const std::size_t> cuts);
 
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }

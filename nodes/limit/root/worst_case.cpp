@@ -11,7 +11,6 @@
 
 #include "nodes/limit/model/limit_question.hpp"
 #include "nodes/limit/root/fixed_shares.hpp"
-#include "nodes/limit/root/pricing_order.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -35,13 +34,6 @@ constexpr double dissipation_share = 2;
 /// relaxation is inexpensive, and after their cuts most of the other columns are tight.
 constexpr int batches = 12;
 
-/// Number of rounds after which an inactive cut is removed, in which all columns could have been
-/// priced twice; it is made again when necessary.
-constexpr int idle_rounds = 2 * batches;
-
-/// Slack of an inactive cut, motions being of the order of one.
-constexpr double idle = 1e-7;
-
 /// Maximum number of rounds, far more than in any known instance.
 constexpr int most_rounds = 1000;
 
@@ -55,7 +47,6 @@ class Rounds {
         load_factor_(load_factor),
         pricer_(pricer),
         control_(control),
-        order_(model),
         master_(model, alpha, control.stop) {}
 
   RootResult run(const Collapse& nominal);
@@ -64,7 +55,6 @@ class Rounds {
   bool improve(const Eigen::VectorXd& motion);
   bool price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point);
   bool cut_off(const Relaxed& point);
-  void drop_idle_cuts(const Relaxed& point);
   bool lift_dissipation();
   void bound_at_the_end();
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
@@ -75,11 +65,9 @@ class Rounds {
   LoadFactor& load_factor_;
   const Pricer& pricer_;
   const RootControl& control_;
-  PricingOrder order_;
   Master master_;
   double share_ = first_share;
   bool limited_ = true;
-  std::vector<int> idle_;  // by cut, the number of consecutive inactive rounds
   RootResult result_;
 };
 
@@ -91,11 +79,10 @@ bool Rounds::improve(const Eigen::VectorXd& motion) {
 bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point) {
   bool any = false;
   result_.counts.pricings += columns.size();
-  for (auto& cut : pricer_(pricing_aim(z, share_), order_.walk(columns))) {
+  for (auto& cut : pricer_(pricing_aim(z, share_), columns)) {
     if (point != nullptr && point->gamma(cut.column) - cut.bound(point->z) < violated) continue;
     master_.add(cut);
     result_.cuts.push_back(std::move(cut));
-    idle_.push_back(0);
     any = true;
   }
   return any;
@@ -127,32 +114,6 @@ bool Rounds::cut_off(const Relaxed& point) {
   return false;
 }
 
-// The tightest cut of each column is kept.
-void Rounds::drop_idle_cuts(const Relaxed& point) {
-  auto& cuts = result_.cuts;
-  std::vector<double> bounds;
-  Eigen::VectorXd tightest = Eigen::VectorXd::Constant(model_.uncertain_count(), linear::infinity);
-  for (const auto& cut : cuts) {
-    bounds.push_back(cut.bound(point.z));
-    tightest(cut.column) = std::min(tightest(cut.column), bounds.back());
-  }
-  std::vector<std::size_t> dropped;
-  for (std::size_t c = 0; c < cuts.size(); ++c) {
-    idle_[c] = bounds[c] - tightest(cuts[c].column) > idle ? idle_[c] + 1 : 0;
-    if (idle_[c] >= idle_rounds) {
-      dropped.push_back(c);
-      continue;
-    }
-    const auto place = c - dropped.size();
-    if (place == c) continue;
-    cuts[place] = std::move(cuts[c]);
-    idle_[place] = idle_[c];
-  }
-  cuts.resize(cuts.size() - dropped.size());
-  idle_.resize(cuts.size());
-  master_.drop_cuts(dropped);
-}
-
 // @return true if the limit was active and has been removed
 bool Rounds::lift_dissipation() {
   if (!limited_ || !master_.dissipation_presses()) return false;
@@ -181,7 +142,6 @@ RootStatus Rounds::rounds() {
   std::vector<int> columns(model_.uncertain.size());
   for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
   price(z, columns, nullptr);
-  double before = -linear::infinity;
   while (result_.counts.rounds < most_rounds) {
     if (stopped()) return RootStatus::stopped;
     ++result_.counts.rounds;
@@ -197,9 +157,6 @@ RootStatus Rounds::rounds() {
       control_.watcher(result_.counts.rounds, result_.lower, result_.worst->collapse.factor);
     }
     const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
-    // Only after an increase of the bound, which excludes cycles.
-    if (!meet && bound > before + closed_gap) drop_idle_cuts(point);
-    before = bound;
     const bool cut = !meet && cut_off(point);
     if (stopped()) return RootStatus::stopped;
     if (cut || lift_dissipation()) continue;

@@ -17,7 +17,8 @@ constexpr std::size_t most = 4;
 constexpr double regularisation = 1e-10;
 
 // one <- times one + factor other
-void combine(MixedPoint& one, double times, double factor, const MixedPoint& other) {
+KUSABI_ALSO_FOR_AVX2 void combine(MixedPoint& one, double times, double factor,
+                                  const MixedPoint& other) {
   auto& numbers = one.columns.numbers();
   const auto& others = other.columns.numbers();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
@@ -29,8 +30,9 @@ void combine(MixedPoint& one, double times, double factor, const MixedPoint& oth
 }
 
 // The products of `one` with each of `others`, on every rank.
-Eigen::VectorXd products(const MixedPoint& one, const std::vector<MixedPoint>& others,
-                         const Sharing& sharing) {
+KUSABI_ALSO_FOR_AVX2 Eigen::VectorXd products(const MixedPoint& one,
+                                              const std::vector<MixedPoint>& others,
+                                              const Sharing& sharing) {
   const auto& columns = one.columns;
   std::vector<double> numbers(static_cast<std::size_t>(columns.groups()) * others.size(), 0.0);
   for (int group = columns.first_group(); group < columns.end_group(); ++group) {

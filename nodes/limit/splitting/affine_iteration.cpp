@@ -32,8 +32,8 @@ AffineIteration::AffineIteration(const AffineProgram& program, AffineProjection&
 
 // 2 x - z, where x is z moved towards zero by the threshold of its row; lambda_0 is moved up
 // instead.
-Segment AffineIteration::reflected(bool first, int row, const Segment& z) const {
-  const Lanes threshold = all(rows_.threshold(row));
+KUSABI_INLINE Segment AffineIteration::reflected(bool first, int row, const Segment& z) const {
+  const Lanes threshold = rows_.threshold(row);
   Segment w;
   for (int h = 0; h < block_lanes; ++h) {
     w.part[h] = z.part[h] - 2 * clamped(z.part[h], -threshold, threshold);
@@ -42,7 +42,7 @@ Segment AffineIteration::reflected(bool first, int row, const Segment& z) const 
   return w;
 }
 
-void AffineIteration::move(double relaxation, double share) {
+KUSABI_ALSO_FOR_AVX2 void AffineIteration::move(double relaxation, double share) {
   const int members = program_.members();
   const auto is_first = [](const BlockPlace& place) { return place.first_column() == 0; };
   // By group: the square, and lambda_0, which only the first one has.
@@ -66,7 +66,7 @@ void AffineIteration::move(double relaxation, double share) {
         }
         auto* const z = z_.block(place.group, place.number) + row;
         const auto* const anchor = anchor_.data() + (z - z_.numbers().data());
-        const Lanes threshold = all(rows_.threshold(row));
+        const Lanes threshold = rows_.threshold(row);
         for (int h = 0; h < block_lanes; ++h) {
           Lanes& own = z->part[h];
           const Lanes apart = y.part[h] - own + clamped(own, -threshold, threshold);

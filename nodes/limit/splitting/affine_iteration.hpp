@@ -40,11 +40,6 @@ class AffineIteration {
   [[nodiscard]] const ColumnBlocks& affine_point();
   /// Each row within its bounds: x of the last step except for its factor.
   [[nodiscard]] double row_point(int row, int column) const;
-  [[nodiscard]] bool has(int column) const {
-    const int group = column / group_columns;
-    return group >= z_.first_group() && group < z_.end_group();
-  }
-  [[nodiscard]] const ColumnBlocks& blocks() const { return z_; }
 
  private:
   [[nodiscard]] Segment reflected(bool first, int row, const Segment& z) const;

@@ -49,11 +49,6 @@ AffineProjection::Triangle AffineProjection::triangle(const SparseMatrix& matrix
   return triangle;
 }
 
-double AffineProjection::work() const {
-  return block_columns * (2.0 * static_cast<double>(by_row_.value.size() + value_.size()) +
-                          10.0 * static_cast<double>(first_.size()));
-}
-
 void AffineProjection::begin(const std::vector<SparseLoad>& loads, int first_column) {
   std::ranges::fill(solution_, Segment{});
   const int end = std::min(static_cast<int>(loads.size()), first_column + block_columns);
@@ -68,28 +63,22 @@ void AffineProjection::begin(const std::vector<SparseLoad>& loads, int first_col
 
 namespace {
 
-// Four numbers, for processors with such registers; the sums are the same on all.
-using Wide = double __attribute__((vector_size(32), aligned(16), may_alias));
-constexpr int wides = block_columns / 4;
-
 // x_k <- (x_k - sum value_a x_place(a)) / l_kk for one place k.
-inline void eliminate(Segment* x, std::size_t k, int first, int end, const int* place,
-                      const double* value, double inverse) {
-  auto* const own = reinterpret_cast<Wide*>(x + k);
-  Wide sum[wides];
-  for (int h = 0; h < wides; ++h) sum[h] = own[h];
+KUSABI_INLINE void eliminate(Segment* x, std::size_t k, int first, int end, const int* place,
+                             const double* value, double inverse) {
+  Segment sum = x[k];
   for (int at = first; at < end; ++at) {
-    const auto* const other = reinterpret_cast<const Wide*>(x + place[at]);
-    for (int h = 0; h < wides; ++h) sum[h] -= value[at] * other[h];
+    const Segment& other = x[place[at]];
+    for (int h = 0; h < block_lanes; ++h) sum.part[h] -= value[at] * other.part[h];
   }
-  for (int h = 0; h < wides; ++h) own[h] = sum[h] * inverse;
+  for (int h = 0; h < block_lanes; ++h) x[k].part[h] = sum.part[h] * inverse;
 }
 
 // L L' x = b in place. @param rows L by rows @param columns by columns
-__attribute__((target_clones("avx2", "default"))) void solve_both(
-    Segment* x, std::size_t count, const int* row_first, const int* row_place,
-    const double* row_value, const int* column_first, const int* column_place,
-    const double* column_value, const double* inverse) {
+KUSABI_ALSO_FOR_AVX2 void solve_both(Segment* x, std::size_t count, const int* row_first,
+                                     const int* row_place, const double* row_value,
+                                     const int* column_first, const int* column_place,
+                                     const double* column_value, const double* inverse) {
   for (std::size_t k = 0; k < count; ++k) {
     eliminate(x, k, row_first[k], row_first[k + 1], row_place, row_value, inverse[k]);
   }

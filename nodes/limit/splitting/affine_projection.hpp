@@ -22,14 +22,12 @@ class AffineProjection {
   /// True if there is a factor; required by all other calls.
   [[nodiscard]] bool definite() const { return definite_; }
   [[nodiscard]] const Eigen::VectorXd& metric() const { return metric_; }
-  /// Multiplications for one block.
-  [[nodiscard]] double work() const;
 
   /// Begins the next block with these right-hand sides.
   /// @param loads t, by column; columns beyond `loads` have none
   void begin(const std::vector<SparseLoad>& loads, int first_column);
   /// Sets row i of the point w.
-  void take(int row, const Segment& w) {
+  KUSABI_INLINE void take(int row, const Segment& w) {
     for (auto at = first_[static_cast<std::size_t>(row)];
          at < first_[static_cast<std::size_t>(row) + 1]; ++at) {
       auto& target = solution_[static_cast<std::size_t>(place_[at])];
@@ -39,7 +37,7 @@ class AffineProjection {
   /// Called after all rows are set.
   void solve();
   /// Replaces row i of w by that of its projection.
-  void project(int row, Segment& w) const {
+  KUSABI_INLINE void project(int row, Segment& w) const {
     for (auto at = first_[static_cast<std::size_t>(row)];
          at < first_[static_cast<std::size_t>(row) + 1]; ++at) {
       const auto& source = solution_[static_cast<std::size_t>(place_[at])];

@@ -20,8 +20,8 @@ struct BlockPlace {
 /// @param reflect (place, row, z) -> Segment: 2 x - z
 /// @param visit (place, row, y): y may be changed
 template <class Reflect, class Visit>
-void sweep(AffineProjection& projection, const std::vector<SparseLoad>& right_sides,
-           const ColumnBlocks& z, const Reflect& reflect, const Visit& visit) {
+KUSABI_INLINE void sweep(AffineProjection& projection, const std::vector<SparseLoad>& right_sides,
+                         const ColumnBlocks& z, const Reflect& reflect, const Visit& visit) {
   std::vector<Segment> w(static_cast<std::size_t>(z.rows()));
   for (BlockPlace place{z.first_group(), 0}; place.group < z.end_group(); ++place.group) {
     for (place.number = 0; place.number < z.blocks_of(place.group); ++place.number) {

@@ -12,8 +12,8 @@
 
 namespace kusabi::limit::splitting {
 
-inline constexpr int lanes = 2;
-inline constexpr int block_lanes = 8;
+inline constexpr int lanes = 4;
+inline constexpr int block_lanes = 4;
 inline constexpr int block_columns = lanes * block_lanes;
 inline constexpr int group_blocks = 4;
 inline constexpr int group_columns = block_columns * group_blocks;
@@ -27,10 +27,9 @@ struct Segment {
   Lanes part[block_lanes];
 };
 
-inline double sum_of(const Segment& segment) {
+KUSABI_INLINE double sum_of(const Segment& segment) {
   const auto& part = segment.part;
-  return sum_of(((part[0] + part[1]) + (part[2] + part[3])) +
-                ((part[4] + part[5]) + (part[6] + part[7])));
+  return sum_of((part[0] + part[1]) + (part[2] + part[3]));
 }
 
 /// The groups of each rank, and the exchange of results between ranks.

@@ -80,7 +80,7 @@ void FaceIteration::start_from(AffineIteration& start) {
   point_.rest(program_.members()) = face_.factor;
 }
 
-Segment FaceIteration::reflected(int first_column, int row, const Segment& z) const {
+KUSABI_INLINE Segment FaceIteration::reflected(int first_column, int row, const Segment& z) const {
   const Segment cut = rows_.cut_off(row, z, rows_.works(first_column));
   Segment w;
   for (int h = 0; h < block_lanes; ++h) w.part[h] = z.part[h] - 2 * cut.part[h];
@@ -123,7 +123,7 @@ void FaceIteration::step() {
   }
 }
 
-void FaceIteration::plain_step() {
+KUSABI_ALSO_FOR_AVX2 void FaceIteration::plain_step() {
   rows_.find(point_.columns, point_.rest);
   double square = 0;
   move_state(square);

@@ -30,7 +30,6 @@ class FaceIteration {
 
   [[nodiscard]] int steps() const { return steps_; }
   [[nodiscard]] double residual() const { return residual_; }
-  [[nodiscard]] const Face& face() const { return face_; }
 
   /// P and kappa, A X = T up to about the last bit; column 0 is zero.
   [[nodiscard]] const ColumnBlocks& affine_point();

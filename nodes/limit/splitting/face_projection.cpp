@@ -47,7 +47,7 @@ FaceProjection::FaceProjection(const AffineProgram& program, const Face& face,
   }
 }
 
-void FaceProjection::evaluate(const ColumnBlocks& z) {
+KUSABI_ALSO_FOR_AVX2 void FaceProjection::evaluate(const ColumnBlocks& z) {
   const auto rows = active_.size();
   const auto per_group = rows * 4;
   shared_.assign(static_cast<std::size_t>(z.groups()) * per_group, 0.0);
@@ -62,12 +62,12 @@ void FaceProjection::evaluate(const ColumnBlocks& z) {
       const auto& working = works(group * group_columns + number * block_columns);
       for (std::size_t k = 0; k < rows; ++k) {
         const auto row = static_cast<std::size_t>(active_[k]);
-        const Lanes upper = all(upper_[row]);
-        const Lanes lower = all(lower_[row]);
+        const Lanes upper = upper_[row];
+        const Lanes lower = lower_[row];
         auto& part = parts[k];
         for (int h = 0; h < block_lanes; ++h) {
           Lanes each = block[row].part[h];
-          if (signed_[row]) each = working.part[h] > 0 ? each : Lanes{};
+          if (signed_[row]) each = where_positive(working.part[h], each, Lanes{});
           part.above += positive(each - upper);
           part.count_above += is_positive(each - upper);
           part.below += positive(-each - lower);

@@ -20,14 +20,15 @@ class FaceProjection {
   void find(const ColumnBlocks& z, const Eigen::VectorXd& state);
 
   /// z minus its projection, for a row of a block.
-  [[nodiscard]] Segment cut_off(int row, const Segment& z, const Segment& works) const {
+  [[nodiscard]] KUSABI_INLINE Segment cut_off(int row, const Segment& z,
+                                              const Segment& works) const {
     const auto i = static_cast<std::size_t>(row);
-    const Lanes upper = all(upper_[i]);
-    const Lanes lower = all(-lower_[i]);
+    const Lanes upper = upper_[i];
+    const Lanes lower = -lower_[i];
     Segment cut;
     for (int h = 0; h < block_lanes; ++h) {
       cut.part[h] = clamped(z.part[h], lower, upper);
-      if (signed_[i]) cut.part[h] = works.part[h] > 0 ? cut.part[h] : z.part[h];
+      if (signed_[i]) cut.part[h] = where_positive(works.part[h], cut.part[h], z.part[h]);
     }
     return cut;
   }

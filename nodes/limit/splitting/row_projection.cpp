@@ -21,7 +21,7 @@ RowProjection::RowProjection(const Eigen::VectorXd& capacity, const Sharing& sha
       thresholds_(static_cast<std::size_t>(capacity.size()) + 1, 0.0) {}
 
 // Sums of the numbers above the thresholds of the active rows.
-void RowProjection::evaluate(const ColumnBlocks& z) {
+KUSABI_ALSO_FOR_AVX2 void RowProjection::evaluate(const ColumnBlocks& z) {
   const auto rows = active_.size();
   shared_.assign(static_cast<std::size_t>(z.groups()) * rows * 2, 0.0);
   std::vector<Segment> over(rows);
@@ -32,7 +32,7 @@ void RowProjection::evaluate(const ColumnBlocks& z) {
     for (int number = 0; number < z.blocks_of(group); ++number) {
       const Segment* const block = z.block(group, number);
       for (std::size_t k = 0; k < rows; ++k) {
-        const Lanes threshold = all(thresholds_[static_cast<std::size_t>(active_[k])]);
+        const Lanes threshold = thresholds_[static_cast<std::size_t>(active_[k])];
         for (int h = 0; h < block_lanes; ++h) {
           const Lanes above = size_of(block[active_[k]].part[h]) - threshold;
           over[k].part[h] += positive(above);

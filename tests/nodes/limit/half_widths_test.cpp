@@ -50,7 +50,7 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
     const auto [findings, problem] = found(truss, {.alpha = alpha});
     const auto least = PlainTruss(all).least_of_all_corners(1);
     if (!least) continue;
-    const auto& [answer, statements, residual, loss] = findings;
+    const auto& [answer, statements, residual, loss, residual_loss] = findings;
     ASSERT_TRUE(answer.worst && !statements.empty());
     const auto& certificate = statements.front().evidence;
     EXPECT_TRUE(answer.whole());

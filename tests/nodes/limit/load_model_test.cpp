@@ -107,7 +107,8 @@ TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
     EXPECT_EQ(limit_problem(written).fingerprint, problem->fingerprint);
     const PlainTruss plain(truss);
     const auto nominal = plain.factor(Eigen::VectorXd::Zero(plain.uncertain.cols()));
-    const auto [answer, statements, residual, loss] = findings(truss, {.alpha = alpha});
+    const auto [answer, statements, residual, loss, residual_loss] =
+        findings(truss, {.alpha = alpha});
     EXPECT_TRUE(answer.whole());
     ASSERT_EQ(answer.nominal.has_value(), nominal.has_value());
     if (!nominal) continue;
@@ -147,7 +148,8 @@ TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
   for (const std::uint32_t seed : {1807U, 2041U, 2064U, 2685U, 3981U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
-    const auto [answer, statements, residual, loss] = findings(truss, {.alpha = alpha});
+    const auto [answer, statements, residual, loss, residual_loss] =
+        findings(truss, {.alpha = alpha});
     EXPECT_GT(answer.worst->nodes, 1U);
     EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
                 near);

@@ -199,7 +199,8 @@ TEST(LoadModel, MayActAlongTheReferenceLoad) {
       EXPECT_NEAR(PlainTruss(truss).least_of_all_corners(alpha).value(), *before - alpha / 4, near);
     }
     parameters.push_back({"component", {along.components.front()}});
-    const auto [answer, statements, residual, loss] = findings(truss, {.alpha = alpha});
+    const auto [answer, statements, residual, loss, residual_loss] =
+        findings(truss, {.alpha = alpha});
     const auto least = PlainTruss(truss).least_of_all_corners(alpha);
     if (!least) continue;
     ASSERT_TRUE(answer.worst && !statements.empty());

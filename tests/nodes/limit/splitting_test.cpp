@@ -325,7 +325,7 @@ TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
     if (!problem_of(truss)) continue;
-    const auto [answer, statements, residual, loss] =
+    const auto [answer, statements, residual, loss, residual_loss] =
         findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_TRUE(answer.whole());
     if (!answer.worst) continue;
@@ -358,7 +358,7 @@ TEST(Splitting, LeavesTrueGapsToTheTree) {
   for (const std::uint32_t seed : {1807U, 2041U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
-    const auto [answer, statements, residual, loss] =
+    const auto [answer, statements, residual, loss, residual_loss] =
         findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_GT(answer.worst->nodes, 1U);
     EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
