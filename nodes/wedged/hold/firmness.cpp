@@ -1,14 +1,8 @@
-// One search over the list of patterns; each is followed to both of its ends.
+// Each pattern of the list is followed to both of its ends.
 #include "nodes/wedged/hold/firmness.hpp"
 
-#include <array>
 #include <cstdint>
-#include <utility>
 
-#include <boost/serialization/array.hpp>
-
-#include "engine/index_range.hpp"
-#include "engine/search.hpp"
 #include "engine/together.hpp"
 #include "nodes/wedged/hold/block_hold.hpp"
 #include "problems/wedged/problem_block.hpp"
@@ -33,25 +27,11 @@ LoadedProblem without_dead(LoadedProblem loaded) {
   return loaded;
 }
 
-/// Problem type of engine::search: the patterns, one by one. Unlike engine::share_work, a search
-/// obeys the limits of the run.
-class FirmnessSearch {
+/// The ends of single patterns.
+class Follower {
  public:
-  using Node = engine::IndexRange;
-
-  struct Solution {
-    std::uint64_t number = 0;
-    std::array<double, 4> ends{};
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& number& ends;
-    }
-  };
-
-  FirmnessSearch(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                 std::span<const Configuration> leaves)
-      : analysis_(analysis), mu_(mu), leaves_(leaves) {
+  Follower(engine::Analysis& analysis, const LoadedProblem& loaded, double mu)
+      : analysis_(analysis), mu_(mu) {
     question_.width = firmness_width;
     question_.total = 1;
     const LoadedProblem alone = without_dead(loaded);
@@ -61,24 +41,21 @@ class FirmnessSearch {
     }
   }
 
-  [[nodiscard]] Node root() const { return {0, leaves_.size()}; }
-
-  void expand(Node&& node, engine::Expansion<FirmnessSearch>& out) {
-    if (engine::branch_into_halves(node, 1, out)) return;
-    const auto& leaf = leaves_[node.first];
+  /// The four ends, as in Firmness; empty for a leaf without margin, and where the load does not
+  /// act.
+  [[nodiscard]] std::vector<double> ends_of(const Configuration& leaf) const {
     const auto& block = blocks_[leaf.block];
-    if (leaf.state != LeafState::feasible || !acts(block, 0)) return;
+    if (leaf.state != LeafState::feasible || !acts(block, 0)) return {};
     const SignPattern own = own_leaf(leaf, candidates_[leaf.block]);
     std::vector<HoldCost> costs;
     const BlockHold hold(analysis_, block, question_, costs);
     const auto found = hold.ends_of({own.contact, own.separated}, mu_);
-    out.solution({node.first, {found.low_out, found.low, found.high, found.high_out}});
+    return {found.low_out, found.low, found.high, found.high_out};
   }
 
  private:
   engine::Analysis& analysis_;
   double mu_;
-  std::span<const Configuration> leaves_;
   HoldQuestion question_;
   std::vector<support::IndexSet> candidates_;
   std::vector<LoadedProblem> blocks_;
@@ -95,13 +72,12 @@ std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& anal
   if (known.empty()) return {};
   if (unseen_work(loaded, {0, 1}) > negligible_work)
     return std::vector<std::optional<Firmness>>(known.size(), Firmness{});
-  FirmnessSearch search(analysis, loaded, mu, known);
-  const auto outcome = analysis.search(search, {});
-  if (!analysis.is_first() || outcome.status != engine::Status::solved) return {};
-  std::vector<std::optional<Firmness>> result(known.size());
-  for (const auto& found : outcome.solutions) {
-    const auto& [low_out, low, high, high_out] = found.solution.ends;
-    result[found.solution.number] = Firmness{low_out, low, high, high_out};
+  const Follower follower(analysis, loaded, mu);
+  const auto ends = analysis.share_within_limits<std::vector<double>>(
+      known.size(), [&](std::uint64_t number) { return follower.ends_of(known[number]); });
+  std::vector<std::optional<Firmness>> result(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!ends[i].empty()) result[i] = Firmness{ends[i][0], ends[i][1], ends[i][2], ends[i][3]};
   }
   return result;
 }

@@ -21,8 +21,9 @@ struct Firmness {
 };
 
 /// Every rank makes the same call. @param leaves on rank 0
-/// @returns on rank 0 one for each leaf, in their order: nothing for leaves without margin, and
-///          where the load does not act; empty if the search was stopped, and on other ranks
+/// @returns one for each leaf, in their order: nothing for leaves without margin, and where the
+/// load
+///          does not act; empty if the analysis was stopped
 std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& analysis,
                                                           const LoadedProblem& loaded, double mu,
                                                           std::span<const Configuration> leaves);
