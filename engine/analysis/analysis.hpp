@@ -110,11 +110,23 @@ class Analysis {
     return outcome;
   }
 
-  /// A part of the analysis: engine::share_work.
+  /// A part of the analysis: engine::share_work. It does not end early; long pieces ask the budget.
   template <class Result>
   std::vector<Result> share(std::uint64_t pieces, std::function<Result(std::uint64_t)> piece) {
     return part<std::vector<Result>>(
         [&] { return share_work<Result>(transport_, pieces, std::move(piece)); });
+  }
+
+  /// As `share`, within the limits of the analysis and with its progress, as `search`.
+  /// @pre pieces > 0 @return on every rank all results; none if the analysis was stopped
+  template <class Result>
+  std::vector<Result> share_within_limits(std::uint64_t pieces,
+                                          const std::function<Result(std::uint64_t)>& piece) {
+    std::vector<Result> results;
+    const auto packed =
+        share_packed(pieces, [&](std::uint64_t number) { return pack(piece(number)); });
+    for (const auto& bytes : packed) results.push_back(unpack<Result>(bytes));
+    return results;
   }
 
   /// A part of the analysis: engine::from_first_rank, for long computations.
@@ -154,6 +166,9 @@ class Analysis {
   }
 
  private:
+  // One search, compiled once, serves all types of results.
+  std::vector<Bytes> share_packed(std::uint64_t pieces, std::function<Bytes(std::uint64_t)> piece);
+
   // A part whose result every rank needs.
   template <class Value, class Make>
   Value part(Make make) {

@@ -2,6 +2,8 @@
 #include "engine/together.hpp"
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -43,6 +45,19 @@ TEST(SharedWork, GivesTheResultsInTheOrderOfThePieces) {
   const auto squares =
       share_work<std::uint64_t>(alone, 5, [](std::uint64_t number) { return number * number; });
   EXPECT_EQ(squares, (std::vector<std::uint64_t>{0, 1, 4, 9, 16}));
+}
+
+TEST(SharedWork, EndsWithTheLimitsOfTheAnalysis) {
+  const std::function<std::uint64_t(std::uint64_t)> square = [](std::uint64_t n) { return n * n; };
+  SingleProcess alone;
+  Analysis unlimited(alone);
+  EXPECT_EQ(unlimited.share_within_limits<std::uint64_t>(5, square),
+            (std::vector<std::uint64_t>{0, 1, 4, 9, 16}));
+  Supervision few;
+  few.limits.nodes = 3;  // of nine
+  Analysis limited(alone, few);
+  EXPECT_TRUE(limited.share_within_limits<std::uint64_t>(5, square).empty());
+  EXPECT_TRUE(limited.ended());
 }
 
 TEST(Budget, LeavesTheOtherLimitsAndLessTime) {

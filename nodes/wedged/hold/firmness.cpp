@@ -1,14 +1,9 @@
-// One search over the list of patterns; each is followed to both of its ends.
+// Patterns shared among the ranks, each followed to both of its ends.
 #include "nodes/wedged/hold/firmness.hpp"
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 
-#include <boost/serialization/array.hpp>
-
-#include "engine/index_range.hpp"
-#include "engine/search.hpp"
 #include "engine/together.hpp"
 #include "nodes/wedged/hold/block_hold.hpp"
 #include "problems/wedged/problem_block.hpp"
@@ -32,38 +27,6 @@ LoadedProblem without_dead(LoadedProblem loaded) {
   loads.sizes = Eigen::VectorXd(loads.sizes.tail(1));
   return loaded;
 }
-
-/// Problem type of engine::search: the patterns, one by one. Unlike engine::share_work, a search
-/// obeys the limits of the run.
-class FirmnessSearch {
- public:
-  using Node = engine::IndexRange;
-
-  struct Solution {
-    std::uint64_t number = 0;
-    std::array<double, 4> ends{};
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& number& ends;
-    }
-  };
-
-  FirmnessSearch(const PatternFirmness& firmness, std::span<const Configuration> leaves)
-      : firmness_(firmness), leaves_(leaves) {}
-
-  [[nodiscard]] Node root() const { return {0, leaves_.size()}; }
-
-  void expand(Node&& node, engine::Expansion<FirmnessSearch>& out) {
-    if (engine::branch_into_halves(node, 1, out)) return;
-    if (const auto found = firmness_.of(leaves_[node.first]))
-      out.solution({node.first, {found->low_out, found->low, found->high, found->high_out}});
-  }
-
- private:
-  const PatternFirmness& firmness_;
-  std::span<const Configuration> leaves_;
-};
 
 }  // namespace
 
@@ -98,13 +61,15 @@ std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& anal
   });
   if (known.empty()) return {};
   const PatternFirmness firmness(analysis, loaded, mu);
-  FirmnessSearch search(firmness, known);
-  const auto outcome = analysis.search(search, {});
-  if (!analysis.is_first() || outcome.status != engine::Status::solved) return {};
-  std::vector<std::optional<Firmness>> result(known.size());
-  for (const auto& found : outcome.solutions) {
-    const auto& [low_out, low, high, high_out] = found.solution.ends;
-    result[found.solution.number] = Firmness{low_out, low, high, high_out};
+  const auto ends = analysis.share_within_limits<std::vector<double>>(
+      known.size(), [&](std::uint64_t number) -> std::vector<double> {
+        const auto found = firmness.of(known[number]);
+        if (!found) return {};
+        return {found->low_out, found->low, found->high, found->high_out};
+      });
+  std::vector<std::optional<Firmness>> result(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!ends[i].empty()) result[i] = Firmness{ends[i][0], ends[i][1], ends[i][2], ends[i][3]};
   }
   return result;
 }
