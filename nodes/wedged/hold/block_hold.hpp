@@ -91,6 +91,10 @@ class BlockHold {
   void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu);
+  bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
+                   std::vector<Gap>& unknown, double mu);
+  bool first_bracket(HoldingFriction& found);
+  void follow(HoldingFriction& found, double least);
   void narrow(HoldingFriction& found);
   bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
