@@ -17,7 +17,6 @@ import tempfile
 import textwrap
 from decimal import localcontext
 from fractions import Fraction
-from itertools import product
 
 import bodies
 import generate_bodies
@@ -80,11 +79,13 @@ class Loaded:
             context.prec = 40
             return Fraction(+value)
 
-    def program(self, mu, contacts, dead_only, total=None):
-        """The states of one pattern, the column of the load factor, and those of the normal reactions."""
+    def program(self, mu, contacts, dead_only, total=None, undecided=()):
+        """The states of one pattern, the column of the load factor, and those of the normal reactions; without the
+        condition that an undecided candidate is in contact or has no reaction."""
         program = Program()
         last = 2 * self.candidates
-        edges = [(program.column(upper=LARGE), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in contacts for sign in (1, -1)]
+        edges = [(program.column(upper=LARGE), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in [*contacts, *undecided]
+                 for sign in (1, -1)]
         modes = [program.column(lower=None) for _ in self.motions[0]]
         most = 0 if dead_only else LARGE // 10
         factor = program.column(lower=-most, upper=most)
@@ -112,40 +113,54 @@ class Loaded:
             row("E", -Fraction(total), {j: Fraction(1) for j, *_ in edges})
         return program, factor, [j for j, *_ in edges]
 
-    def patterns(self):
-        return ([i for i, touches in enumerate(choice) if touches] for choice in product((1, 0), repeat=self.candidates))
+    def patterns(self, mu, dead_only, total=None, contacts=(), first=0):
+        """Candidates in contact of each pattern with states. All patterns of a program without states are left out."""
+        undecided = range(first, self.candidates)
+        if exact_optimum(self.program(mu, contacts, dead_only, total, undecided)[0])[0] == INFEASIBLE:
+            return
+        if not undecided:
+            yield contacts
+            return
+        yield from self.patterns(mu, dead_only, total, (*contacts, first), first + 1)
+        yield from self.patterns(mu, dead_only, total, contacts, first + 1)
+
+    def least_sum(self, mu, sense, best=math.inf, contacts=(), first=0):
+        """Least of sense times the sum of the normal reactions under the dead load, or best; by branch and bound."""
+        if best < -LARGE / 11:  # without end
+            return best
+        undecided = range(first, self.candidates)
+        program, _, normals = self.program(mu, contacts, True, undecided=undecided)
+        for column in normals:
+            program.columns[column].cost = float(sense)
+        status, value = exact_optimum(program)
+        if status == INFEASIBLE or value >= best:
+            return best
+        if not undecided:
+            return value
+        for touching in ((*contacts, first), contacts):
+            best = self.least_sum(mu, sense, best, touching, first + 1)
+        return best
 
     def sums(self, mu):
         """The least and the largest sum of the normal reactions under the dead load; nothing without a state."""
-        ends = []
-        for contacts in self.patterns():
-            for sense in (1, -1):
-                program, _, normals = self.program(Fraction(mu), contacts, True)
-                for column in normals:
-                    program.columns[column].cost = float(sense)
-                status, value = exact_optimum(program)
-                if status == INFEASIBLE:
-                    break
-                ends.append(sense * float(value))
-        if not ends:
+        least, most = float(self.least_sum(Fraction(mu), 1)), -float(self.least_sum(Fraction(mu), -1))
+        if math.isinf(least):
             return None
-        return min(ends), math.inf if max(ends) > LARGE / 11 else max(ends)
+        return least, math.inf if most > LARGE / 11 else most
 
     def intervals(self, mu, total=None):
         """Load factors that can be held, as a union of intervals."""
         found = []
-        for contacts in self.patterns():
+        for contacts in self.patterns(Fraction(mu), False, total):
             ends = []
             for sense in (1, -1):
                 program, factor, _ = self.program(Fraction(mu), contacts, False, total)
                 program.columns[factor].cost = float(sense)
-                status, value = exact_optimum(program)
-                if status == INFEASIBLE:
-                    break
-                end = sense * float(value)
+                end = sense * float(exact_optimum(program)[1])
                 ends.append(math.copysign(math.inf, end) if abs(end) > LARGE / 11 else end)
-            else:
-                found.append(tuple(ends))
+            if all(map(math.isinf, ends)):
+                return [(-math.inf, math.inf)]
+            found.append(tuple(ends))
         joined = []
         for low, high in sorted(found):
             if joined and low <= joined[-1][1] + NEAR * max(1, abs(low)):
@@ -163,7 +178,7 @@ class Loaded:
 
     def holds(self, mu):
         """True if the dead load can be held."""
-        return any(exact_optimum(self.program(Fraction(mu), contacts, True)[0])[0] != INFEASIBLE for contacts in self.patterns())
+        return any(True for _ in self.patterns(Fraction(mu), True))
 
 
 def near(a, b):

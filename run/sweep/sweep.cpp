@@ -11,10 +11,10 @@
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "run/command/group_half_widths.hpp"
 #include "run/command/registrations.hpp"
+#include "run/command/sweep_points.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
-#include "run/command/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/words.hpp"
 

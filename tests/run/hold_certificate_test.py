@@ -220,6 +220,13 @@ class HoldCertificate(KusabiCase):
         ((low, high),) = self.proved(self.folder / "cert", case)[0]
         self.assertEqual((low, high), (held["low"], held["high"]))
 
+    def test_the_total_at_a_limit(self):
+        # By linear programs in rational numbers, of all patterns: bench/hostile/hold.py.
+        case = SOURCES / "tests" / "cases" / "total_at_a_limit.toml"
+        (held,) = self.solve("hold", case, "--mu", 1.03178, "--total", 1.2236448818295438)["result"]["intervals"]
+        self.assertAlmostEqual(held["low"], -1.5470855433539605, delta=1e-7)
+        self.assertAlmostEqual(held["high"], 0.06368385942367348, delta=1e-7)
+
     def test_totals_and_grips_are_not_combined(self):
         self.assertIn("expected one of them", self.refused("hold", LADDER, "--mu", 0.4, "--total", 1, "--grip"))
         self.assertIn("--mu", self.refused("hold", LADDER, "--grip"))

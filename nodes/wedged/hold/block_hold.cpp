@@ -236,6 +236,20 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   if (standard == Standard::proved) pieces_.push_back({leaf.pattern, held.low, held.high, from});
 }
 
+// Degenerate states of a range: the rest of it beside the first of them that has an interval is
+// searched again. False if there is none.
+bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, double high,
+                            HeldFactors& found, std::vector<Gap>& unknown, double mu) {
+  const auto shares = range_of(low, high);
+  for (const auto& leaf : limits) {
+    if (!std::isfinite(factor_in(leaf, shares))) continue;
+    take(leaf, low, high, Standard::computed, found, unknown, mu);
+    if (unknown.empty() || unknown.back().low != low || unknown.back().high != high) return true;
+    found.open = true;
+  }
+  return false;
+}
+
 void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
   std::vector<Gap> unknown{{-no_end, 0, true}, {0, no_end, true}};
   while (!unknown.empty()) {
@@ -253,14 +267,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
       take(outcome.leaf.front(), low, high, Standard::proved, found, unknown, mu);
       continue;
     }
-    // Degenerate states: the rest of the range beside the first of them is searched again.
-    const auto& limits = outcome.tally.limits;
-    const auto at_limit = std::ranges::find_if(
-        limits, [&](const auto& leaf) { return std::isfinite(factor_in(leaf, shares)); });
-    if (at_limit != limits.end()) {
-      take(*at_limit, low, high, Standard::computed, found, unknown, mu);
-      continue;
-    }
+    if (take_limits(outcome.tally.limits, low, high, found, unknown, mu)) continue;
     unknown.pop_back();
     gaps.push_back({low, high, outcome.is_infeasible()});
     if (outcome.tally.open() != 0) found.open = true;
@@ -302,6 +309,7 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   if (!with_dead && !grip_) return homogeneous_factors(mu);
   std::vector<Gap> gaps;
   explore(found, gaps, mu);
+  if (ended_ && found.status == engine::Status::solved) found.status = why_ended();
   found.intervals = joined(std::move(found.intervals));
   for (const Gap& gap : gaps) {
     found.proved = found.proved && gap.proved;
@@ -401,7 +409,6 @@ void BlockHold::narrow(HoldingFriction& found) {
 
 HoldingFriction BlockHold::friction() {
   HoldingFriction found;
-  const std::array share{LoadShare{1, 0}};
   const auto& factors = block_.problem.friction;
   double least = 0, most = 0;
   for (const double factor : factors) {
@@ -409,33 +416,51 @@ HoldingFriction BlockHold::friction() {
     most = std::max(most, factor);
   }
   found.most = most == 0 ? 0 : std::min(question_.most, most_friction / most);
+  if (!first_bracket(found)) return found;
+  follow(found, least);
+  if (ended_ && found.status == engine::Status::solved) found.status = why_ended();
+  if (found.status == engine::Status::solved) narrow(found);
+  return found;
+}
+
+// Coefficients 0, 1, 10, ... up to the first at which a leaf has a state. False if nothing is left
+// to bisect.
+bool BlockHold::first_bracket(HoldingFriction& found) {
+  const std::array share{LoadShare{1, 0}};
   const auto smooth = search(share, 0, 0, 0);
   found.status = smooth.status;
-  if (found.status != engine::Status::solved) return found;
-  if (!smooth.leaf.empty() || !smooth.tally.limits.empty()) {
+  if (found.status != engine::Status::solved) return false;
+  const auto& limits = smooth.tally.limits;
+  if (!smooth.leaf.empty() || !limits.empty()) {
     found.upper = 0;
     found.upper_proved = !smooth.leaf.empty();
-    found.pattern =
-        (found.upper_proved ? smooth.leaf.front() : smooth.tally.limits.front()).pattern;
-    return found;
+    found.pattern = (found.upper_proved ? smooth.leaf.front() : limits.front()).pattern;
+    return false;
   }
   found.lower_known = true;
   found.lower_proved = smooth.is_infeasible();
-  for (double mu = std::min(1.0, found.most); most > 0; mu = std::min(10 * mu, found.most)) {
+  for (double mu = std::min(1.0, found.most); mu > 0; mu = std::min(10 * mu, found.most)) {
     const auto outcome = search(share, mu, 0, 0);
     found.status = outcome.status;
-    if (found.status != engine::Status::solved) return found;
+    if (found.status != engine::Status::solved) return false;
     if (!outcome.leaf.empty()) {
       found.upper = mu;
       found.pattern = outcome.leaf.front().pattern;
-      break;
+      return true;
     }
     found.lower = mu;
     found.lower_proved = outcome.is_infeasible();
-    if (mu >= found.most) return found;
+    if (mu >= found.most) return false;
   }
-  while (found.upper && *found.upper > least) {
-    HoldNodes nodes(block_, share, *found.upper, question_.precision);
+  return false;
+}
+
+// Follows the leaf of the upper bound to its own coefficient, until the tree below it is
+// infeasible.
+// @param least coefficient that is not zero
+void BlockHold::follow(HoldingFriction& found, double least) {
+  while (*found.upper > least) {
+    HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, question_.precision);
     const double start = std::max(found.lower, least);
     const auto sign = [&](double mu) {
       nodes.set_friction(mu);
@@ -443,14 +468,12 @@ HoldingFriction BlockHold::friction() {
     };
     if (start == least && sign(least) == HoldSign::feasible) {
       found.upper = least;
-      break;
+      return;
     }
     const Ends ends = bisect({*found.upper, start}, 0, sign);
     found.upper = ends.feasible;
-    if (ends.infeasible <= found.lower || prove_lower(found, ends.infeasible)) break;
+    if (ends.infeasible <= found.lower || prove_lower(found, ends.infeasible)) return;
   }
-  if (found.status == engine::Status::solved) narrow(found);
-  return found;
 }
 
 }  // namespace kusabi::wedged

@@ -91,11 +91,22 @@ class BlockHold {
   void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu);
+  bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
+                   std::vector<Gap>& unknown, double mu);
+  bool first_bracket(HoldingFriction& found);
+  void follow(HoldingFriction& found, double least);
   void narrow(HoldingFriction& found);
   bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;
   // True on all ranks if the analysis is to end: long bisections then do so.
-  [[nodiscard]] bool ended() const { return together_ && analysis_.ended(); }
+  [[nodiscard]] bool ended() const {
+    ended_ = ended_ || (together_ && analysis_.ended());
+    return ended_;
+  }
+  // Status of an answer that such an end has left open.
+  [[nodiscard]] engine::Status why_ended() const {
+    return engine::from_first_rank(analysis_.transport(), [&] { return analysis_.budget().why(); });
+  }
 
   engine::Analysis& analysis_;
   const LoadedProblem& block_;
@@ -103,7 +114,8 @@ class BlockHold {
   std::vector<HoldCost>& costs_;
   std::optional<GripRestriction> grip_{};
   bool recorded_;
-  bool together_ = true;  // every rank makes the same calls
+  bool together_ = true;        // every rank makes the same calls
+  mutable bool ended_ = false;  // a bisection was left
   // Evidence of the last answer: the trees without states at the last coefficient with one.
   std::vector<TreeEvidence> trees_;
   std::vector<Piece> pieces_;

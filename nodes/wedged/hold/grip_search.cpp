@@ -38,19 +38,15 @@ class BlockGrip {
         costs_(costs),
         recorded_(recorded) {}
 
-  /// A state under the dead load, or proof that there is none.
-  HoldOutcome first() { return search(std::array{dead_load}, {}); }
-  /// Wedged configurations.
-  HoldOutcome wedged() { return search({}, {}); }
-
-  /// The end in one direction from a state.
-  GripEnd end(Kind kind, const LoadedLeaf& leaf);
+  /// Both ends; nothing if there is no state, proved.
+  std::optional<GripOfBlock> range();
   [[nodiscard]] engine::Status status() const { return status_; }
-  /// Trees without states beyond both ends, or of a block without dead load that without wedged
+  /// Trees without states beyond both ends; of a block without dead load, the tree without wedged
   /// configurations.
   [[nodiscard]] const std::vector<TreeEvidence>& trees() const { return trees_; }
 
  private:
+  GripEnd end(Kind kind, const LoadedLeaf& leaf);  // in one direction from a state
   HoldOutcome search(std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip);
   [[nodiscard]] bool reaches(const LoadedPattern& pattern,
                              const std::optional<GripRestriction>& grip) const;
@@ -153,6 +149,28 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   return end;
 }
 
+std::optional<GripOfBlock> BlockGrip::range() {
+  GripOfBlock own;
+  const auto wedged = search({}, {});
+  own.most.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
+  own.most.held_proved = !own.most.unbounded || !wedged.leaf.empty();
+  own.most.out_proved = own.most.unbounded || wedged.is_infeasible();
+  if (!is_under_dead(block_)) return own;
+  const auto first = search(std::array{dead_load}, {});
+  if (first.is_infeasible()) return {};
+  if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
+    if (!own.most.unbounded) own.most = {.held_proved = false, .out_proved = false, .known = false};
+    own.least.held_proved = false;
+    return own;
+  }
+  own.least = end(Kind::below, first.leaf.front());
+  if (own.most.unbounded) return own;
+  const bool known = own.most.out_proved;
+  own.most = end(Kind::above, first.leaf.front());
+  own.most.out_proved = own.most.out_proved && known;
+  return own;
+}
+
 void add(GripEnd& sum, const GripEnd& own) {
   sum.held += own.held;
   sum.out += own.out;
@@ -187,43 +205,20 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     BlockGrip grip(analysis, block, mu, question, found.costs, record != nullptr);
-    GripOfBlock own{.block = number};
-    const auto wedged = grip.wedged();
-    own.most.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
-    own.most.held_proved = !own.most.unbounded || !wedged.leaf.empty();
-    own.most.out_proved = own.most.unbounded || wedged.is_infeasible();
-    if (is_under_dead(block)) {
-      const auto first = grip.first();
-      found.status = grip.status();
-      if (found.status != engine::Status::solved) break;
-      if (first.is_infeasible()) {
-        found.held = false;
-        break;
-      }
-      if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
-        found.held_proved = false;
-        if (!own.most.unbounded)
-          own.most = {.held_proved = false, .out_proved = false, .known = false};
-        own.least.held_proved = false;
-        add(found.least, own.least);
-        add(found.most, own.most);
-        continue;
-      }
-      own.least = grip.end(Kind::below, first.leaf.front());
-      if (!own.most.unbounded) {
-        const bool known = own.most.out_proved;
-        own.most = grip.end(Kind::above, first.leaf.front());
-        own.most.out_proved = own.most.out_proved && known;
-      }
-    }
+    const auto range = grip.range();
     found.status = grip.status();
     if (found.status != engine::Status::solved) break;
-    add(found.least, own.least);
-    add(found.most, own.most);
-    if (record != nullptr)
-      record_grip(analysis, {block, blocks[number], number, mu, question.precision}, own,
+    found.held = range.has_value();
+    if (!found.held) break;
+    found.held_proved = found.held_proved && range->least.held_proved;
+    add(found.least, range->least);
+    add(found.most, range->most);
+    if (record != nullptr) {
+      record_grip(analysis, {block, blocks[number], number, mu, question.precision}, *range,
                   grip.trees(), *record);
-    found.blocks.push_back(own);
+    }
+    found.blocks.push_back(*range);
+    found.blocks.back().block = number;
   }
   return found;
 }

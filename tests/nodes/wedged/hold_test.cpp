@@ -1,11 +1,13 @@
 // States under load compared with linear programs of all sign patterns, and with closed forms.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -233,6 +235,65 @@ TEST(HalfPlanes, HaveTheVerticesOfAPolygonAndTheDirectionsOfACone) {
   const auto strip = intersection(planes_of({{0, 1}, {0, -1}}));
   EXPECT_TRUE(strip.vertices.empty());
   EXPECT_EQ(strip.rays.size(), 2U);
+}
+
+/// A point with a distance of at least `slack` from the boundary of a hull: the edges are those of
+/// all pairs of points, with rays as far points.
+bool is_within(const Polygon& hull, const Eigen::Vector2d& point, double slack) {
+  std::vector<Eigen::Vector2d> points = hull.vertices;
+  for (const auto& ray : hull.rays)
+    for (const auto& vertex : hull.vertices) points.emplace_back(vertex + 1e6 * ray);
+  for (const auto& a : points) {
+    for (const auto& b : points) {
+      const Eigen::Vector2d normal = Eigen::Vector2d(a.y() - b.y(), b.x() - a.x());
+      if (normal.norm() < 1e-9) continue;
+      const bool edge = std::ranges::all_of(points, [&](const auto& each) {
+        return normal.dot(each - a) <= 1e-9 * normal.norm() * (each - a).norm();
+      });
+      if (edge && normal.dot(point - a) > -slack * normal.norm()) return false;
+    }
+  }
+  return true;
+}
+
+TEST(HalfPlanes, TheCommonPartOfTwoHullsHasThePointsOfBoth) {
+  std::mt19937_64 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto random_point = [&] { return Eigen::Vector2d(uniform(generator), uniform(generator)); };
+  int empty = 0, bounded = 0, endless = 0;
+  for (int trial = 0; trial < 90; ++trial) {
+    std::array<Polygon, 2> hulls;
+    for (auto& hull : hulls) {
+      const Eigen::Vector2d centre = random_point();
+      for (int k = 0; k < 5; ++k) hull.vertices.emplace_back(centre + 0.7 * random_point());
+      if (trial % 3 != 0) hull.rays = {random_point().normalized()};
+      if (trial % 3 == 2)
+        hull.rays.emplace_back(Eigen::Rotation2Dd(2 * uniform(generator)) * hull.rays.front());
+    }
+    const auto part = common_part(hulls[0], hulls[1]);
+    (!part ? empty : part->rays.empty() ? bounded : endless) += 1;
+    for (int k = 0; k < 40; ++k) {
+      const Eigen::Vector2d point = 3 * random_point();
+      const auto in_both = [&](double slack) {
+        return is_within(hulls[0], point, slack) && is_within(hulls[1], point, slack);
+      };
+      if (in_both(1e-5) != in_both(-1e-5)) continue;
+      EXPECT_EQ(part && is_within(*part, point, 0), in_both(0)) << trial;
+    }
+  }
+  EXPECT_GT(std::min({empty, bounded, endless}), 8);
+}
+
+TEST(HalfPlanes, OnlyCornersAreVertices) {
+  const Polygon square{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, -1 + 1e-6}}, {}};
+  EXPECT_EQ(with_corners_only(square, {0.1, 0.2}, 1e-4, 1e-5).vertices.size(), 4U);
+  // A vertex before the last one lies on the ray of that one.
+  const Polygon cone{{{0, 0}, {1, 0}, {3, 0}, {0, 2}}, {{1, 0}, {0, 1}}};
+  const auto only = with_corners_only(cone, {1, 1}, 1e-4, 1e-5);
+  ASSERT_EQ(only.vertices.size(), 1U);
+  EXPECT_EQ(only.vertices.front().norm(), 0);
+  const Polygon bent{{{0, 0}, {2, -1e-3}, {0, 2}}, {{1, 0}, {0, 1}}};
+  EXPECT_EQ(with_corners_only(bent, {1, 1}, 1e-4, 1e-5).vertices.size(), 2U);
 }
 
 /// A ladder against a wall with slope 4/3, and a climber at a tenth of its length.
