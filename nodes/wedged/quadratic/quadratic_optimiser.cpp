@@ -18,9 +18,10 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Weight of the first round, and its growth. With weight w the form is singular at a coefficient
-/// larger by the share 1/w; slow growth allows long steps.
-constexpr double first_weight = 100;
+/// Weight of the first round, at least and by candidate, and its growth. With weight w the form is
+/// singular at a coefficient larger by the share 1/w; slow growth allows long steps.
+constexpr double least_first_weight = 100;
+constexpr double first_weight_a_candidate = 0.5;
 constexpr double growth = 1.5;
 constexpr int steps_a_round = 100;
 /// |S_jk| is smooth below this number divided by the weight: a kink at zero would shorten steps.
@@ -38,10 +39,6 @@ constexpr int most_halvings = 25;
 /// Factor of the roots of N, and how often it is applied, if the first form is not definite.
 constexpr double reduction = 0.3;
 constexpr int most_reductions = 4;
-
-/// Logarithms of s, and quantiles of the sizes of F_nt as thresholds, at the start.
-constexpr std::array first_log_squares{-5.0, -4.0, -3.0, -2.0, -1.0};
-constexpr std::array first_quantiles{0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97};
 
 /// Root of P_ij at the start.
 constexpr double first_root = 0.02;
@@ -148,30 +145,25 @@ double Optimiser::clip(double threshold, double log_square, double above) {
 
 void Optimiser::start() {
   const auto m = form_.candidates();
-  Eigen::MatrixXd lengths = Eigen::MatrixXd::Zero(m, m);
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(m, m);
   for (Eigen::Index k = 1; k <= form_.tangents(); ++k)
-    lengths += form_.rows().middleCols(k * m, m).cwiseAbs2();
-  lengths = lengths.cwiseSqrt().eval();
-  std::vector<double> sizes(lengths.data(), lengths.data() + lengths.size());
+    squares += form_.rows().middleCols(k * m, m).cwiseAbs2();
+  std::vector<double> sizes(squares.data(), squares.data() + squares.size());
   std::ranges::sort(sizes);
   double best = 0;
-  std::pair<double, double> chosen{sizes[sizes.size() / 3], first_log_squares[2]};
-  const auto attempt = [&](double threshold, double log_square) {
-    const double own = ended() && best > 0 ? 0 : clip(threshold, log_square, best);
-    if (!(own > best)) return;
-    best = own;
-    chosen = {threshold, log_square};
-  };
-  const auto threshold_at = [&](double quantile) {
-    return sizes[static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1))];
-  };
-  // One after the other; if neither gives a form, all pairs of both.
+  std::pair<double, double> chosen{0, 0};
   const auto try_all = [&] {
-    for (const double log_square : first_log_squares) attempt(chosen.first, log_square);
-    for (const double quantile : first_quantiles) attempt(threshold_at(quantile), chosen.second);
-    for (const double quantile : first_quantiles)
-      for (const double log_square : first_log_squares)
-        if (!(best > 0)) attempt(threshold_at(quantile), log_square);
+    for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
+      for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
+        const auto place =
+            static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
+        const double threshold = std::sqrt(sizes[place]);
+        const double own = clip(threshold, log_square, best);
+        if (!(own > best)) continue;
+        best = own;
+        chosen = {threshold, log_square};
+        if (ended()) return;
+      }
   };
   try_all();
   for (int k = 0; k < most_reductions && !(best > 0) && point_.has_pairs(); ++k) {
@@ -243,7 +235,8 @@ QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
   Optimiser optimiser(*form, question.stop);
   optimiser.start();
   double best = 0;
-  double weight = first_weight;
+  double weight = std::max(least_first_weight,
+                           first_weight_a_candidate * static_cast<double>(form->candidates()));
   for (int round = 0; round < question.rounds && !optimiser.ended(); ++round, weight *= growth) {
     optimiser.round(weight);
     const double reached = optimiser.factor();

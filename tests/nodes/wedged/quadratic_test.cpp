@@ -60,6 +60,21 @@ TEST(QuadraticBound, IsBelowAllLeavesOfSmallProblems) {
     }
 }
 
+TEST(QuadraticBound, IsThatOfTheFirstMultipliersWithoutRounds) {
+  const auto problem = small_problem(3, 7, 3);
+  const auto first = quadratic_bound(problem, {.enough = 0, .most = 1000, .rounds = 0});
+  EXPECT_GT(first.factor, 0);
+  EXPECT_EQ(first.evaluations, 0);
+  EXPECT_LT(first.factor, bound_of(problem).factor);
+}
+
+// A larger coefficient is not asked for, and this one is met exactly.
+TEST(QuadraticBound, EndsAtTheLargestCoefficientAskedFor) {
+  const auto problem = small_problem(3, 7, 3);
+  const double most = bound_of(problem).factor / 2;
+  EXPECT_EQ(quadratic_bound(problem, {.enough = 0, .most = most}).factor, most);
+}
+
 // With one candidate the form is that of its only leaf: mu = F_nn / |F_nt|.
 TEST(QuadraticBound, MeetsTheCoefficientOfASingleCandidate) {
   for (const int dimension : {2, 3}) {
