@@ -202,7 +202,7 @@ TEST_F(LossCommand, GivesBothFactorsOfStruts) {
 
 // The claim at residual strength is refused for any other residual strength.
 TEST_F(LossCommand, ProvesBothFactorsOfStruts) {
-  for (const std::string& share : {", residual = 0.3", ", residual = 0.301", ""})
+  for (const std::string share : {", residual = 0.3", ", residual = 0.301", ""})
     std::ofstream(in_folder("hanger" + std::to_string(share.size()) + ".toml"))
         << hanger_with_strut(share);
   const auto certificate = argument("cert");
