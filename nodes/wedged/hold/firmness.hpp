@@ -40,8 +40,7 @@ class PatternFirmness {
 };
 
 /// Every rank makes the same call. @param leaves on rank 0
-/// @returns on rank 0 PatternFirmness::of() each leaf, in their order; empty if the search was
-///          stopped, and on other ranks
+/// @returns PatternFirmness::of() each leaf, in their order; empty if the analysis was stopped
 std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& analysis,
                                                           const LoadedProblem& loaded, double mu,
                                                           std::span<const Configuration> leaves);
