@@ -8,7 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/detail/heap.hpp"
+#include "engine/detail/nodes/heap.hpp"
 #include "engine/search.hpp"
 #include "engine/transport/mpi.hpp"
 
@@ -67,7 +67,7 @@ constexpr std::int64_t nodes = (std::int64_t{1} << (depth + 1)) - 1;
 void frontier_push_pop(benchmark::State& state) {
   for (auto _ : state) {
     Frontier<Depth> frontier;
-    frontier.plant({depth});
+    frontier.add_root({depth});
     double closed = 0;
     while (!frontier.empty()) {
       const auto node = frontier.open();
@@ -104,7 +104,7 @@ void heap_push_pop(benchmark::State& state) {
 
 Frontier<Signs> frontier_of(std::int64_t size) {
   Frontier<Signs> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   frontier.open();
   for (std::int64_t i = 0; i < size; ++i) frontier.branch({});
   frontier.close();

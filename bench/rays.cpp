@@ -22,7 +22,7 @@
 #include <unistd.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_list_tree.hpp"
 #include "nodes/wedged/rays/ray_tree.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
     if (!first_ends) whole = double_description(cone);
     if (!second_ends) {
       by_parts =
-          search([&] { return wedged::DividedRays(patterns(), cone, rays::first_list(cone)); });
+          search([&] { return wedged::RayListTree(patterns(), cone, rays::first_list(cone)); });
     }
     if (!third_ends) by_pattern = search([&] { return wedged::RayTree(patterns(), cone); });
     first_ends = first_ends || whole->seconds > limit / 4;

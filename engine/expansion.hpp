@@ -7,9 +7,9 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/detail/frontier.hpp"
 #include "engine/detail/incumbent.hpp"
-#include "engine/detail/node_with_bound.hpp"
+#include "engine/detail/nodes/frontier.hpp"
+#include "engine/detail/nodes/node_with_bound.hpp"
 #include "engine/detail/sense.hpp"
 #include "engine/path.hpp"
 

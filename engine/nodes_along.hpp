@@ -35,7 +35,7 @@ std::vector<typename P::Node> nodes_along(P& problem, const FoundSolution<P>& fo
       frontier, none,
       [&](typename P::Solution&& solution) { reported = reported || pack(solution) == expected; },
       [] { return false; });
-  frontier.plant(stored<P>(std::as_const(problem).root()));
+  frontier.add_root(stored<P>(std::as_const(problem).root()));
   std::vector<Node> nodes;
   const auto open = [&] {
     auto node = frontier.open();

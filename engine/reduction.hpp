@@ -12,11 +12,11 @@
 namespace kusabi::engine {
 
 /// Requests of a rank to all ranks: bits, combined by or.
-enum Wish : std::uint64_t {
-  wish_stop_time = 1U << 0U,       ///< the time limit is reached
-  wish_stop_interrupt = 1U << 1U,  ///< the user or the batch system requests a stop
-  wish_checkpoint = 1U << 2U,      ///< a checkpoint is due
-  wish_failed = 1U << 3U,          ///< this rank could not write its part of the checkpoint
+enum RequestFlag : std::uint64_t {
+  request_stop_time = 1U << 0U,       ///< the time limit is reached
+  request_stop_interrupt = 1U << 1U,  ///< the user or the batch system requests a stop
+  request_checkpoint = 1U << 2U,      ///< a checkpoint is due
+  report_write_failure = 1U << 3U,    ///< this rank could not write its part of the checkpoint
 };
 
 /// Sums over the merged ranks. The contribution of a rank describes its state at the moment at
@@ -27,14 +27,14 @@ struct Reduction {
   std::uint64_t quiet = 0;  ///< ranks that neither open nodes nor request any (termination.hpp)
   /// ranks that received a counted message sent after its sender had joined this wave
   std::uint64_t crossed = 0;
-  std::uint64_t sent = 0;         ///< counted messages sent: transfers, incumbents
-  std::uint64_t received = 0;     ///< such messages received
-  std::uint64_t opened = 0;       ///< nodes opened
-  std::uint64_t open = 0;         ///< open nodes
-  std::uint64_t found = 0;        ///< solutions found
-  std::uint64_t fingerprint = 0;  ///< sum of the path hashes of the opened nodes
-  std::uint64_t wishes = 0;       ///< bits of `Wish`
-  double closed = 0;              ///< closed share of the tree, 0 to 1
+  std::uint64_t sent = 0;           ///< counted messages sent: transfers, incumbents
+  std::uint64_t received = 0;       ///< such messages received
+  std::uint64_t opened = 0;         ///< nodes opened
+  std::uint64_t open = 0;           ///< open nodes
+  std::uint64_t found = 0;          ///< solutions found
+  std::uint64_t fingerprint = 0;    ///< sum of the path hashes of the opened nodes
+  std::uint64_t request_flags = 0;  ///< bits of `RequestFlag`
+  double closed = 0;                ///< closed share of the tree, 0 to 1
   double objective = std::numeric_limits<double>::infinity();  ///< of the incumbent: minimum
   double bound = std::numeric_limits<double>::infinity();      ///< of the open nodes: minimum
 
@@ -51,7 +51,7 @@ struct Reduction {
     open += other.open;
     found += other.found;
     fingerprint += other.fingerprint;
-    wishes |= other.wishes;
+    request_flags |= other.request_flags;
     closed += other.closed;
     objective = std::min(objective, other.objective);
     bound = std::min(bound, other.bound);

@@ -18,9 +18,9 @@
 #include <exception>
 #include <typeinfo>
 
+#include "engine/collectives.hpp"
 #include "engine/detail/program.hpp"
 #include "engine/search.hpp"
-#include "engine/together.hpp"
 
 namespace kusabi::engine {
 

@@ -15,7 +15,7 @@
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
 // engine/run.hpp makes a program of it; examples/engine is a project to copy, with five programs.
-// engine/detail/rank.hpp and docs/engine.md describe the protocol.
+// engine/detail/protocol/rank.hpp and docs/engine.md describe the protocol.
 #pragma once
 
 #include <chrono>

@@ -9,8 +9,8 @@ namespace kusabi::engine {
 struct ShownObjective {
   double unit = 1;  ///< user's units per internal unit; negative: the user maximises
   /// Bounds of the optimum known apart from the search, in internal units.
-  double above = std::numeric_limits<double>::infinity();
-  double below = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double lower = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace kusabi::engine

@@ -39,7 +39,7 @@ void heed_launcher() {
 
 }  // namespace
 
-void heed_signals() {
+void install_signal_handlers() {
   heed_launcher();
   std::signal(SIGINT, &note_stop);
   for (const int signal : {SIGTERM, SIGXCPU, SIGUSR2}) std::signal(signal, &note_stop);

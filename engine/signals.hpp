@@ -9,7 +9,7 @@ namespace kusabi::engine {
 /// of CPU time) and SIGUSR2 request a stop, as does SIGCONT from the mpirun of Open MPI, by which
 /// it begins to end its ranks; a second SIGINT ends the process at once. SIGUSR1 requests a
 /// checkpoint.
-void heed_signals();
+void install_signal_handlers();
 
 /// True if a stop was requested.
 bool end_asked_by_signal();

@@ -73,11 +73,11 @@ enum class Stepping {
 template <Problem P>
 class Simulation {
  public:
-  Simulation(const P& problem, int ranks, const Weather& weather, const Options& options,
+  Simulation(const P& problem, int ranks, const MachineModel& machine, const Options& options,
              Stepping stepping)
       : options_(options),
-        network_(ranks, options.seed, weather),
-        node_(weather.node),
+        network_(ranks, options.seed, machine),
+        node_(machine.node),
         stepping_(stepping) {
     ranks_.reserve(static_cast<std::size_t>(ranks));
     for (int rank = 0; rank < ranks; ++rank) {
@@ -193,14 +193,14 @@ class Simulation {
 /// @throws std::runtime_error if the search does not end within `most_steps` steps of all ranks
 template <class P>
 SimulatedOf<P> simulate(const P& problem, int ranks, std::uint64_t seed,
-                        const Weather& weather = {}, Options options = {},
+                        const MachineModel& machine = {}, Options options = {},
                         std::uint64_t most_steps = 100'000'000,
                         Stepping stepping = Stepping::lazy) {
   if constexpr (CheckedSimulation<P>::sound) {
     options.seed = seed;
     // Virtual clocks do not advance within a step, so the stride cannot be measured.
     if (options.nodes_per_step == 0) options.nodes_per_step = 1;
-    return Simulation<P>(problem, ranks, weather, options, stepping).run(most_steps);
+    return Simulation<P>(problem, ranks, machine, options, stepping).run(most_steps);
   }
 }
 

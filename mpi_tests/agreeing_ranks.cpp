@@ -4,7 +4,7 @@
 #include <cstring>
 #include <exception>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "run/session/session.hpp"
 
 int main(int argc, char** argv) {
@@ -12,8 +12,9 @@ int main(int argc, char** argv) {
   const bool different = argc > 1 && std::strcmp(argv[1], "different") == 0;
   const bool last = session.transport().rank() == session.ranks() - 1;
   try {
-    kusabi::engine::agree(session.transport(), different && last ? 0xBAD : 0x900D);
-  } catch (const kusabi::engine::Disagreement& error) {
+    kusabi::engine::require_equal_on_all_ranks(session.transport(),
+                                               different && last ? 0xBAD : 0x900D);
+  } catch (const kusabi::engine::RankMismatch& error) {
     if (session.speaks()) std::printf("%s\n", error.what());
     return 0;
   }

@@ -175,7 +175,7 @@ int main(int argc, char** argv) {
   options.reduction_interval = 2e-3;
   options.interrupt = asked;
   options.warn = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
-  engine::heed_signals();
+  engine::install_signal_handlers();
   if (state != "-") {
     options.checkpoint.file = state;
     options.checkpoint.interval = std::atof(argv[3]);

@@ -9,7 +9,7 @@ enum class ContactState : std::int8_t {
   none = 0,  ///< no candidate, or one that the answer does not cover
   contact = 1,
   separated = 2,
-  at_rest = 3,  ///< neither a reaction nor a gap
+  inactive = 3,  ///< neither a reaction nor a gap
 };
 
 }  // namespace kusabi::pictures

@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "engine/transport/reason.hpp"
 #include "run/command/command_line.hpp"
 #include "run/command/command_run.hpp"
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     return complain(session, error.what());
   } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
-  } catch (const kusabi::engine::Disagreement& error) {
+  } catch (const kusabi::engine::RankMismatch& error) {
     if (session.speaks()) print_message("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {

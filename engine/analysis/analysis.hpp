@@ -17,16 +17,16 @@
 #include "engine/analysis/budget.hpp"
 #include "engine/analysis/recording.hpp"
 #include "engine/analysis/shared_work.hpp"
+#include "engine/collectives.hpp"
 #include "engine/options.hpp"
 #include "engine/search.hpp"
 #include "engine/shown_objective.hpp"
-#include "engine/together.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {
 
 /// Limits, output and journal of an analysis.
-struct Supervision {
+struct AnalysisOptions {
   /// Limits of the whole analysis: the time counts from its beginning, the nodes over all searches
   /// and all resumed runs; the other limits apply to each search.
   Limits limits = {};
@@ -48,7 +48,7 @@ struct Supervision {
   std::function<void(const std::string&)> warn = {};
 
   /// Journal of finished parts, from which another run resumes; by default there is none.
-  std::optional<Keeping> keeping = {};
+  std::optional<JournalOptions> journal_options = {};
 };
 
 /// An analysis in progress, on all ranks of a transport. Its parts are searches, shared work and
@@ -60,12 +60,12 @@ struct Supervision {
 class Analysis {
  public:
   /// Starts the clock. The transport must outlive this object.
-  explicit Analysis(Transport& transport, Supervision supervision = {})
+  explicit Analysis(Transport& transport, AnalysisOptions analysis_options = {})
       : transport_(transport),
-        supervision_(std::move(supervision)),
-        budget_(supervision_.limits, supervision_.interrupt) {
-    if (supervision_.keeping)
-      recording_.emplace(transport, *supervision_.keeping, supervision_.warn);
+        options_(std::move(analysis_options)),
+        budget_(options_.limits, options_.interrupt) {
+    if (options_.journal_options)
+      recording_.emplace(transport, *options_.journal_options, options_.warn);
   }
   Analysis(const Analysis&) = delete;
   Analysis& operator=(const Analysis&) = delete;
@@ -79,7 +79,7 @@ class Analysis {
   void count_nodes(std::uint64_t nodes) { budget_.count(nodes); }
 
   /// True if finished parts are written to a journal.
-  [[nodiscard]] bool is_kept() const { return recording_.has_value(); }
+  [[nodiscard]] bool has_journal() const { return recording_.has_value(); }
 
   /// A part of the analysis: engine::search within the remaining budget, with progress output.
   /// @param options the analysis adds interrupt and progress, tightens the limits to what remains
@@ -152,7 +152,7 @@ class Analysis {
   }
 
   void say(const std::string& line) {
-    if (is_first() && supervision_.say) supervision_.say(line);
+    if (is_first() && options_.say) options_.say(line);
   }
 
   /// Reports quantities that change continuously, at most every `say_every`. @param line makes a
@@ -160,7 +160,7 @@ class Analysis {
   template <class Line>
   void say_now_and_then(Line line) {
     const auto now = std::chrono::steady_clock::now();
-    if (now - said_ < supervision_.say_every) return;
+    if (now - said_ < options_.say_every) return;
     said_ = now;
     say(line());
   }
@@ -189,15 +189,14 @@ class Analysis {
                       .solutions = std::min(left.solutions, options.limits.solutions),
                       .gap = std::max(left.gap, options.limits.gap)};
     options.interrupt = budget_.interrupt();
-    if (!options.warn) options.warn = supervision_.warn;
-    if (is_first() && supervision_.watch)
-      options.progress = supervision_.watch(options.goal, shown);
+    if (!options.warn) options.warn = options_.warn;
+    if (is_first() && options_.watch) options.progress = options_.watch(options.goal, shown);
   }
 
   // Adds the opened nodes of all ranks, which rank 0 knows, to the budget.
   template <class P>
   void count(const OutcomeOf<P>& outcome) {
-    if (supervision_.limits.nodes != Limits{}.nodes)
+    if (options_.limits.nodes != Limits{}.nodes)
       budget_.count(from_first_rank(transport_, [&] { return outcome.opened(); }));
   }
 
@@ -211,7 +210,7 @@ class Analysis {
   }
 
   Transport& transport_;
-  Supervision supervision_;
+  AnalysisOptions options_;
   Budget budget_;
   std::chrono::steady_clock::time_point said_ = std::chrono::steady_clock::now();
   std::optional<Recording> recording_;

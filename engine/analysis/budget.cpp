@@ -32,7 +32,7 @@ bool Budget::spent() const {
   return end_asked() || seconds() >= limits_.seconds || nodes_ >= limits_.nodes;
 }
 
-Status Budget::why() const {
+Status Budget::stop_reason() const {
   if (end_asked()) return Status::interrupted;
   return nodes_ >= limits_.nodes ? Status::node_limit : Status::time_limit;
 }

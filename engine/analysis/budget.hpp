@@ -38,7 +38,7 @@ class Budget {
   [[nodiscard]] double seconds() const;
 
   /// Reason for stopping. @pre spent()
-  [[nodiscard]] Status why() const;
+  [[nodiscard]] Status stop_reason() const;
 
   /// Options::interrupt of the next search, which also delivers earlier requests. Empty if there is
   /// no source of requests. This object must outlive it.

@@ -9,8 +9,8 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/kept_search.hpp"
-#include "engine/together.hpp"
+#include "engine/checkpoint_check.hpp"
+#include "engine/collectives.hpp"
 
 namespace kusabi::engine {
 namespace {
@@ -24,9 +24,9 @@ std::string checkpoint_of_part(const std::string& file, const std::string& numbe
 }
 
 // Hash of a part; parts with successive numbers get unrelated fingerprints.
-std::uint64_t fingerprint_of_part(std::uint64_t question, std::uint64_t number) {
+std::uint64_t fingerprint_of_part(std::uint64_t facts_fingerprint, std::uint64_t number) {
   constexpr std::uint64_t odd = 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
-  return question + odd * (number + 1);
+  return facts_fingerprint + odd * (number + 1);
 }
 
 // Record of a part, as broadcast by rank 0.
@@ -71,27 +71,27 @@ bool is_searching(const Journal& journal) {
   return false;
 }
 
-void expect_usable_search(const Journal& journal, std::uint64_t question) {
+void expect_usable_checkpoint(const Journal& journal, std::uint64_t facts_fingerprint) {
   const auto file = checkpoint_of_part(journal.file(), journal.size());
   if (!checkpoint_exists(file)) return;
   try {
     std::string warning;  // reported when the search resumes
-    usable_checkpoint(file, fingerprint_of_part(question, journal.size()), warning);
+    usable_checkpoint(file, fingerprint_of_part(facts_fingerprint, journal.size()), warning);
   } catch (const CheckpointError& error) {
     throw CheckpointError(std::string(error.what()) + "; without " + file +
                           "* this search would start again");
   }
 }
 
-Recording::Recording(Transport& transport, Keeping keeping,
+Recording::Recording(Transport& transport, JournalOptions journal_options,
                      std::function<void(const std::string&)> warn)
-    : transport_(transport), keeping_(std::move(keeping)), warn_(std::move(warn)) {}
+    : transport_(transport), journal_options_(std::move(journal_options)), warn_(std::move(warn)) {}
 
 std::optional<Bytes> Recording::known(const std::string& kind, bool spent, bool for_all) {
   if (!replaying_ || !sound(spent)) return std::nullopt;
   Bytes own;
   auto recorded = from_first_rank(transport_, [&] {
-    auto& journal = *keeping_.journal;
+    auto& journal = *journal_options_.journal;
     if (next_ >= journal.size()) return RecordedPart{};
     if (journal.kind(next_) != kind) {
       throw CheckpointError(journal.file() + ": its part " + std::to_string(next_ + 1) +
@@ -99,7 +99,7 @@ std::optional<Bytes> Recording::known(const std::string& kind, bool spent, bool 
                             "file");
     }
     // A killed run may have left a checkpoint of this part.
-    remove_checkpoint(checkpoint_of_part(keeping_.file, next_));
+    remove_checkpoint(checkpoint_of_part(journal_options_.file, next_));
     own = journal.content(next_);
     return RecordedPart{true, for_all ? own : Bytes()};
   });
@@ -118,8 +118,8 @@ bool Recording::sound(bool spent) {
 }
 
 CheckpointOptions Recording::checkpoint() {
-  const auto file = checkpoint_of_part(keeping_.file, next_);
-  const auto problem = fingerprint_of_part(keeping_.question, next_);
+  const auto file = checkpoint_of_part(journal_options_.file, next_);
+  const auto problem = fingerprint_of_part(journal_options_.facts_fingerprint, next_);
   auto resume_from = from_first_rank(transport_, [&]() -> std::string {
     if (!checkpoint_exists(file)) return {};
     std::string warning;
@@ -128,8 +128,8 @@ CheckpointOptions Recording::checkpoint() {
     return usable;
   });
   return {.file = file,
-          .interval = keeping_.interval,
-          .on_improvement = keeping_.on_improvement,
+          .interval = journal_options_.interval,
+          .on_improvement = journal_options_.on_improvement,
           .resume_from = std::move(resume_from),
           .problem = problem};
 }
@@ -138,13 +138,13 @@ void Recording::keep(const std::string& kind, const Bytes& content) {
   const auto number = next_++;
   if (!is_first() || !writable_) return;
   try {
-    keeping_.journal->append(kind, content);
+    journal_options_.journal->append(kind, content);
   } catch (const CheckpointError& error) {
     writable_ = false;  // a missing part must not be followed by a present one
     if (warn_) warn_(std::string(error.what()) + "; no further results are stored");
     return;
   }
-  remove_checkpoint(checkpoint_of_part(keeping_.file, number));
+  remove_checkpoint(checkpoint_of_part(journal_options_.file, number));
 }
 
 }  // namespace kusabi::engine

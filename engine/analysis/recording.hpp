@@ -20,12 +20,12 @@
 namespace kusabi::engine {
 
 /// Journal and checkpoints of an analysis.
-struct Keeping {
-  Journal* journal = nullptr;   ///< on rank 0, null elsewhere; must outlive the analysis
-  std::string file;             ///< name of the journal, on every rank
-  double interval = 600;        ///< seconds between two checkpoints of a search
-  bool on_improvement = false;  ///< adds a checkpoint whenever the incumbent improves
-  std::uint64_t question = 0;   ///< fingerprint of the facts
+struct JournalOptions {
+  Journal* journal = nullptr;           ///< on rank 0, null elsewhere; must outlive the analysis
+  std::string file;                     ///< name of the journal, on every rank
+  double interval = 600;                ///< seconds between two checkpoints of a search
+  bool on_improvement = false;          ///< adds a checkpoint whenever the incumbent improves
+  std::uint64_t facts_fingerprint = 0;  ///< fingerprint of the facts
 };
 
 /// Checkpoint of the search that is part `number` of the analysis with journal `file`.
@@ -44,7 +44,8 @@ bool is_searching(const Journal& journal);
 class Recording {
  public:
   /// @param warn called on rank 0 with faults that do not end the run; may be empty
-  Recording(Transport& transport, Keeping keeping, std::function<void(const std::string&)> warn);
+  Recording(Transport& transport, JournalOptions journal_options,
+            std::function<void(const std::string&)> warn);
 
   /// Recorded result of the next part; nothing if the part has to be computed.
   /// @param kind type of the result @param spent as of sound()
@@ -68,7 +69,7 @@ class Recording {
   [[nodiscard]] bool is_first() const { return transport_.rank() == 0; }
 
   Transport& transport_;
-  Keeping keeping_;
+  JournalOptions journal_options_;
   std::function<void(const std::string&)> warn_;
   std::uint64_t next_ = 0;  // number of the next part
   bool replaying_ = true;   // the next part may be in the journal

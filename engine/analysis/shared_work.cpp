@@ -9,8 +9,8 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/analysis/analysis.hpp"
+#include "engine/collectives.hpp"
 #include "engine/search.hpp"
-#include "engine/together.hpp"
 
 namespace kusabi::engine {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "engine/detail/cpu_clock.hpp"
 #include "engine/detail/expanded.hpp"
-#include "engine/detail/frontier.hpp"
-#include "engine/detail/heap.hpp"
 #include "engine/detail/incumbent.hpp"
-#include "engine/detail/open_nodes.hpp"
+#include "engine/detail/nodes/frontier.hpp"
+#include "engine/detail/nodes/heap.hpp"
+#include "engine/detail/nodes/open_nodes.hpp"
 #include "engine/detail/sense.hpp"
 #include "engine/detail/solutions.hpp"
 #include "engine/expansion.hpp"
@@ -90,7 +90,7 @@ class Explorer {
   Explorer(const Explorer&) = delete;
   Explorer& operator=(const Explorer&) = delete;
 
-  void plant() { frontier_.plant(stored<P>(std::as_const(problem_).root())); }
+  void add_root() { frontier_.add_root(stored<P>(std::as_const(problem_).root())); }
 
   // ---- opening nodes ----------------------------------------------------------------------------
 
@@ -343,10 +343,10 @@ class Explorer {
   // Expands a node twice with the same incumbent; the first result is only compared.
   void expand_twice(Node&& node) {
     const auto statistics = statistics_;
-    solutions_.rehearse();
+    solutions_.begin_trial_expansion();
     const auto first = expanded_of(Node(node));
     frontier_.take_back();
-    solutions_.undo();
+    solutions_.end_trial_expansion();
     statistics_ = statistics;
     const auto second = expanded_of(std::move(node));
     if (const auto what = difference(first, second)) {

@@ -1,5 +1,5 @@
-// LocalSearch: interface of the local search to the protocol (engine/detail/rank.hpp), independent
-// of the problem's type.
+// LocalSearch: interface of the local search to the protocol (engine/detail/protocol/rank.hpp),
+// independent of the problem's type.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class LocalSearch {
   virtual ~LocalSearch() = default;
 
   // ---- nodes
-  virtual void plant() = 0;
+  virtual void add_root() = 0;
   virtual void open_nodes(unsigned count) = 0;
   [[nodiscard]] virtual bool has_nodes() const = 0;
   /// True during a call of `expand`.

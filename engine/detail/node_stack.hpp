@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/detail/open_nodes.hpp"
+#include "engine/detail/nodes/open_nodes.hpp"
 #include "engine/detail/saved_list.hpp"
 
 namespace kusabi::engine {

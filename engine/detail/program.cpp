@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "engine/checkpoint.hpp"
+#include "engine/collectives.hpp"
 #include "engine/path.hpp"
 #include "engine/signals.hpp"
-#include "engine/together.hpp"
 #include "engine/transport/single_process.hpp"
 
 namespace kusabi::engine {
@@ -71,7 +71,7 @@ void Program::prepare(const std::string& type, std::uint64_t instance) {
   if (instance == 0) {
     for (const auto& word : line_.words) problem = hash_of(problem, word);
   }
-  agree(*transport_, problem);
+  require_equal_on_all_ranks(*transport_, problem);
   checkpoint.problem = problem;
   checkpoint.file = line_.resume;
   if (!line_.resume.empty()) {
@@ -84,7 +84,7 @@ void Program::prepare(const std::string& type, std::uint64_t instance) {
     });
   }
   if (!line_.record.empty()) record_tree();
-  heed_signals();
+  install_signal_handlers();
   if (!line_.options.interrupt) line_.options.interrupt = asked_by_signal;
   if (!line_.options.warn)
     line_.options.warn = [](const std::string& line) { std::cerr << "warning: " << line << '\n'; };

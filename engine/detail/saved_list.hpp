@@ -12,7 +12,7 @@
 #include <boost/serialization/item_version_type.hpp>
 #include <boost/serialization/version.hpp>
 
-#include "engine/detail/open_nodes.hpp"
+#include "engine/detail/nodes/open_nodes.hpp"
 
 namespace kusabi::engine {
 

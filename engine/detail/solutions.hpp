@@ -134,15 +134,15 @@ class Solutions {
   }
 
   /// State before the first of two expansions of a node, for `undo`. Nothing is emitted until then.
-  void rehearse() {
-    rehearsal_ = {incumbent_, least_, kept_, all_.size(), improved_};
-    rehearsing_ = true;
+  void begin_trial_expansion() {
+    trial_state_ = {incumbent_, least_, kept_, all_.size(), improved_};
+    in_trial_ = true;
   }
-  void undo() {
-    std::tie(incumbent_, least_, kept_, improved_) =
-        std::tie(rehearsal_.incumbent, rehearsal_.least, rehearsal_.kept, rehearsal_.improved);
-    all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(rehearsal_.all), all_.end());
-    rehearsing_ = false;
+  void end_trial_expansion() {
+    std::tie(incumbent_, least_, kept_, improved_) = std::tie(
+        trial_state_.incumbent, trial_state_.least, trial_state_.kept, trial_state_.improved);
+    all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(trial_state_.all), all_.end());
+    in_trial_ = false;
   }
 
  private:
@@ -169,7 +169,7 @@ class Solutions {
 
   void store(FoundSolution<P>&& found) {
     if constexpr (Emitting<P>) {
-      if (rehearsing_ || problem_.emit(std::as_const(found.path), found.solution)) return;
+      if (in_trial_ || problem_.emit(std::as_const(found.path), found.solution)) return;
     }
     all_.push_back(std::move(found));
   }
@@ -226,7 +226,7 @@ class Solutions {
   // No node has so many children.
   inline static const Path after_all_paths{std::numeric_limits<std::uint32_t>::max()};
 
-  struct Rehearsal {
+  struct TrialState {
     Incumbent incumbent;
     double least = 0;
     std::vector<Kept> kept;
@@ -244,8 +244,8 @@ class Solutions {
   double least_ = unlimited;
   std::uint64_t age_ = 0;
   bool improved_ = false;
-  bool rehearsing_ = false;
-  Rehearsal rehearsal_;
+  bool in_trial_ = false;
+  TrialState trial_state_;
 };
 
 }  // namespace kusabi::engine

@@ -1,5 +1,5 @@
-// Worker: one rank of a search, that is the protocol (engine/detail/rank.hpp) with a typed local
-// search (engine/detail/explorer.hpp).
+// Worker: one rank of a search, that is the protocol (engine/detail/protocol/rank.hpp) with a typed
+// local search (engine/detail/explorer.hpp).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 #include "engine/detail/explorer.hpp"
 #include "engine/detail/local_search.hpp"
-#include "engine/detail/rank.hpp"
+#include "engine/detail/protocol/rank.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
@@ -30,7 +30,7 @@ class LocalExplorer final : public LocalSearch {
   LocalExplorer(P& problem, const Options& options, std::function<bool()> serve)
       : problem_(problem), explorer_(problem, options, std::move(serve)) {}
 
-  void plant() override { explorer_.plant(); }
+  void add_root() override { explorer_.add_root(); }
   void open_nodes(unsigned count) override { explorer_.open_nodes(count); }
   [[nodiscard]] bool has_nodes() const override { return explorer_.has_nodes(); }
   [[nodiscard]] bool expanding() const override { return explorer_.expanding(); }

@@ -65,7 +65,7 @@ MpiTransport::MpiTransport(MPI_Comm communicator) {
   MPI_Comm_size(reductions_, &size_);
   machine_ = ranks_of_machine(reductions_, rank_);
   // Of the machine's cores, not of those to which the launcher bound this rank.
-  crowded_ = static_cast<long>(machine_.size()) > sysconf(_SC_NPROCESSORS_ONLN);
+  oversubscribed_ = static_cast<long>(machine_.size()) > sysconf(_SC_NPROCESSORS_ONLN);
   std::erase(machine_, rank_);
   MPI_Type_contiguous(static_cast<int>(sizeof(Reduction)), MPI_BYTE, &reduction_type_);
   MPI_Type_commit(&reduction_type_);

@@ -46,7 +46,7 @@ class MpiTransport final : public Transport, public Exchange {
   }
 
   void begin_search() override { search_ = 1 - search_; }
-  [[nodiscard]] bool crowded() const override { return crowded_; }
+  [[nodiscard]] bool oversubscribed() const override { return oversubscribed_; }
   [[nodiscard]] std::vector<int> machine() const override { return machine_; }
   void send(int to, MessageTag tag, Bytes body) override;
   std::optional<Message> receive() override;
@@ -72,7 +72,7 @@ class MpiTransport final : public Transport, public Exchange {
   // before all have begun it.
   std::array<MPI_Comm, 2> messages_{MPI_COMM_NULL, MPI_COMM_NULL};
   std::size_t search_ = 0;
-  bool crowded_ = false;
+  bool oversubscribed_ = false;
   std::vector<int> machine_;  // the other ranks on this machine
   MPI_Comm reductions_ = MPI_COMM_NULL;
   MPI_Datatype reduction_type_ = MPI_DATATYPE_NULL;

@@ -42,8 +42,8 @@ SimulatedNetwork::Random::result_type SimulatedNetwork::Random::operator()() {
   return state_;
 }
 
-SimulatedNetwork::SimulatedNetwork(int ranks, std::uint64_t seed, const Weather& weather)
-    : weather_(weather), reductions_(ranks) {
+SimulatedNetwork::SimulatedNetwork(int ranks, std::uint64_t seed, const MachineModel& machine)
+    : machine_(machine), reductions_(ranks) {
   ranks_.reserve(static_cast<std::size_t>(ranks));
   for (int rank = 0; rank < ranks; ++rank) {
     ranks_.emplace_back(branch_hash(seed, static_cast<std::uint32_t>(rank)));
@@ -60,10 +60,10 @@ Transport& SimulatedNetwork::transport(int rank) {
 // Every step takes some time, or an idle rank would stop the clock.
 double SimulatedNetwork::step_duration(int rank, double work) {
   auto& mine = mailbox(rank);
-  double duration = least_step + work + weather_.handling * std::exchange(mine.handled, 0U);
-  if (weather_.stall_probability > 0 &&
-      std::bernoulli_distribution(weather_.stall_probability)(mine.random)) {
-    duration += weather_.stall;
+  double duration = least_step + work + machine_.handling * std::exchange(mine.handled, 0U);
+  if (machine_.stall_probability > 0 &&
+      std::bernoulli_distribution(machine_.stall_probability)(mine.random)) {
+    duration += machine_.stall;
   }
   return duration;
 }
@@ -72,14 +72,14 @@ double SimulatedNetwork::step_duration(int rank, double work) {
 double SimulatedNetwork::delay(int from, int to) {
   auto& random = mailbox(from).random;
   const bool near = machine_of(from) == machine_of(to);
-  const double mean = near ? weather_.near_latency : weather_.latency;
+  const double mean = near ? machine_.near_latency : machine_.latency;
   return mean * std::lognormal_distribution<double>(-0.5, 1.0)(random);
 }
 
 std::vector<int> SimulatedNetwork::others_on_machine(int rank) const {
   std::vector<int> others;
-  const int first = machine_of(rank) * weather_.machine;
-  for (int other = first; other < std::min(size(), first + weather_.machine); ++other) {
+  const int first = machine_of(rank) * machine_.machine;
+  for (int other = first; other < std::min(size(), first + machine_.machine); ++other) {
     if (other != rank) others.push_back(other);
   }
   return others;
@@ -89,7 +89,7 @@ void SimulatedNetwork::send(int from, int to, MessageTag tag, Bytes body) {
   ensure(from != to, "no rank sends to itself");
   largest_message_ = std::max(largest_message_, body.size());
   auto& target = mailbox(to);
-  double arrival = now_ + delay(from, to) + static_cast<double>(body.size()) / weather_.bandwidth;
+  double arrival = now_ + delay(from, to) + static_cast<double>(body.size()) / machine_.bandwidth;
   auto& channel = target.last_arrival[{from, tag}];
   arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
   channel = arrival;

@@ -21,7 +21,7 @@
 namespace kusabi::engine {
 
 /// Parameters of the simulated machine. Times in seconds.
-struct Weather {
+struct MachineModel {
   double latency = 2e-6;         ///< mean delay of a message (its distribution has a long tail)
   double bandwidth = 1e10;       ///< bytes per second
   double node = 1e-6;            ///< time to open a node, unless the problem is Timed
@@ -37,7 +37,7 @@ class SimulatedTransport;
 /// Network and clock of the simulation.
 class SimulatedNetwork {
  public:
-  SimulatedNetwork(int ranks, std::uint64_t seed, const Weather& weather);
+  SimulatedNetwork(int ranks, std::uint64_t seed, const MachineModel& machine);
   SimulatedNetwork(const SimulatedNetwork&) = delete;
   SimulatedNetwork& operator=(const SimulatedNetwork&) = delete;
   ~SimulatedNetwork();
@@ -115,11 +115,11 @@ class SimulatedNetwork {
   // Any look at the messages advances the reduction, too.
   void advance_reduction(int rank);
   double delay(int from, int to);
-  [[nodiscard]] int machine_of(int rank) const { return rank / weather_.machine; }
+  [[nodiscard]] int machine_of(int rank) const { return rank / machine_.machine; }
   [[nodiscard]] std::vector<int> others_on_machine(int rank) const;
   [[nodiscard]] Mailbox& mailbox(int rank) { return ranks_[static_cast<std::size_t>(rank)]; }
 
-  Weather weather_;
+  MachineModel machine_;
   double now_ = 0;
   std::vector<Mailbox> ranks_;
   std::vector<std::unique_ptr<SimulatedTransport>> transports_;

@@ -17,12 +17,12 @@ namespace kusabi::engine {
 enum class MessageTag : int {
   request,  ///< an idle rank requests nodes; empty
   /// as request, and registers the sender with this lifeline if no nodes can be spared; empty
-  plea,
-  transfer,           ///< nodes (answers a request or a plea)
-  refusal,            ///< no nodes to spare (answers a request or a plea); empty
-  lifeline_transfer,  ///< nodes for a rank registered by an earlier plea
+  lifeline_request,
+  transfer,           ///< nodes (answers a request or a lifeline request)
+  refusal,            ///< no nodes to spare (answers a request or a lifeline request); empty
+  lifeline_transfer,  ///< nodes for a rank registered by an earlier lifeline request
   piece,              ///< further nodes of one of these two transfers
-  news,               ///< an improved incumbent
+  incumbent,          ///< an improved incumbent
   report,             ///< solutions and statistics for rank 0 at the end
 };
 
@@ -54,7 +54,7 @@ class Transport {
   virtual void begin_search() {}
 
   /// True if more ranks run on this machine than it has cores: a rank that waits should sleep.
-  [[nodiscard]] virtual bool crowded() const { return false; }
+  [[nodiscard]] virtual bool oversubscribed() const { return false; }
 
   /// The other ranks on the machine of this rank, whose messages are the fastest; empty if unknown.
   [[nodiscard]] virtual std::vector<int> machine() const { return {}; }

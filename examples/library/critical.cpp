@@ -17,17 +17,17 @@ int main(int argc, char** argv) {
   const auto structure = problems::read_structure(problems::problem_text(argv[1]), argv[1]);
   const auto problem = problems::wedged_problem(structure);
 
-  engine::heed_signals();
-  engine::Supervision supervision;
-  supervision.limits.seconds = 60;
-  supervision.interrupt = engine::asked_by_signal;
-  supervision.watch = [](engine::Goal, const engine::ShownObjective&) {
+  engine::install_signal_handlers();
+  engine::AnalysisOptions analysis_options;
+  analysis_options.limits.seconds = 60;
+  analysis_options.interrupt = engine::asked_by_signal;
+  analysis_options.watch = [](engine::Goal, const engine::ShownObjective&) {
     return [](const engine::Progress& state) {
       std::fprintf(stderr, "%llu nodes\n", static_cast<unsigned long long>(state.opened));
     };
   };
   engine::SingleProcess alone;
-  engine::Analysis analysis(alone, supervision);
+  engine::Analysis analysis(alone, analysis_options);
   const auto found = wedged::find_critical_friction(analysis, structure, problem, {.width = 1e-9});
   std::printf("nothing wedges below %.10f%s\n", found.lower, found.lower_proved ? ", proved" : "");
   if (found.upper) {

@@ -6,7 +6,7 @@
 
 #include <boost/serialization/string.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/limit/limit_loads.hpp"
@@ -21,7 +21,7 @@ int answer(engine::Transport& transport, const char* file, double alpha) {
       engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto truss = problems::read_structure(text, file);
   const auto problem = problems::limit_problem(truss);
-  engine::agree(transport, problem.fingerprint);
+  engine::require_equal_on_all_ranks(transport, problem.fingerprint);
 
   engine::Analysis analysis(transport);
   const auto found = limit::limit_loads(analysis, truss, problem, {.alpha = alpha}).answer;

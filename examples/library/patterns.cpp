@@ -5,7 +5,7 @@
 
 #include <boost/serialization/string.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/pattern_search.hpp"
@@ -21,7 +21,7 @@ int answer(engine::Transport& transport, const char* file, double coefficient) {
   const auto text =
       engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto problem = problems::wedged_problem(problems::read_structure(text, file));
-  engine::agree(transport, problem.provenance.fingerprint);
+  engine::require_equal_on_all_ranks(transport, problem.provenance.fingerprint);
 
   engine::Analysis analysis(transport);
   const auto friction = wedged::candidate_friction(problem, coefficient);
@@ -34,8 +34,8 @@ int answer(engine::Transport& transport, const char* file, double coefficient) {
     std::printf("\n");
   }
   std::printf("%s sign patterns, %zu open, on %zu ranks\n", found.count().digits().c_str(),
-              found.open(), found.outcome.ranks.size());
-  return found.whole() && found.open() == 0 ? 0 : 3;
+              found.unresolved(), found.outcome.ranks.size());
+  return found.whole() && found.unresolved() == 0 ? 0 : 3;
 }
 
 int main(int argc, char** argv) {

@@ -31,7 +31,7 @@ std::size_t farthest_axis(const Eigen::VectorXd& normal) {
   return static_cast<std::size_t>(farthest);
 }
 
-std::vector<verify::Part> parts(const std::vector<problems::Share>& shares) {
+std::vector<verify::Part> parts(const std::vector<problems::WeightedNode>& shares) {
   std::vector<verify::Part> result;
   result.reserve(shares.size());
   for (const auto& [node, weight] : shares) result.push_back({number(node), weight});
@@ -75,7 +75,7 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   result.dimension = number(structure.dimension);
   result.names = structure.node_names;
   for (const auto& column : structure.coordinates.colwise())
-    result.places.push_back(vector(column));
+    result.coordinates.push_back(vector(column));
   result.fixed = structure.fixed;
   for (const auto& member : structure.members) {
     const auto yield = member.yield.value_or(problems::YieldForces{});

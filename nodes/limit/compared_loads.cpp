@@ -11,7 +11,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/analysis/analysis.hpp"
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::limit {
@@ -33,23 +33,23 @@ Eigen::VectorXd sampled_zeta(std::uint64_t seed, std::uint64_t sample, int count
 
 }  // namespace
 
-SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
+SampledLoads sampled_loads(RootSearch& search, const LimitParameters& parameters) {
   const auto& model = search.model();
   const auto& budget = search.analysis().budget();
-  const double alpha = search.scaled(*question.alpha);
+  const double alpha = search.scaled(*parameters.alpha);
   LoadFactor load_factor(model, budget.stop());
   load_factor.solve(model.dead);
   const auto solve = [&](std::uint64_t sample) {
     load_factor.restart();
     return load_factor.solve(
-        dead_load(model, sampled_zeta(question.seed, sample, model.uncertain_count(), alpha)));
+        dead_load(model, sampled_zeta(parameters.seed, sample, model.uncertain_count(), alpha)));
   };
   // Factor of each solved sample, with its number.
   using Factors = std::vector<std::pair<std::uint64_t, double>>;
   const auto piece = [&](std::uint64_t number) {
     Factors factors;
     const auto first = number * samples_a_piece;
-    const auto last = std::min(first + samples_a_piece, question.samples);
+    const auto last = std::min(first + samples_a_piece, parameters.samples);
     for (auto sample = first; sample < last && !budget.spent(); ++sample) {
       const auto status = solve(sample);
       if (status == LoadStatus::undetermined) continue;
@@ -61,7 +61,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
   };
   SampledLoads result;
   std::optional<std::pair<double, std::uint64_t>> least;
-  const auto pieces = (question.samples + samples_a_piece - 1) / samples_a_piece;
+  const auto pieces = (parameters.samples + samples_a_piece - 1) / samples_a_piece;
   for (const auto& some : search.analysis().share<Factors>(pieces, piece)) {
     for (const auto& [sample, factor] : some) {
       result.factors.push_back(factor);

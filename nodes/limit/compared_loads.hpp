@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/search/zero_one_worst.hpp"
 
@@ -19,6 +19,6 @@ struct SampledLoads {
 };
 
 /// @pre question.alpha
-SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question);
+SampledLoads sampled_loads(RootSearch& search, const LimitParameters& parameters);
 
 }  // namespace kusabi::limit

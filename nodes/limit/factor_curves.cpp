@@ -10,7 +10,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/worst_case_search.hpp"
 #include "solvers/linear/linear_program.hpp"
@@ -88,8 +88,8 @@ class WorstCurve {
 
 CurveSample WorstCurve::at(double beta) {
   if (search_.set_up(model_) != LoadStatus::collapses) return {};
-  const LimitQuestion question{.alpha = beta * alpha_};
-  auto worst = WorstCaseSearch(search_, question, truss_).solve();
+  const LimitParameters parameters{.alpha = beta * alpha_};
+  auto worst = WorstCaseSearch(search_, parameters, truss_).solve();
   if (worst.search != engine::Status::solved) return {};
   if (worst.status == RootStatus::not_carried) {
     const auto last =

@@ -39,12 +39,12 @@ LoadStatus set_up(RootSearch& search, const std::function<bool()>& shown) {
   return status;
 }
 
-void find_nominal(RootSearch& search, const verify::Structure& truss, const LimitQuestion& question,
-                  LimitFindings& findings) {
+void find_nominal(RootSearch& search, const verify::Structure& truss,
+                  const LimitParameters& parameters, LimitFindings& findings) {
   const auto shown = [&] {
     const auto& model = search.model();
     auto evidence = evidence_of_no_factor(
-        truss, search.problem(), model, question.alpha.value_or(0),
+        truss, search.problem(), model, parameters.alpha.value_or(0),
         Eigen::VectorXd::Zero(model.uncertain_count()), search.load_factor().overpowering_motion());
     if (!evidence) return false;
     findings.statements = {{{}, LimitClaim::none, std::move(*evidence)}};
@@ -70,7 +70,7 @@ void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitCl
 // need no bound from above for a least factor that exceeds the largest one, since the guaranteed
 // interval is then empty.
 void find_least_factors(engine::Analysis& analysis, const verify::Structure& truss,
-                        const problems::LimitProblem& problem, const LimitQuestion& asked,
+                        const problems::LimitProblem& problem, const LimitParameters& asked,
                         LimitFindings& findings) {
   auto mirrored = problem;
   mirrored.reference = -problem.reference;
@@ -87,29 +87,30 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
     if (largest.upper_proved) {
       search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
     }
-    const LimitQuestion question{.alpha = asked.alpha};
-    WorstCaseSearch least(search, question, mirrored_truss);
+    const LimitParameters parameters{.alpha = asked.alpha};
+    WorstCaseSearch least(search, parameters, mirrored_truss);
     const auto& worst = findings.answer.reversed.emplace(least.solve());
     add_statement(least, worst, LimitClaim::least, findings);
   } else if (search.ended()) {
-    findings.answer.rest = analysis.budget().why();
+    findings.answer.rest = analysis.budget().stop_reason();
   }
 }
 
-void find_worst_cases(RootSearch& search, const LimitQuestion& question,
+void find_worst_cases(RootSearch& search, const LimitParameters& parameters,
                       const verify::Structure& truss, std::optional<ZeroOneStart> start,
                       LimitFindings& findings) {
-  WorstCaseSearch largest(search, question, truss, std::move(start));
+  WorstCaseSearch largest(search, parameters, truss, std::move(start));
   const auto& worst = findings.answer.worst.emplace(largest.solve());
   add_statement(largest, worst, LimitClaim::largest, findings);
   if (worst.status == RootStatus::not_carried || worst.as_printed) return;
-  find_least_factors(search.analysis(), truss, search.problem(), question, findings);
+  find_least_factors(search.analysis(), truss, search.problem(), parameters, findings);
 }
 
 // For sudden losses the yield forces are divided by the dynamic factor: the loads grow by it, and
 // so does the reference load.
-LossAnswer worst_loss(RootSearch& search, verify::Structure truss, const LimitQuestion& question) {
-  const double sudden = question.loss->sudden;
+LossAnswer worst_loss(RootSearch& search, verify::Structure truss,
+                      const LimitParameters& parameters) {
+  const double sudden = parameters.loss->sudden;
   auto problem = search.problem();
   problem.tension /= sudden;
   problem.compression /= sudden;
@@ -117,9 +118,9 @@ LossAnswer worst_loss(RootSearch& search, verify::Structure truss, const LimitQu
     bar.tension /= sudden;
     bar.compression /= sudden;
   }
-  const double alpha = question.alpha.value_or(0);
+  const double alpha = parameters.alpha.value_or(0);
   const auto model = problems::limit_model(problem, search.model().force_unit / sudden);
-  return LossSearch(search.analysis(), truss, problem, model, *question.loss, alpha).solve();
+  return LossSearch(search.analysis(), truss, problem, model, *parameters.loss, alpha).solve();
 }
 
 }  // namespace
@@ -129,81 +130,84 @@ namespace {
 // At the strengths of the file.
 LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Structure& structure,
                                 const problems::LimitProblem& problem,
-                                const LimitQuestion& question) {
+                                const LimitParameters& parameters) {
   const auto truss = evidence::verified_structure(structure);
-  RootSearch search(analysis, problem, question.split_from);
+  RootSearch search(analysis, problem, parameters.split_from);
   LimitFindings findings;
   auto& answer = findings.answer;
-  find_nominal(search, truss, question, findings);
+  find_nominal(search, truss, parameters, findings);
   if (answer.status != LoadStatus::collapses) {
     if (answer.status == LoadStatus::undetermined && search.ended()) {
-      answer.rest = analysis.budget().why();
+      answer.rest = analysis.budget().stop_reason();
     }
     return findings;
   }
   answer.nominal = search.in_units(search.nominal(), search.model().dead);
-  if (question.curve_load) {
+  if (parameters.curve_load) {
     if (!search.ended()) {
-      answer.load_curve = factor_curve(search, *question.curve_load, question.curve_to);
+      answer.load_curve = factor_curve(search, *parameters.curve_load, parameters.curve_to);
     }
-    if (search.ended()) answer.rest = analysis.budget().why();
+    if (search.ended()) answer.rest = analysis.budget().stop_reason();
   }
-  if (question.loss) {
+  if (parameters.loss) {
     if (search.ended()) {
-      answer.rest = analysis.budget().why();
+      answer.rest = analysis.budget().stop_reason();
     } else {
-      findings.loss = worst_loss(search, truss, question);
+      findings.loss = worst_loss(search, truss, parameters);
     }
     return findings;
   }
-  if (!question.alpha) return findings;
-  search.settle_for(*question.alpha);
+  if (!parameters.alpha) return findings;
+  search.settle_for(*parameters.alpha);
   const auto sample = [&]() -> std::optional<ZeroOneStart> {
-    if (question.samples == 0) return {};
+    if (parameters.samples == 0) return {};
     SampledLoads sampled;
-    if (!search.ended()) sampled = sampled_loads(search, question);
-    if (search.ended()) answer.rest = analysis.budget().why();
+    if (!search.ended()) sampled = sampled_loads(search, parameters);
+    if (search.ended()) answer.rest = analysis.budget().stop_reason();
     answer.samples = std::move(sampled.factors);
     return std::move(sampled.best);
   };
   const auto model = search.model();
   std::optional<ZeroOneStart> start;
-  if (question.of_the_paper()) start = sample();
-  find_worst_cases(search, question, truss, std::move(start), findings);
+  if (parameters.of_the_paper()) start = sample();
+  find_worst_cases(search, parameters, truss, std::move(start), findings);
   if (!search.is_set_up()) search.set_up(model);  // the units of the last attempt were not suitable
-  if (!question.of_the_paper()) sample();
+  if (!parameters.of_the_paper()) sample();
   const bool known = answer.worst->collapse || answer.worst->status == RootStatus::not_carried;
-  if (question.curve && known) {
+  if (parameters.curve && known) {
     if (!search.ended()) {
       const Eigen::VectorXd load = dead_load(problem, answer.worst->zeta) - problem.dead;
-      answer.curve = factor_curve(search, load, question.curve_to);
-      answer.worst_curve = worst_factor_curve(search, truss, *question.alpha, question.curve_to);
+      answer.curve = factor_curve(search, load, parameters.curve_to);
+      answer.worst_curve =
+          worst_factor_curve(search, truss, *parameters.alpha, parameters.curve_to);
     }
-    if (search.ended()) answer.rest = analysis.budget().why();
+    if (search.ended()) answer.rest = analysis.budget().stop_reason();
   }
   return findings;
 }
 
 // After all struts have buckled.
 LimitFindings loads_after_buckling(engine::Analysis& analysis, problems::Structure structure,
-                                   problems::LimitProblem problem, const LimitQuestion& question) {
-  problem.compression = question.residual;
+                                   problems::LimitProblem problem,
+                                   const LimitParameters& parameters) {
+  problem.compression = parameters.residual;
   for (std::size_t i = 0; i < structure.members.size(); ++i)
-    structure.members[i].yield->compression = question.residual(static_cast<Eigen::Index>(i));
+    structure.members[i].yield->compression = parameters.residual(static_cast<Eigen::Index>(i));
   return loads_at_strength(
       analysis, structure, problem,
-      {.alpha = question.alpha, .split_from = question.split_from, .loss = question.loss});
+      {.alpha = parameters.alpha, .split_from = parameters.split_from, .loss = parameters.loss});
 }
 
 }  // namespace
 
 LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& structure,
-                          const problems::LimitProblem& problem, const LimitQuestion& question) {
-  auto findings = loads_at_strength(analysis, structure, problem, question);
+                          const problems::LimitProblem& problem,
+                          const LimitParameters& parameters) {
+  auto findings = loads_at_strength(analysis, structure, problem, parameters);
   const bool collapses = findings.answer.status == LoadStatus::collapses;
-  if (question.residual.size() == 0 || !collapses) return findings;
+  if (parameters.residual.size() == 0 || !collapses) return findings;
   analysis.say("the same with all struts at their residual strength");
-  auto residual = loads_after_buckling(analysis, structure, problem, question);
+  auto residual = loads_after_buckling(analysis, structure, problem, parameters);
   findings.residual = std::move(residual.answer);
   findings.residual_loss = std::move(residual.loss);
   for (auto& statement : residual.statements) {

@@ -7,7 +7,7 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/limit/loss/loss_answer.hpp"
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
@@ -37,6 +37,6 @@ struct LimitFindings {
 /// @param problem of `truss`
 /// @throws BigMTooSmall on every rank alike
 LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
-                          const problems::LimitProblem& problem, const LimitQuestion& question);
+                          const problems::LimitProblem& problem, const LimitParameters& parameters);
 
 }  // namespace kusabi::limit

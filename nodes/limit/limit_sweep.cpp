@@ -30,10 +30,10 @@ LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structu
   LimitSweep sweep;
   for (const double alpha : alphas) {
     auto own = problem;
-    LimitQuestion question{.alpha = settle(own, alpha)};
+    LimitParameters parameters{.alpha = settle(own, alpha)};
     // The worst-case curve scales all uncertain loads in proportion.
-    question.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
-    sweep.last = limit_loads(analysis, truss, own, question).answer;
+    parameters.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
+    sweep.last = limit_loads(analysis, truss, own, parameters).answer;
     sweep.status = sweep.last.ended();
     const auto& worst = sweep.last.worst;
     if (!worst) break;  // there is no nominal factor

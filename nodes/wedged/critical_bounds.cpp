@@ -12,20 +12,20 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/critical/smallest_search.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
-#include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
 #include "nodes/wedged/tree/preparation.hpp"
+#include "nodes/wedged/tree/stiffness_enclosure.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 
 namespace kusabi::wedged {
 
-struct DecidedEnd {
+struct DecidedBound {
   engine::Status status = engine::Status::solved;
   std::vector<Configuration> leaves;  ///< maximal cones and undecided leaves
   std::uint64_t feasible = 0;         ///< leaves that the exact test proves feasible
@@ -73,8 +73,9 @@ constexpr double growth = 8;
 /// a grid point is undecided there, so its bracket has two widths.
 constexpr double wide = 2.5;
 
-engine::Status why(engine::Analysis& analysis) {
-  return engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().why(); });
+engine::Status stop_reason(engine::Analysis& analysis) {
+  return engine::from_first_rank(analysis.transport(),
+                                 [&] { return analysis.budget().stop_reason(); });
 }
 
 CriticalEntry entry_of(const Configuration& leaf, const NarrowingBracket& bracket) {
@@ -91,17 +92,17 @@ CriticalEntry entry_of(const Configuration& leaf, const NarrowingBracket& bracke
 CriticalBounds::CriticalBounds(engine::Analysis& analysis,
                                const problems::CheckedStructure& structure,
                                const problems::WedgedProblem& problem,
-                               const BoundsQuestion& question, const EndRecorder& recorder,
+                               const BoundsParameters& parameters, const BoundRecorder& recorder,
                                NarrowingBracket& bracket, std::vector<CriticalCost>& costs)
     : analysis_(analysis),
       structure_(structure),
       problem_(problem),
-      question_(question),
+      parameters_(parameters),
       recorder_(recorder),
       bracket_(bracket),
       costs_(costs),
-      far_apart_(problem.modes.matrix.cols() > 0 &&
-                 problems::scale_ratio(structure, problem) > wide_scales) {}
+      badly_scaled_(problem.modes.matrix.cols() > 0 &&
+                    problems::scale_ratio(structure, problem) > wide_scales) {}
 
 bool CriticalBounds::enclose() {
   if (!stiffness_) stiffness_ = enclosed_within(analysis_, structure_, enclosed_stiffness);
@@ -114,18 +115,19 @@ std::shared_ptr<const EvidenceCheck> CriticalBounds::check(
   if (stiffness == nullptr) return nullptr;
   return std::make_shared<const EvidenceCheck>(
       problem_, *stiffness, friction, bounds,
-      far_apart_ ? FarMotion::counted : FarMotion::left_out);
+      badly_scaled_ ? LargeDisplacements::counted : LargeDisplacements::left_out);
 }
 
 CriticalBounds::Test CriticalBounds::test(std::shared_ptr<const EvidenceCheck> check) const {
-  return [far_apart = far_apart_, check = std::move(check)](const Evidence& evidence) {
-    return check ? check->holds(evidence) : !far_apart && evidence.kind != Evidence::Kind::marginal;
+  return [badly_scaled = badly_scaled_, check = std::move(check)](const Evidence& evidence) {
+    return check ? check->holds(evidence)
+                 : !badly_scaled && evidence.kind != Evidence::Kind::marginal;
   };
 }
 
 conic::Tolerances CriticalBounds::tolerances() const {
   auto tolerances = CriticalFriction::tolerances;
-  if (far_apart_) tolerances.resolution = finest;
+  if (badly_scaled_) tolerances.resolution = exact_test_resolution;
   return tolerances;
 }
 
@@ -157,7 +159,7 @@ Evidence CriticalBounds::form_of(std::uint32_t block) const {
       .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
-// If K cannot be enclosed, the proof in doubles (quadratic_is_infeasible) is sufficient.
+// If K cannot be enclosed, the proof in doubles (form_proves_infeasible) is sufficient.
 void CriticalBounds::prove_by_forms(QuadraticForms forms) {
   if (!enclose()) {
     bracket_.raise_lower(forms.factor);
@@ -182,17 +184,17 @@ void CriticalBounds::prove_by_forms(QuadraticForms forms) {
 // Written by one rank.
 void CriticalBounds::record_forms() {
   const auto record =
-      recorder_(CriticalEnd::lower, forms_.factor, candidate_friction(problem_, forms_.factor));
+      recorder_(BracketSide::lower, forms_.factor, candidate_friction(problem_, forms_.factor));
   if (!record) return;
   for (std::uint32_t block = 0; block < forms_.numbers.size() && analysis_.is_first(); ++block)
     record->add(form_of(block));
-  record->end({}, EndClaim::all_patterns, true);
+  record->end({}, BoundClaim::all_patterns, true);
 }
 
 // Of a run that was stopped: the form, and one cone program for the leaf.
 void CriticalBounds::record_proved_bounds() {
   if (forms_are_the_bound()) record_forms();
-  if (bracket_.upper_proved() && !question_.list)
+  if (bracket_.upper_proved() && !parameters_.list)
     decide_leaf(*bracket_.leaf(), *bracket_.upper(), LeafRecord::after_stop);
 }
 
@@ -211,8 +213,8 @@ bool CriticalBounds::roots_are_infeasible(double factor) {
     const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem_).size());
     try {
       for (std::uint32_t block = 0; block < blocks && holds; ++block) {
-        const auto fate = tree.decide({.block = block, .pattern = {}});
-        holds = holds && fate.children.empty() && !fate.leaf;
+        const auto decision = tree.decide({.block = block, .pattern = {}});
+        holds = holds && decision.children.empty() && !decision.leaf;
       }
     } catch (const support::Stopped&) {
       return false;
@@ -225,12 +227,12 @@ CriticalBounds::DecidedLeaf CriticalBounds::decide_leaf(const PatternNode& leaf,
                                                         LeafRecord kind) {
   const auto friction = candidate_friction(problem_, factor);
   const auto record =
-      kind == LeafRecord::none ? nullptr : recorder_(CriticalEnd::upper, factor, friction);
+      kind == LeafRecord::none ? nullptr : recorder_(BracketSide::upper, factor, friction);
   const auto decide = [&] {
     DecidedLeaf decided;
     SignPatternTree tree(
         problem_, friction,
-        {.tolerances = tolerances(), .thorough = true, .precision = question_.grid.precision});
+        {.tolerances = tolerances(), .thorough = true, .precision = parameters_.grid.precision});
     if (kind != LeafRecord::after_stop) tree.end_when(analysis_.budget().stop());
     const auto accepts = test(check(friction));
     tree.report_to([&](const auto& evidence) {
@@ -239,8 +241,8 @@ CriticalBounds::DecidedLeaf CriticalBounds::decide_leaf(const PatternNode& leaf,
       decided.degenerate = evidence.kind == Evidence::Kind::marginal;
     });
     try {
-      auto fate = tree.decide(leaf);
-      if (fate.leaf) decided.found.push_back(std::move(*fate.leaf));
+      auto decision = tree.decide(leaf);
+      if (decision.leaf) decided.found.push_back(std::move(*decision.leaf));
     } catch (const support::Stopped&) {
     }
     return decided;
@@ -248,29 +250,30 @@ CriticalBounds::DecidedLeaf CriticalBounds::decide_leaf(const PatternNode& leaf,
   // A record is written by one rank.
   auto decided = record ? engine::from_first_rank(analysis_.transport(), decide)
                         : analysis_.by_first_rank(decide);
-  if (record) record->end({}, EndClaim::one_pattern, decided.holds);
-  costs_.push_back({CriticalPhase::upper_end, factor, 1, 1});
+  if (record) record->end({}, BoundClaim::one_pattern, decided.holds);
+  costs_.push_back({CriticalPhase::upper_bound, factor, 1, 1});
   return decided;
 }
 
 /// Decides all sign patterns at one coefficient and adds the costs.
 /// @param wanted true for results to be recorded
 template <class Wanted>
-DecidedEnd CriticalBounds::decide(CriticalEnd end, double factor, CriticalPhase phase,
-                                  const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {
+DecidedBound CriticalBounds::decide(BracketSide end, double factor, CriticalPhase phase,
+                                    const BoundRecorder& recorder, Wanted wanted,
+                                    std::uint64_t nodes) {
   const auto friction = candidate_friction(problem_, factor);
   const SignPatternOptions options{.tolerances = tolerances(),
-                                   .tightening = question_.tightening,
+                                   .tightening = parameters_.tightening,
                                    .thorough = true,
-                                   .precision = question_.grid.precision};
+                                   .precision = parameters_.grid.precision};
   SignPatternTree tree(problem_, friction, options);
   auto prepared = prepare(analysis_, problem_, friction, options);
   const auto exact = check(friction, proved_bounds(prepared));
   if (exact && exact->is_able() && !exact->proves_bounds()) remove_bounds(prepared);
-  inform(tree, prepared);
+  configure(tree, prepared);
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder ? recorder(end, factor, friction) : nullptr;
-  tree.judge_by(test(exact), far_apart_);
+  tree.test_with(test(exact), badly_scaled_);
   if (record) tree.report_to([&record](const auto& evidence) { record->add(evidence); });
   engine::Options search;
   search.limits.nodes = nodes;
@@ -281,21 +284,21 @@ DecidedEnd CriticalBounds::decide(CriticalEnd end, double factor, CriticalPhase 
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
     const auto judged = outcome.tally();
-    return DecidedEnd{.status = outcome.status,
-                      .leaves = maximal_cones(std::move(leaves)),
-                      .feasible = judged.proved,
-                      .unproved = judged.doubted + judged.unproved};
+    return DecidedBound{.status = outcome.status,
+                        .leaves = maximal_cones(std::move(leaves)),
+                        .feasible = judged.proved,
+                        .unproved = judged.doubted + judged.unproved};
   });
-  if (record) record->end(bounds, EndClaim::all_patterns, decided.solved() && wanted(decided));
+  if (record) record->end(bounds, BoundClaim::all_patterns, decided.solved() && wanted(decided));
   return decided;
 }
 
 // Bisection by the exact test alone: a leaf feasible at a coefficient is feasible at all larger
 // ones. The bracket of the search is tested first.
 engine::Status CriticalBounds::bisect() {
-  const double width = question_.grid.width;
+  const double width = parameters_.grid.width;
   const FrictionGrid grid(width);
-  const auto most = multiples(question_.grid.most, width);
+  const auto most = multiples(parameters_.grid.most, width);
   const double least = CriticalFriction::range(problem_).least;
   const std::array ends{multiples(bracket_.lower(), width),
                         bracket_.upper() ? multiples(*bracket_.upper(), width) : most, most};
@@ -305,8 +308,8 @@ engine::Status CriticalBounds::bisect() {
   bracket_.move_upper(std::nullopt);
   const auto ask = [&](std::int64_t cell) {
     const auto decided = decide(
-        CriticalEnd::lower, grid.at(cell), CriticalPhase::lower_end, {},
-        [](const DecidedEnd& all) { return all.is_proved_infeasible(); }, engine::Limits{}.nodes);
+        BracketSide::lower, grid.at(cell), CriticalPhase::lower_bound, {},
+        [](const DecidedBound& all) { return all.is_proved_infeasible(); }, engine::Limits{}.nodes);
     if (!decided.solved()) return decided.status;
     (decided.is_proved_infeasible() ? infeasible : not_infeasible) = cell;
     if (decided.is_proved_infeasible()) bracket_.prove_lower(grid.at(cell));
@@ -339,12 +342,12 @@ engine::Status CriticalBounds::prove_lower() {
     return engine::Status::solved;
   }
   const double least = CriticalFriction::range(problem_).least;
-  const auto all_infeasible = [](const DecidedEnd& decided) { return decided.all_infeasible(); };
+  const auto all_infeasible = [](const DecidedBound& decided) { return decided.all_infeasible(); };
   std::optional<double> infeasible;  // by the bounds of the solver
   double factor = bracket_.lower();
-  double step = question_.grid.width;
+  double step = parameters_.grid.width;
   for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
-    const auto decided = decide(CriticalEnd::lower, factor, CriticalPhase::lower_end, recorder_,
+    const auto decided = decide(BracketSide::lower, factor, CriticalPhase::lower_bound, recorder_,
                                 all_infeasible, engine::Limits{}.nodes);
     if (!decided.solved()) return decided.status;
     if (decided.all_infeasible() && !infeasible) infeasible = factor;
@@ -362,16 +365,17 @@ engine::Status CriticalBounds::prove_lower() {
 // Increases the upper bound until the exact test proves the leaf feasible. A flat leaf remains
 // degenerate at larger coefficients; then another pattern may be solid there.
 engine::Status CriticalBounds::prove_upper() {
-  const auto recorded = recorder_ && !question_.list ? LeafRecord::within_limits : LeafRecord::none;
+  const auto recorded =
+      recorder_ && !parameters_.list ? LeafRecord::within_limits : LeafRecord::none;
   if (bracket_.upper_proved() && recorded == LeafRecord::none) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> feasible;
   bool others_decided = false;  // by the other patterns, after the first degenerate point
   double factor = *bracket_.upper();
-  double step = question_.grid.width;
-  for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {
+  double step = parameters_.grid.width;
+  for (int move = 0; move < most_moves && factor <= parameters_.grid.most; ++move, step *= growth) {
     auto decided = decide_leaf(leaf, factor, recorded);
-    if (analysis_.ended() && !decided.holds) return why(analysis_);
+    if (analysis_.ended() && !decided.holds) return stop_reason(analysis_);
     if (decided.holds) {
       bracket_.prove_upper(factor, leaf);
       set_known(std::move(decided.found));
@@ -390,16 +394,18 @@ engine::Status CriticalBounds::prove_upper() {
     factor += step;
   }
   bracket_.move_upper(feasible);
-  return prove_by_any(feasible.value_or(std::min(factor, question_.grid.most)));
+  return prove_by_any(feasible.value_or(std::min(factor, parameters_.grid.most)));
 }
 
 // Proves the upper bound by any feasible pattern, if the known leaf is degenerate.
 engine::Status CriticalBounds::prove_by_any(double factor) {
-  if (question_.list || question_.grid.precision == Precision::doubles)
+  if (parameters_.list || parameters_.grid.precision == Precision::doubles)
     return engine::Status::solved;
   const auto decided = decide(
-      CriticalEnd::upper, factor, CriticalPhase::upper_end, recorder_,
-      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, &Configuration::is_cone); },
+      BracketSide::upper, factor, CriticalPhase::upper_bound, recorder_,
+      [](const DecidedBound& all) {
+        return std::ranges::any_of(all.leaves, &Configuration::is_cone);
+      },
       engine::Limits{}.nodes);
   if (!decided.solved()) return decided.status;
   for (const LeafState state : {LeafState::feasible, LeafState::flat}) {
@@ -415,16 +421,18 @@ engine::Status CriticalBounds::prove_by_any(double factor) {
 }
 
 engine::Status CriticalBounds::list(CriticalFindings& findings) {
-  const double factor = bracket_.upper().value_or(question_.grid.most);
+  const double factor = bracket_.upper().value_or(parameters_.grid.most);
   const auto decided = decide(
-      CriticalEnd::upper, factor, CriticalPhase::list, recorder_,
-      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, &Configuration::is_cone); },
-      question_.list_nodes);
+      BracketSide::upper, factor, CriticalPhase::list, recorder_,
+      [](const DecidedBound& all) {
+        return std::ranges::any_of(all.leaves, &Configuration::is_cone);
+      },
+      parameters_.list_nodes);
   std::vector<Configuration> cones;
   std::ranges::copy_if(decided.leaves, std::back_inserter(cones), &Configuration::is_cone);
   const bool own_limit = decided.status == engine::Status::node_limit && !analysis_.ended();
   if (!decided.solved()) {
-    findings.open.push_back(CriticalDoubt::list_not_complete);
+    findings.doubts.push_back(CriticalDoubt::list_not_complete);
     for (const auto& leaf : cones)
       if (known_.empty() || !(leaf.pattern == known_.front().pattern)) known_.push_back(leaf);
     return own_limit ? engine::Status::solved : decided.status;
@@ -447,7 +455,7 @@ void CriticalBounds::note_patterns(CriticalFindings& findings) const {
       {.block = block,
        .pattern = {.contact = problems::in_whole(own.contact, candidates),
                    .separated = problems::in_whole(own.separated, candidates),
-                   .at_rest = {}},
+                   .inactive = {}},
        .lower = bracket_.lower(),
        .upper = bracket_.upper(),
        .reaction = {},
@@ -456,12 +464,12 @@ void CriticalBounds::note_patterns(CriticalFindings& findings) const {
 
 void CriticalBounds::note_undecided(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
-  const double width = question_.grid.width;
-  if (!findings.upper && findings.lower < question_.grid.most)
-    findings.open.push_back(CriticalDoubt::no_upper_end);
+  const double width = parameters_.grid.width;
+  if (!findings.upper && findings.lower < parameters_.grid.most)
+    findings.doubts.push_back(CriticalDoubt::no_upper_bound);
   if (findings.upper && *findings.upper - findings.lower > wide * width)
-    findings.open.push_back(CriticalDoubt::wide_bracket);
-  if (!findings.lower_proved) findings.open.push_back(CriticalDoubt::lower_not_proved);
+    findings.doubts.push_back(CriticalDoubt::wide_bracket);
+  if (!findings.lower_proved) findings.doubts.push_back(CriticalDoubt::lower_not_proved);
 }
 
 void CriticalBounds::prove(CriticalFindings& findings) {
@@ -472,14 +480,14 @@ void CriticalBounds::prove(CriticalFindings& findings) {
   };
   bracket_.show();
   if (findings.status == engine::Status::solved && !enclose())
-    stopped(CriticalPhase::lower_end, why(analysis_));
-  if (findings.status == engine::Status::solved && is_to_bisect())
-    stopped(CriticalPhase::lower_end, bisect());
+    stopped(CriticalPhase::lower_bound, stop_reason(analysis_));
+  if (findings.status == engine::Status::solved && needs_bisection())
+    stopped(CriticalPhase::lower_bound, bisect());
   if (findings.status == engine::Status::solved &&
-      !stopped(CriticalPhase::lower_end, prove_lower())) {
+      !stopped(CriticalPhase::lower_bound, prove_lower())) {
     bracket_.show();
-    if (bracket_.leaf() && bracket_.upper() && !stopped(CriticalPhase::upper_end, prove_upper()) &&
-        question_.list)
+    if (bracket_.leaf() && bracket_.upper() &&
+        !stopped(CriticalPhase::upper_bound, prove_upper()) && parameters_.list)
       stopped(CriticalPhase::list, list(findings));
   }
   if (findings.status != engine::Status::solved && recorder_) record_proved_bounds();

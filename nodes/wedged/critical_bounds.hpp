@@ -17,57 +17,57 @@
 #include "nodes/wedged/quadratic/quadratic_bracket.hpp"
 #include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
-#include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
+#include "nodes/wedged/tree/stiffness_enclosure.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
 
-enum class CriticalEnd { lower, upper };
+enum class BracketSide { lower, upper };
 
 /// Claim of a record: all patterns, or one feasible pattern.
-enum class EndClaim { all_patterns, one_pattern };
+enum class BoundClaim { all_patterns, one_pattern };
 
 /// Recorder of the evidence for one bound during its search, on one rank.
-class EndRecord {
+class BoundRecord {
  public:
-  EndRecord() = default;
-  EndRecord(const EndRecord&) = delete;
-  EndRecord& operator=(const EndRecord&) = delete;
-  virtual ~EndRecord() = default;
+  BoundRecord() = default;
+  BoundRecord(const BoundRecord&) = delete;
+  BoundRecord& operator=(const BoundRecord&) = delete;
+  virtual ~BoundRecord() = default;
 
   virtual void add(const Evidence& evidence) = 0;
 
   /// Ends the record, on every rank alike. @param bounds used by the evidence
   /// @param holds true: the evidence proves the bound; false: the bound is relaxed and another
   /// record follows
-  virtual void end(std::span<const ProvedBound> bounds, EndClaim claim, bool holds) = 0;
+  virtual void end(std::span<const ProvedBound> bounds, BoundClaim claim, bool holds) = 0;
 };
 
 /// Begins a record, on every rank alike. @param factor the friction coefficient @param friction
 /// that of each candidate @return null: this bound is not recorded
-using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, double factor,
-                                                             std::span<const double> friction)>;
+using BoundRecorder = std::function<std::unique_ptr<BoundRecord>(BracketSide end, double factor,
+                                                                 std::span<const double> friction)>;
 
 /// Parameters of the verification.
-struct BoundsQuestion {
+struct BoundsParameters {
   CriticalGrid grid;
   Tightening tightening = Tightening::automatic;
   bool list = false;             ///< true if all patterns are listed
-  std::uint64_t list_nodes = 0;  ///< see CriticalQuestion
+  std::uint64_t list_nodes = 0;  ///< see CriticalParameters
 };
 
 /// Configurations at one coefficient.
-struct DecidedEnd;
+struct DecidedBound;
 
 /// Verification on all ranks, which make the same calls. @pre arguments outlive this object
 class CriticalBounds {
  public:
   CriticalBounds(engine::Analysis& analysis, const problems::CheckedStructure& structure,
-                 const problems::WedgedProblem& problem, const BoundsQuestion& question,
-                 const EndRecorder& recorder, NarrowingBracket& bracket,
+                 const problems::WedgedProblem& problem, const BoundsParameters& parameters,
+                 const BoundRecorder& recorder, NarrowingBracket& bracket,
                  std::vector<CriticalCost>& costs);
 
   /// Tests both bounds without relaxing them: the lower one by the roots alone, the upper one by
@@ -101,19 +101,19 @@ class CriticalBounds {
   DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, LeafRecord kind);
   /// True if the error of the search may exceed the largest relaxation of a bound, while the exact
   /// test is available.
-  [[nodiscard]] bool is_to_bisect() const {
-    return far_apart_ && question_.grid.precision == Precision::escalating &&
+  [[nodiscard]] bool needs_bisection() const {
+    return badly_scaled_ && parameters_.grid.precision == Precision::escalating &&
            std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
   }
   /// Exact test at one coefficient. Null: K cannot be enclosed.
   [[nodiscard]] std::shared_ptr<const EvidenceCheck> check(
       std::span<const double> friction, std::span<const ProvedBound> bounds = {}) const;
-  /// The exact test; if it is null, the claims of the solver count as proved, unless far_apart_.
+  /// The exact test; if it is null, the claims of the solver count as proved, unless badly_scaled_.
   [[nodiscard]] Test test(std::shared_ptr<const EvidenceCheck> check) const;
   [[nodiscard]] conic::Tolerances tolerances() const;
   template <class Wanted>
-  DecidedEnd decide(CriticalEnd end, double factor, CriticalPhase phase,
-                    const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes);
+  DecidedBound decide(BracketSide end, double factor, CriticalPhase phase,
+                      const BoundRecorder& recorder, Wanted wanted, std::uint64_t nodes);
   engine::Status bisect();
   engine::Status prove_lower();
   engine::Status prove_upper();
@@ -129,14 +129,14 @@ class CriticalBounds {
   engine::Analysis& analysis_;
   const problems::CheckedStructure& structure_;
   const problems::WedgedProblem& problem_;
-  BoundsQuestion question_;
-  const EndRecorder& recorder_;
+  BoundsParameters parameters_;
+  const BoundRecorder& recorder_;
   NarrowingBracket& bracket_;
   std::vector<CriticalCost>& costs_;
   /// Enclosure of K, or the reason why there is none; nothing before it is computed.
   std::optional<StiffnessEnclosure> stiffness_;
-  bool far_apart_;  ///< unconstrained bodies with very different scales: results of the solver may
-                    ///< be wrong
+  bool badly_scaled_;  ///< unconstrained bodies with very different scales: results of the solver
+                       ///< may be wrong
   double proved_lower_ = 0;
   QuadraticForms forms_;                   ///< none, or proved at their coefficient
   std::vector<Configuration> known_;       ///< feasible at the upper bound

@@ -10,7 +10,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/critical/critical_descent.hpp"
 #include "nodes/wedged/critical/critical_dive.hpp"
 #include "nodes/wedged/critical/critical_start.hpp"
@@ -52,7 +52,7 @@ TreeLeaves feasible_patterns(engine::Analysis& analysis, const problems::WedgedP
 
 // Result of a limited global search, and the ranks' costs.
 struct BelowTrial {
-  Smallest smallest;
+  SmallestCoefficient smallest;
   std::uint64_t opened = 0, programs = 0;
   std::vector<engine::RankReport<CriticalTree>> ranks;
 
@@ -65,7 +65,7 @@ struct BelowTrial {
 // The search runs on the first rank, such that the result does not depend on timing. It belongs to
 // the analysis of its caller, whose next steps depend on it.
 BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                            const CriticalQuestion& question, const CriticalGrid& grid,
+                            const CriticalParameters& parameters, const CriticalGrid& grid,
                             double known) {
   auto trial = analysis.by_first_rank([&] {
     CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), CriticalDirection::up,
@@ -73,10 +73,10 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
     engine::Options options;
     options.goal = engine::Goal::best;
     options.order = engine::Order::best_first;
-    options.limits.nodes = question.trial_nodes.value_or(std::min(
+    options.limits.nodes = parameters.trial_nodes.value_or(std::min(
         most_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
     auto outcome = analysis.search_alone(tree, options);
-    return BelowTrial{.smallest = smallest_of(outcome, grid, known),
+    return BelowTrial{.smallest = smallest_coefficient(outcome, grid, known),
                       .opened = outcome.opened(),
                       .programs = outcome.tally().programs,
                       .ranks = std::move(outcome.ranks)};
@@ -89,11 +89,11 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
 class SmallestStrategies {
  public:
   SmallestStrategies(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                     const CriticalQuestion& question, const CriticalGrid& grid,
+                     const CriticalParameters& parameters, const CriticalGrid& grid,
                      CriticalBounds& ends, NarrowingBracket& bracket, CriticalFindings& findings)
       : analysis_(analysis),
         problem_(problem),
-        question_(question),
+        parameters_(parameters),
         grid_(grid),
         ends_(ends),
         bracket_(bracket),
@@ -108,10 +108,12 @@ class SmallestStrategies {
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
     if (stopped(CriticalPhase::trial)) return;
-    descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_);
+    descend(analysis_, problem_, grid_, parameters_.tightening, bracket_, findings_);
   }
 
-  void descent() { descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_); }
+  void descent() {
+    descend(analysis_, problem_, grid_, parameters_.tightening, bracket_, findings_);
+  }
 
   void global() {
     const auto found =
@@ -125,7 +127,7 @@ class SmallestStrategies {
  private:
   // Initial bracket without a tree. @return true: it is the answer, or the time is over
   bool start() {
-    if (problem_.contact_names.size() < fewest_to_start) return false;
+    if (problem_.contact_names.size() < min_candidates_for_start) return false;
     const auto programs = start_bracket(analysis_, problem_, grid_, bracket_);
     findings_.costs.push_back({CriticalPhase::start, 0, 0, programs});
     bracket_.show();
@@ -143,7 +145,7 @@ class SmallestStrategies {
   // Search without a tree for patterns that stick at less friction than is known. @return true: the
   // bracket is the answer, or there is no time for more
   bool search_patterns(PrimalPart part) {
-    if (problem_.contact_names.size() < fewest_to_start) return false;
+    if (problem_.contact_names.size() < min_candidates_for_start) return false;
     const auto before = bracket_.upper();
     const auto programs = reduce_by_patterns(analysis_, problem_, grid_, part, bracket_);
     if (programs == 0) return false;
@@ -155,7 +157,7 @@ class SmallestStrategies {
 
   // Lower bound without a tree. @return true: the bracket is the answer, or the time is over
   bool bound_by_forms(int rounds) {
-    if (problem_.contact_names.size() < fewest_for_forms) return false;
+    if (problem_.contact_names.size() < min_candidates_for_forms) return false;
     auto forms = quadratic_forms(analysis_, problem_, grid_, bracket_, rounds);
     findings_.costs.push_back({CriticalPhase::form, forms.factor, 0, forms.evaluations});
     if (forms.factor > 0) ends_.prove_by_forms(std::move(forms));
@@ -168,11 +170,11 @@ class SmallestStrategies {
   // Searches a feasible leaf at the largest coefficient, if the user specified one, as a descent
   // would do first. @return true: there is none
   bool known_at_most() {
-    if (!question_.most || bracket_.leaf()) return false;
+    if (!parameters_.most || bracket_.leaf()) return false;
     const auto dive =
-        dive_at(analysis_, problem_, multiples(*question_.most, grid_.width), grid_, {});
-    findings_.costs.push_back({CriticalPhase::dive, *question_.most, dive.opened, dive.opened});
-    if (dive.all_infeasible) bracket_.raise_lower(*question_.most);
+        dive_at(analysis_, problem_, multiples(*parameters_.most, grid_.width), grid_, {});
+    findings_.costs.push_back({CriticalPhase::dive, *parameters_.most, dive.opened, dive.opened});
+    if (dive.all_infeasible) bracket_.raise_lower(*parameters_.most);
     if (std::isfinite(dive.feasible)) bracket_.reduce_upper(dive.feasible, dive.leaf);
     return dive.all_infeasible;
   }
@@ -183,7 +185,7 @@ class SmallestStrategies {
   bool try_from_below() {
     CriticalGrid below = grid_;
     if (bracket_.leaf()) below.most = *bracket_.upper();
-    auto trial = trial_from_below(analysis_, problem_, question_, below, bracket_.lower());
+    auto trial = trial_from_below(analysis_, problem_, parameters_, below, bracket_.lower());
     if (analysis_.is_first()) findings_.global_ranks = std::move(trial.ranks);
     findings_.costs.push_back({CriticalPhase::trial, 0, trial.opened, trial.programs});
     trial.smallest.narrow(bracket_, grid_.width);
@@ -193,15 +195,15 @@ class SmallestStrategies {
 
   bool stopped(CriticalPhase phase) {
     if (!analysis_.ended()) return false;
-    findings_.status =
-        engine::from_first_rank(analysis_.transport(), [&] { return analysis_.budget().why(); });
+    findings_.status = engine::from_first_rank(analysis_.transport(),
+                                               [&] { return analysis_.budget().stop_reason(); });
     findings_.stopped_in = phase;
     return true;
   }
 
   engine::Analysis& analysis_;
   const problems::WedgedProblem& problem_;
-  const CriticalQuestion& question_;
+  const CriticalParameters& parameters_;
   CriticalGrid grid_;
   CriticalBounds& ends_;
   NarrowingBracket& bracket_;
@@ -243,7 +245,7 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
 void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                         const CriticalFindings& findings, NarrowingBracket& bracket) {
   const auto found = engine::from_first_rank(analysis.transport(), [&] {
-    Smallest smallest;
+    SmallestCoefficient smallest;
     smallest.lower = findings.lower;
     if (!findings.upper) return smallest;
     const auto& first = findings.patterns.front();
@@ -274,16 +276,17 @@ void CriticalFindings::conclude(double infeasible) {
   for (const auto& entry : patterns) lower = std::min(lower, entry.lower);
 }
 
-CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuestion& question) {
+CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalParameters& parameters) {
   CriticalGrid grid;
   // The limit is also that of the candidate with the largest relative friction.
-  grid.most = question.most.value_or(std::min(usual_most, CriticalFriction::range(problem).most));
+  grid.most = parameters.most.value_or(
+      std::min(default_max_friction, CriticalFriction::range(problem).most));
   int largest = 0;
   for (const auto& block : problems::blocks_of(problem)) largest = std::max(largest, block.size());
-  const bool in_doubles = largest >= fewest_for_doubles && !question.width;
+  const bool in_doubles = largest >= fewest_for_doubles && !parameters.width;
   if (in_doubles) grid.precision = Precision::doubles;
-  grid.width = question.width.value_or(in_doubles ? usual_width_in_doubles : usual_width);
-  if (!(grid.width < grid.most) || grid.most > most_multiples * grid.width) {
+  grid.width = parameters.width.value_or(in_doubles ? default_width_in_doubles : default_width);
+  if (!(grid.width < grid.most) || grid.most > max_multiples * grid.width) {
     throw std::invalid_argument(
         "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
         "of it");
@@ -294,23 +297,23 @@ CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuest
 CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::CheckedStructure& structure,
                                         const problems::WedgedProblem& problem,
-                                        const CriticalQuestion& question,
-                                        const EndRecorder& recorder) {
-  if (!looks_for_smallest(question.way) && !question.most) {
+                                        const CriticalParameters& parameters,
+                                        const BoundRecorder& recorder) {
+  if (!finds_smallest_only(parameters.way) && !parameters.most) {
     throw std::invalid_argument(
         "the upper limit of the friction coefficient is missing; expected one for a search of all "
         "patterns");
   }
-  const auto grid = grid_of(problem, question);
+  const auto grid = grid_of(problem, parameters);
   CriticalFindings findings;
   NarrowingBracket bracket(analysis, grid.most);
   CriticalBounds ends(analysis, structure, problem,
                       {.grid = grid,
-                       .tightening = question.tightening,
-                       .list = question.list && looks_for_smallest(question.way),
-                       .list_nodes = question.list_nodes},
+                       .tightening = parameters.tightening,
+                       .list = parameters.list && finds_smallest_only(parameters.way),
+                       .list_nodes = parameters.list_nodes},
                       recorder, bracket, findings.costs);
-  SmallestStrategies strategies(analysis, problem, question, grid, ends, bracket, findings);
+  SmallestStrategies strategies(analysis, problem, parameters, grid, ends, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
     auto costs = std::move(findings.costs);
     auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.most, costs);
@@ -321,20 +324,20 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
     if (findings.status != engine::Status::solved) findings.stopped_in = CriticalPhase::patterns;
     narrow_by_patterns(analysis, problem, findings, bracket);
   };
-  switch (question.way) {
-    case CriticalWay::automatic:
+  switch (parameters.way) {
+    case CriticalStrategy::automatic:
       strategies.automatic();
       break;
-    case CriticalWay::descent:
+    case CriticalStrategy::descent:
       strategies.descent();
       break;
-    case CriticalWay::global:
+    case CriticalStrategy::global:
       strategies.global();
       break;
-    case CriticalWay::newton:
+    case CriticalStrategy::newton:
       by_patterns(CriticalMethod::newton);
       break;
-    case CriticalWay::bisection:
+    case CriticalStrategy::bisection:
       by_patterns(CriticalMethod::bisection);
       break;
   }

@@ -19,7 +19,7 @@ namespace kusabi::wedged {
 CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::CheckedStructure& structure,
                                         const problems::WedgedProblem& problem,
-                                        const CriticalQuestion& question,
-                                        const EndRecorder& recorder = {});
+                                        const CriticalParameters& parameters,
+                                        const BoundRecorder& recorder = {});
 
 }  // namespace kusabi::wedged

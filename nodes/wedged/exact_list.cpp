@@ -11,7 +11,7 @@
 #include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 
@@ -23,21 +23,21 @@ constexpr std::size_t most_tested = 400;
 
 using Cones = std::set<std::pair<rays::Candidates, rays::Candidates>>;
 
-ExactTest test_of(const ExactQuestion& question) {
-  return {.scale_ratio = problems::scale_ratio(question.structure, question.problem),
-          .asked = question.proving == Proving::always};
+ExactTest test_of(const ExactParameters& parameters) {
+  return {.scale_ratio = problems::scale_ratio(parameters.structure, parameters.problem),
+          .asked = parameters.proving == Proving::always};
 }
 
 bool is_wanted(const ExactTest& test) {
   return test.asked || test.scale_ratio > wide_scales;
 }
 
-PatternFindings exact_list(engine::Analysis& analysis, const ExactQuestion& question,
+PatternFindings exact_list(engine::Analysis& analysis, const ExactParameters& parameters,
                            std::span<const double> friction) {
-  PatternQuestion patterns;
-  patterns.structure = &question.structure;
-  patterns.proving = question.proving;
-  return find_patterns(analysis, question.problem, friction, patterns);
+  PatternParameters patterns;
+  patterns.structure = &parameters.structure;
+  patterns.proving = parameters.proving;
+  return find_patterns(analysis, parameters.problem, friction, patterns);
 }
 
 /// Adds the test of a list, and the reasons why the list cannot be used for comparison.
@@ -48,7 +48,7 @@ void add(ExactTest& test, const PatternFindings& list) {
   test.doubted += list.exact.doubted;
   test.unable = list.exact.unable;
   if (test.unable.empty() && !list.whole()) test.unable = "the exact test was stopped early";
-  if (test.unable.empty() && list.open() > 0)
+  if (test.unable.empty() && list.unresolved() > 0)
     test.unable = "the exact test leaves patterns undecided";
   test.done = test.unable.empty();
 }
@@ -95,11 +95,11 @@ bool is_same(const std::vector<rays::Cone>& found, const PatternFindings& list) 
 
 }  // namespace
 
-ExactTest tested_cones(engine::Analysis& analysis, const ExactQuestion& question,
+ExactTest tested_cones(engine::Analysis& analysis, const ExactParameters& parameters,
                        std::span<const double> friction, const std::vector<rays::Cone>& found) {
-  auto test = test_of(question);
+  auto test = test_of(parameters);
   if (!is_wanted(test)) return test;
-  const auto list = exact_list(analysis, question, friction);
+  const auto list = exact_list(analysis, parameters, friction);
   add(test, list);
   if (analysis.is_first() && test.unable.empty() && !is_same(found, list)) {
     refute(test, fmt::format("by the exact test there are {} maximal cones, not these {}",
@@ -108,9 +108,9 @@ ExactTest tested_cones(engine::Analysis& analysis, const ExactQuestion& question
   return test;
 }
 
-ExactTest tested_counts(engine::Analysis& analysis, const ExactQuestion& question,
+ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& parameters,
                         std::span<const double> points, const SweepFindings& found) {
-  auto test = test_of(question);
+  auto test = test_of(parameters);
   if (!is_wanted(test)) return test;
   const auto coefficients = engine::from_first_rank(analysis.transport(), [&] {
     std::set<double> all(points.begin(), points.end());
@@ -128,7 +128,7 @@ ExactTest tested_counts(engine::Analysis& analysis, const ExactQuestion& questio
   }
   for (const double coefficient : coefficients) {
     const auto list =
-        exact_list(analysis, question, candidate_friction(question.problem, coefficient));
+        exact_list(analysis, parameters, candidate_friction(parameters.problem, coefficient));
     const bool goes_on = engine::from_first_rank(analysis.transport(), [&] {
       add(test, list);
       const auto count = found.count_at(coefficient);

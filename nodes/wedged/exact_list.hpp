@@ -15,7 +15,7 @@
 namespace kusabi::wedged {
 
 /// A structure, and the extent of the proof.
-struct ExactQuestion {
+struct ExactParameters {
   const problems::CheckedStructure& structure;
   const problems::WedgedProblem& problem;
   Proving proving = Proving::automatic;
@@ -24,13 +24,13 @@ struct ExactQuestion {
 /// Compares the maximal cones that were found with those of the list. Nothing is done if no test is
 /// required. Every rank makes the same call; the answer is valid on rank 0. @param found of a
 /// complete search
-ExactTest tested_cones(engine::Analysis& analysis, const ExactQuestion& question,
+ExactTest tested_cones(engine::Analysis& analysis, const ExactParameters& parameters,
                        std::span<const double> friction, const std::vector<rays::Cone>& found);
 
 /// The same for the counts of a sweep: at given points, at the largest coefficient and at both
 /// bounds of every bracket. A cone feasible at a coefficient is feasible at all larger ones, so
 /// equal lists at both bounds of a step imply the same list between them.
-ExactTest tested_counts(engine::Analysis& analysis, const ExactQuestion& question,
+ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& parameters,
                         std::span<const double> points, const SweepFindings& found);
 
 }  // namespace kusabi::wedged

@@ -5,12 +5,12 @@
 #include <utility>
 #include <variant>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/primal/primal_leaf.hpp"
 #include "nodes/wedged/simple_leaves.hpp"
-#include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
 #include "nodes/wedged/tree/preparation.hpp"
+#include "nodes/wedged/tree/stiffness_enclosure.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 
@@ -31,15 +31,15 @@ void add_missing(std::vector<Configuration>& known, std::uint64_t most,
 /// Enclosure of K for the exact test, if requested or required by the scales of the structure.
 std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analysis,
                                                          const problems::WedgedProblem& problem,
-                                                         const PatternQuestion& question,
+                                                         const PatternParameters& parameters,
                                                          ExactTest& exact) {
-  const auto* const structure = question.structure;
+  const auto* const structure = parameters.structure;
   if (structure == nullptr) return {};
   exact.scale_ratio = problems::scale_ratio(*structure, problem);
-  const bool asked = exact.asked = question.proving == Proving::always;
+  const bool asked = exact.asked = parameters.proving == Proving::always;
   if (!asked && exact.scale_ratio <= wide_scales) return {};
-  auto enclosed =
-      enclosed_within(analysis, *structure, asked ? enclosed_stiffness_of_any : enclosed_stiffness);
+  auto enclosed = enclosed_within(analysis, *structure,
+                                  asked ? enclosed_stiffness_without_limit : enclosed_stiffness);
   if (!enclosed) {
     exact.unable = "the search ended before the exact test began";
     return {};
@@ -66,9 +66,9 @@ bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& fi
 
 /// Enclosure of K for an optional test; nothing if it is too large, or there is no time.
 std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analysis,
-                                                         const PatternQuestion& question) {
-  if (question.structure == nullptr) return {};
-  auto enclosed = enclosed_within(analysis, *question.structure, enclosed_stiffness);
+                                                         const PatternParameters& parameters) {
+  if (parameters.structure == nullptr) return {};
+  auto enclosed = enclosed_within(analysis, *parameters.structure, enclosed_stiffness);
   if (!enclosed || std::holds_alternative<std::string>(*enclosed)) return {};
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
 }
@@ -77,10 +77,10 @@ std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analy
 std::vector<Configuration> known_patterns(engine::Analysis& analysis,
                                           const problems::WedgedProblem& problem,
                                           std::span<const double> friction,
-                                          const PatternQuestion& question,
+                                          const PatternParameters& parameters,
                                           const conic::Tolerances& tolerances) {
   auto known = simple_leaves(analysis, problem, friction, tolerances);
-  if (!question.exists || !known.empty()) return known;
+  if (!parameters.exists || !known.empty()) return known;
   if (auto leaf = leaf_without_tree(analysis, problem, friction, tolerances))
     known.push_back(std::move(*leaf));
   return known;
@@ -94,7 +94,7 @@ void sort_by_blocks(const problems::WedgedProblem& problem, std::span<const Prep
                                .branching = own.branching,
                                .bound_programs = own.root.programs,
                                .cones = 0,
-                               .open = 0});
+                               .unresolved = 0});
   }
   for (const auto& leaf : findings.leaves) {
     auto& block = findings.blocks[leaf.block];
@@ -107,11 +107,11 @@ void sort_by_blocks(const problems::WedgedProblem& problem, std::span<const Prep
         break;
       case LeafState::marginal:
         ++findings.marginal;
-        ++block.open;
+        ++block.unresolved;
         break;
       case LeafState::undecided:
         ++findings.undecided;
-        ++block.open;
+        ++block.unresolved;
         break;
     }
   }
@@ -128,18 +128,20 @@ void count_kept(PatternFindings& findings) {
 }  // namespace
 
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                              std::span<const double> friction, const PatternQuestion& question) {
+                              std::span<const double> friction,
+                              const PatternParameters& parameters) {
   PatternFindings findings;
-  auto options = question.tree;
-  const auto enclosed = enclosed_for_test(analysis, problem, question, findings.exact);
+  auto options = parameters.tree;
+  const auto enclosed = enclosed_for_test(analysis, problem, parameters, findings.exact);
   options.thorough = options.thorough || enclosed;
-  options.tolerances = resolving(options.tolerances, enclosed ? finest : rounding_of_files);
+  options.tolerances =
+      resolving(options.tolerances, enclosed ? exact_test_resolution : rounding_of_files);
   SignPatternTree tree(problem, friction, options);
   std::vector<Configuration> known;
-  if (options.facets == 0 && !enclosed && !question.kept)
-    known = known_patterns(analysis, problem, friction, question, question.tree.tolerances);
-  auto search = question.search;
-  if (question.exists) search.limits.solutions = 1;
+  if (options.facets == 0 && !enclosed && !parameters.kept)
+    known = known_patterns(analysis, problem, friction, parameters, parameters.tree.tolerances);
+  auto search = parameters.search;
+  if (parameters.exists) search.limits.solutions = 1;
   // No search if the known patterns suffice.
   const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
   const bool enough = known.size() >= most;
@@ -151,18 +153,19 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   // A certificate makes no claim on degenerate nodes. For unconstrained bodies the exact test
   // proves that the configurations of some of them are those of other leaves.
   std::optional<verify::EnclosedProblem> of_unconstrained;
-  if (!enclosed && question.recorder && problem.modes.matrix.cols() > 0)
-    of_unconstrained = enclosed_if_small(analysis, question);
+  if (!enclosed && parameters.recorder && problem.modes.matrix.cols() > 0)
+    of_unconstrained = enclosed_if_small(analysis, parameters);
   std::optional<EvidenceCheck> check;
   if (enclosed || of_unconstrained) {
-    const bool far_apart = enclosed && findings.exact.scale_ratio > wide_scales;
+    const bool badly_scaled = enclosed && findings.exact.scale_ratio > wide_scales;
     check.emplace(problem, enclosed ? *enclosed : *of_unconstrained, friction,
-                  proved_bounds(prepared), far_apart ? FarMotion::counted : FarMotion::left_out);
+                  proved_bounds(prepared),
+                  badly_scaled ? LargeDisplacements::counted : LargeDisplacements::left_out);
     if (check->is_able() && !check->proves_bounds()) remove_bounds(prepared);
   }
-  inform(tree, prepared);
-  if (question.recorder) tree.report_to(question.recorder);
-  if (question.kept) tree.keep_found(question.kept);
+  configure(tree, prepared);
+  if (parameters.recorder) tree.report_to(parameters.recorder);
+  if (parameters.kept) tree.keep_found(parameters.kept);
   findings.bounds = proved_bounds(prepared);
   if (enclosed) {
     findings.exact.done = check->is_able();
@@ -171,17 +174,17 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     if (!check->is_able() && problem.modes.matrix.cols() > 0)
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
     if (check->is_able() || problem.modes.matrix.cols() > 0)
-      tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
+      tree.test_with([&check](const auto& evidence) { return check->holds(evidence); }, true);
   }
   if (of_unconstrained) {
-    tree.judge_by(
+    tree.test_with(
         [&check](const auto& evidence) {
           return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
         },
         false);
   }
   findings.outcome = analysis.search(tree, search);
-  if (question.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
+  if (parameters.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
     search.limits.solutions = engine::Limits{}.solutions;
     search.checkpoint = {};
     findings.outcome = analysis.search(tree, search);
@@ -199,7 +202,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   findings.exact.unproved = findings.outcome.tally().unproved;
   findings.exact.doubted = findings.outcome.tally().doubted;
   sort_by_blocks(problem, prepared, findings);
-  if (question.kept) count_kept(findings);
+  if (parameters.kept) count_kept(findings);
   return findings;
 }
 

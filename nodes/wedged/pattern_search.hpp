@@ -24,9 +24,9 @@ struct PatternBlock {
   Branching branching = Branching::relative;  ///< branching rule of its tree
   std::uint64_t bound_programs = 0;           ///< solved to bound its candidates before
   std::uint64_t cones = 0;
-  std::uint64_t open = 0;  ///< numerically undecided leaves
+  std::uint64_t unresolved = 0;  ///< numerically undecided leaves
 
-  [[nodiscard]] bool is_inactive() const { return cones == 0 && open == 0; }
+  [[nodiscard]] bool is_inactive() const { return cones == 0 && unresolved == 0; }
 };
 
 /// Verification of every node by the exact test of `kusabi verify` during the search.
@@ -41,7 +41,7 @@ inline constexpr double wide_scales = 1e7;
 
 /// Threshold of |t*| above which its sign is used with the exact test, although it is zero in
 /// sixteen digits.
-inline constexpr double finest = 1e-22;
+inline constexpr double exact_test_resolution = 1e-22;
 
 /// Purpose and result of the exact test.
 struct ExactTest {
@@ -70,7 +70,7 @@ struct PatternFindings {
   std::vector<PatternBlock> blocks;
   std::vector<ProvedBound> bounds;  ///< of candidates, on every rank
   /// Of Algorithm 5.8: the leaves to test, in lexicographic order within each block.
-  std::vector<PolyhedralCandidate> tested;
+  std::vector<PolyhedralLeaf> tested;
   std::size_t flat = 0, marginal = 0, undecided = 0;  ///< among the leaves
   ExactTest exact;
 
@@ -80,7 +80,7 @@ struct PatternFindings {
   [[nodiscard]] bool whole() const { return outcome.status == engine::Status::solved; }
 
   /// Number of numerically undecided leaves.
-  [[nodiscard]] std::size_t open() const { return marginal + undecided; }
+  [[nodiscard]] std::size_t unresolved() const { return marginal + undecided; }
 
   /// The number of sign patterns of the whole structure: patterns of different blocks combine
   /// freely.
@@ -92,7 +92,7 @@ struct PatternFindings {
 };
 
 /// Options of the analysis.
-struct PatternQuestion {
+struct PatternParameters {
   SignPatternOptions tree;
   engine::Options search;     ///< checkpoints, traces, warnings
   EvidenceRecorder recorder;  ///< receives on each rank the evidence of closed nodes; empty: none
@@ -110,6 +110,6 @@ struct PatternQuestion {
 /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                               std::span<const double> friction,
-                              const PatternQuestion& question = {});
+                              const PatternParameters& parameters = {});
 
 }  // namespace kusabi::wedged

@@ -19,7 +19,7 @@ std::vector<PatternNode> tried_leaves(const problems::WedgedProblem& problem,
   const auto blocks = problems::blocks_of(problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const int m = blocks[number].size();
-    if (static_cast<std::size_t>(m) < fewest_to_start) continue;
+    if (static_cast<std::size_t>(m) < min_candidates_for_start) continue;
     leaves.push_back({number, leaf_with(support::IndexSet::below(m), m)});
     const auto block = problems::block_problem(problem, blocks[number]);
     const std::vector<int> candidates(blocks[number].begin(), blocks[number].end());

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/zero_one/unboundedness.hpp"
 #include "support/fingerprint.hpp"
 
@@ -66,7 +66,8 @@ MixedRoot mixed_root(engine::Analysis& analysis, const linear::MixedProgram& mix
   const std::uint64_t interrupted = result.root.interrupted ? 1 : 0;
   const auto all = engine::all_reduce(analysis.transport(), {.ranks = 1, .found = interrupted});
   result.stopped = all.found != 0;
-  if (!result.stopped) engine::agree(analysis.transport(), fingerprint_of(result.root));
+  if (!result.stopped)
+    engine::require_equal_on_all_ranks(analysis.transport(), fingerprint_of(result.root));
   return result;
 }
 
@@ -78,7 +79,7 @@ MixedAnswer search_tree(engine::Analysis& analysis, MixedRoot root, ZeroOneBranc
   // bound; the report compares both.
   options.bound_tolerance = std::numeric_limits<double>::infinity();
   answer.outcome = root.stopped ? outcome_of_root(answer.tree, analysis.transport().size(),
-                                                  analysis.budget().why())
+                                                  analysis.budget().stop_reason())
                                 : analysis.search(answer.tree, std::move(options), shown);
   return answer;
 }

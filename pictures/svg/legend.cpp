@@ -185,7 +185,7 @@ void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Sc
   };
   add_count(ContactState::contact, "contact", "in contact");
   add_count(ContactState::separated, "separated", "separated");
-  add_count(ContactState::at_rest, "idle", "neither a reaction nor a gap");
+  add_count(ContactState::inactive, "idle", "neither a reaction nor a gap");
   const bool solved = std::ranges::any_of(
       scene.candidates, [](const auto& each) { return each.state != ContactState::none; });
   add_count(ContactState::none, "other",
@@ -242,7 +242,7 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
   }
   if (any([](const Scene& its) { return count_of(its, ContactState::separated) > 0; }))
     entries.push_back({mark_of("separated"), "separated"});
-  if (any([](const Scene& its) { return count_of(its, ContactState::at_rest) > 0; }))
+  if (any([](const Scene& its) { return count_of(its, ContactState::inactive) > 0; }))
     entries.push_back({mark_of("idle"), "neither a reaction nor a gap"});
   if (any([](const Scene& its) { return !its.support_reactions.isZero(0); }))
     entries.push_back({arrow_of("holding"), "reaction of a support"});

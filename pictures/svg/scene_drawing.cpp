@@ -254,7 +254,7 @@ class SceneDrawing {
         return "contact";
       case ContactState::separated:
         return "separated";
-      case ContactState::at_rest:
+      case ContactState::inactive:
         return "idle";
       case ContactState::none:
         break;

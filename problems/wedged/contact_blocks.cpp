@@ -78,7 +78,7 @@ std::vector<support::IndexSet> contact_blocks(const Structure& structure,
     auto together = free_of(structure, degrees, candidate.node);
     if (degrees.several_normals.contains(candidate.node)) {
       for (int axis = 0; axis < structure.dimension; ++axis) {
-        for (const auto& part : seen_along<double>(degrees, candidate, axis))
+        for (const auto& part : candidate_displacement<double>(degrees, candidate, axis))
           together.push_back(part.number);
       }
     }

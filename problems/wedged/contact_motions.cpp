@@ -43,7 +43,7 @@ struct Numbering {
 
 // Adds the components of a node's modes, times a weight, along the axes of a frame.
 void add_motions(const Structure& structure, std::span<const UnconstrainedBody> bodies,
-                 const Numbering& numbering, const Share& share, const PreciseMatrix& frame,
+                 const Numbering& numbering, const WeightedNode& share, const PreciseMatrix& frame,
                  Eigen::Index row, PreciseMatrix& seen) {
   const auto found = numbering.body.find(share.node);
   if (found == numbering.body.end()) return;
@@ -100,7 +100,7 @@ void refuse_untouched(const Structure& structure, std::span<const UnconstrainedB
   };
   for (const ContactCandidate& candidate : structure.contact) {
     touch(candidate.node);
-    for (const Share& share : candidate.against) touch(share.node);
+    for (const WeightedNode& share : candidate.against) touch(share.node);
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (touched[b]) continue;
@@ -198,12 +198,12 @@ ContactMotions contact_motions(const Structure& structure,
       }
     }
     const double size = numbers::rounded(Precise(column.cwiseAbs().maxCoeff()));
-    if (size <= dependent) {
+    if (size <= largest_zero_pivot) {
       unseen.push_back(own);
       continue;
     }
-    if (size < independent && has_constraints(structure)) refuse_gap(structure);
-    if (size < independent) refuse_line(structure);
+    if (size < smallest_nonzero_pivot && has_constraints(structure)) refuse_gap(structure);
+    if (size < smallest_nonzero_pivot) refuse_line(structure);
     least_left = std::min(least_left, size);
     const Precise unit(std::exp2(-std::ceil(std::log2(size))));
     columns.emplace_back(column * unit, own * unit);
@@ -214,9 +214,9 @@ ContactMotions contact_motions(const Structure& structure,
     result.matrix.col(static_cast<Eigen::Index>(k)) = columns[k].first;
     result.work.col(static_cast<Eigen::Index>(k)) = columns[k].second;
   }
-  result.unseen_work.resize(work.rows(), static_cast<Eigen::Index>(unseen.size()));
+  result.work_on_other_modes.resize(work.rows(), static_cast<Eigen::Index>(unseen.size()));
   for (std::size_t k = 0; k < unseen.size(); ++k)
-    result.unseen_work.col(static_cast<Eigen::Index>(k)) = unseen[k];
+    result.work_on_other_modes.col(static_cast<Eigen::Index>(k)) = unseen[k];
   double error = 0;
   for (const UnconstrainedBody& body : bodies) error = std::max(error, body.error);
   error += motion_roundings * numbers::unit_roundoff<Precise> / least_sine(structure);

@@ -16,7 +16,7 @@ struct ContactMotions {
   numbers::PreciseMatrix matrix;
   double error = 0;  ///< bound of the error of an entry
   /// The work of loads on these motions, loads x p, and on those that displace no candidate.
-  numbers::PreciseMatrix work{}, unseen_work{};
+  numbers::PreciseMatrix work{}, work_on_other_modes{};
 };
 
 /// @param bodies those of the structure

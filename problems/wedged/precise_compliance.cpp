@@ -90,7 +90,7 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
       double sizes = 0;
       for (int axis = 0; axis < structure.dimension; ++axis) {
         // The displacement is fixed where a roller acts.
-        for (const auto& part : seen_along<Precise>(degrees, candidate, axis)) {
+        for (const auto& part : candidate_displacement<Precise>(degrees, candidate, axis)) {
           loads.matrix(part.number, column) +=
               part.value * frame(axis, direction) * scale(part.number);
           sizes += std::abs(numbers::rounded(part.value)) * scale(part.number);

@@ -36,7 +36,7 @@ numbers::PreciseMatrix independent_columns(numbers::PreciseMatrix matrix) {
     Eigen::Index column = 0;
     const double largest =
         matrix.rightCols(matrix.cols() - kept).cast<double>().cwiseAbs().maxCoeff(&row, &column);
-    if (!(largest > dependent)) break;
+    if (!(largest > largest_zero_pivot)) break;
     matrix.col(kept).swap(matrix.col(kept + column));
     for (Eigen::Index other = kept + 1; other < matrix.cols(); ++other) {
       const numbers::Precise share = matrix(row, other) / matrix(row, kept);

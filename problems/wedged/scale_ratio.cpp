@@ -80,7 +80,7 @@ double extent_ratio(const Structure& structure, const UnconstrainedBody& body,
   std::vector<int> touching;
   for (const ContactCandidate& candidate : structure.contact) {
     if (own(candidate.node)) touching.push_back(candidate.node);
-    for (const Share& share : candidate.against)
+    for (const WeightedNode& share : candidate.against)
       if (own(share.node)) touching.push_back(share.node);
   }
   for (const int a : touching)

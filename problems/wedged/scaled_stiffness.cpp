@@ -65,7 +65,7 @@ std::vector<int> numbers_at(const FreeDegrees& degrees, int place) {
 /// For each index those that a bar, element, spring or superelement connects with it, in any order.
 std::vector<std::vector<int>> neighbours(const Structure& structure, const FreeDegrees& degrees) {
   std::vector<std::vector<int>> places(structure.node_names.size() +
-                                       static_cast<std::size_t>(degrees.own_count));
+                                       static_cast<std::size_t>(degrees.internal_count));
   const auto join = [&](const std::vector<int>& touched) {
     const auto together = with_master_nodes(degrees, touched);
     for (const int node : together) {

@@ -29,7 +29,7 @@ class TangentialSprings {
       if (!structure_
                .fixed[static_cast<std::size_t>(candidate.node)][static_cast<std::size_t>(axis)])
         continue;
-      const int nearest = steepest_axis(candidate.direction.value_or(candidate.normal));
+      const int nearest = largest_component_axis(candidate.direction.value_or(candidate.normal));
       const Precise soft = 1.0 / along(nearest, candidate.node);
       const numbers::PreciseVector held = precise_contact_frame(candidate).row(axis).transpose();
       added += soft * held * held.transpose();

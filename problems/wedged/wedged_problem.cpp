@@ -95,10 +95,11 @@ Compliance compliance_of(const Structure& grounded, const FreeDegrees& degrees,
 
 // Structures without constraints keep their fingerprint.
 void add_constraints(const Structure& structure, support::Fingerprint& result) {
-  const auto add_place = [&](std::string_view kind, int node, const std::vector<Share>& place) {
+  const auto add_place = [&](std::string_view kind, int node,
+                             const std::vector<WeightedNode>& place) {
     result.add(kind);
     result.add(node);
-    for (const Share& share : place) {
+    for (const WeightedNode& share : place) {
       result.add(share.node);
       result.add(share.weight);
     }
@@ -106,7 +107,7 @@ void add_constraints(const Structure& structure, support::Fingerprint& result) {
   for (const ContactCandidate& candidate : structure.contact) {
     if (!candidate.against.empty()) add_place("pair", candidate.node, candidate.against);
   }
-  for (const Tie& tie : structure.ties) add_place("tie", tie.node, tie.to);
+  for (const MultiPointConstraint& tie : structure.ties) add_place("tie", tie.node, tie.to);
   for (const InclinedSupport& support : structure.inclined) {
     result.add(std::string_view("inclined"));
     result.add(support.node);
@@ -120,9 +121,9 @@ RigidModes modes_of(const CheckedStructure& structure, const Eigen::MatrixXd& fo
   RigidModes result;
   const auto& bodies = structure.unconstrained_bodies();
   if (bodies.empty()) return result;
-  auto [matrix, error, seen_work, unseen_work] = contact_motions(structure, bodies, forces);
+  auto [matrix, error, seen_work, work_on_other_modes] = contact_motions(structure, bodies, forces);
   loads.motions = std::move(seen_work);
-  loads.unseen_motions = std::move(unseen_work);
+  loads.other_modes = std::move(work_on_other_modes);
   result.matrix = matrix.cast<double>();
   result.precise = std::move(matrix);
   result.precise_error = error;
@@ -231,7 +232,7 @@ WedgedProblem wedged_problem(const CheckedStructure& structure, const Eigen::Mat
   if (structure->superelements.empty()) {
     refuse_mechanism(grounded, degrees);
   } else {
-    refuse_unheld(grounded, degrees);
+    refuse_unconstrained(grounded, degrees);
   }
   WedgedProblem problem;
   problem.dimension = structure->dimension;

@@ -108,7 +108,7 @@ struct LoadColumns {
   numbers::PreciseMatrix work;           ///< f_j'K^-1 f_k, L x L
   /// b, L x p: the work of each load on the rigid-body modes `RigidModes::matrix`, and on those
   /// that displace no candidate.
-  numbers::PreciseMatrix motions, unseen_motions;
+  numbers::PreciseMatrix motions, other_modes;
   Eigen::VectorXd sizes;  ///< sum of |f|, force
 };
 

@@ -88,17 +88,17 @@ void add_forces(const Structure& structure, const FreeDegrees& all, const std::v
 // K u, including springs, for every column u of the displacements of all nodes; for elements and
 // superelements only at fixed displacements. Forces on dependent nodes are transferred to their
 // masters.
-// @param own_unknowns of superelements, for the same columns
+// @param internal_unknowns of superelements, for the same columns
 numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& all,
                                  const std::vector<bool>& held,
                                  const numbers::PreciseMatrix& displacements,
-                                 const numbers::PreciseMatrix& own_unknowns) {
+                                 const numbers::PreciseMatrix& internal_unknowns) {
   numbers::PreciseMatrix own(all.size(), displacements.cols());
   for (int i = 0; i < all.of_nodes(); ++i) {
     const auto& place = all.free[static_cast<std::size_t>(i)];
     own.row(i) = displacements.row(structure.dimension * place.node + place.axis);
   }
-  own.bottomRows(all.own_count) = own_unknowns;
+  own.bottomRows(all.internal_count) = internal_unknowns;
   numbers::PreciseMatrix forces = numbers::PreciseMatrix::Zero(all.size(), own.cols());
   for (const Member& member : structure.members) {
     add_forces(elongation_vector<Precise>(structure, all, member),
@@ -152,15 +152,15 @@ WholeStructure::WholeStructure(const CheckedStructure& structure, const WedgedPr
     for (const auto& [node, weight] : candidate.against) at(node) -= weight * problem.frames[i];
   }
   set_reactions(structure, displacements,
-                problem.compliance.response->bottomRows(degrees.own_count));
+                problem.compliance.response->bottomRows(degrees.internal_count));
   set_motions(structure, problem);
 }
 
 // Support reactions and spring forces, without the contact forces.
-// @param own_unknowns of superelements, under each unit reaction
+// @param internal_unknowns of superelements, under each unit reaction
 void WholeStructure::set_reactions(const Structure& structure,
                                    const numbers::PreciseMatrix& displacements,
-                                   const numbers::PreciseMatrix& own_unknowns) {
+                                   const numbers::PreciseMatrix& internal_unknowns) {
   const auto all = without_supports(structure);
   auto fixed = structure.fixed;
   for (const InclinedSupport& support : structure.inclined)
@@ -169,7 +169,7 @@ void WholeStructure::set_reactions(const Structure& structure,
   for (const auto& [node, axis] : all.free)
     held.push_back(fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)]);
   const Eigen::MatrixXd internal =
-      forces_of(structure, all, held, displacements, own_unknowns).cast<double>();
+      forces_of(structure, all, held, displacements, internal_unknowns).cast<double>();
   support_forces_.setZero(displacements.rows(), displacements.cols());
   for (const auto& axes : fixed)
     supported_.push_back(axes[0] || axes[1] || (dimension_ == 3 && axes[2]));

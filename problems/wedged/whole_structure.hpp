@@ -46,7 +46,7 @@ class WholeStructure {
 
  private:
   void set_reactions(const Structure& structure, const numbers::PreciseMatrix& displacements,
-                     const numbers::PreciseMatrix& own_unknowns);
+                     const numbers::PreciseMatrix& internal_unknowns);
   void set_motions(const CheckedStructure& structure, const WedgedProblem& problem);
   [[nodiscard]] double imbalance(const Eigen::MatrixXd& forces) const;
 

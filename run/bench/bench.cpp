@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "run/bench/bench_scaling.hpp"
 #include "run/bench/bench_schedules.hpp"

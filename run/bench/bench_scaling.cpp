@@ -57,13 +57,13 @@ struct Subject {
 
 template <class Tree>
 void print_row(const BenchScalingOptions& options, const Subject<Tree>& subject, int ranks) {
-  const engine::Weather weather{.latency = options.latency_microseconds * micro,
-                                .bandwidth = options.gigabytes_a_second * 1e9,
-                                .node = options.node_microseconds * micro,
-                                .handling = options.handling_microseconds * micro,
-                                .machine = options.machine,
-                                .near_latency = options.near_latency_microseconds * micro};
-  const auto run = engine::simulate(subject.tree, ranks, options.seed, weather, {}, UINT64_MAX);
+  const engine::MachineModel machine{.latency = options.latency_microseconds * micro,
+                                     .bandwidth = options.gigabytes_a_second * 1e9,
+                                     .node = options.node_microseconds * micro,
+                                     .handling = options.handling_microseconds * micro,
+                                     .machine = options.machine,
+                                     .near_latency = options.near_latency_microseconds * micro};
+  const auto run = engine::simulate(subject.tree, ranks, options.seed, machine, {}, UINT64_MAX);
   if (run.outcome.opened() != subject.nodes || run.left_behind != 0) {
     throw std::runtime_error(
         fmt::format("{} ranks: {} of {} nodes opened, {} messages not received", ranks,

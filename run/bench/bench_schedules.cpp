@@ -20,26 +20,26 @@ namespace {
 
 using benchmark::SizedTree;
 using engine::Goal;
+using engine::MachineModel;
 using engine::Order;
-using engine::Weather;
 
 // Machines on which one activity or another is the slowest.
-constexpr std::array weathers{
-    Weather{},
-    Weather{.latency = 100e-6},                                          // messages
-    Weather{.latency = 20e-6, .bandwidth = 1e6},                         // long messages
-    Weather{.latency = 50e-6, .node = 0},                                // everything but nodes
-    Weather{.node = 100e-6},                                             // nodes
-    Weather{.handling = 5e-6},                                           // sending and receiving
-    Weather{.latency = 20e-6, .machine = 4},                             // between machines
-    Weather{.stall = 5e-3, .stall_probability = 0.02},                   // some ranks stall
-    Weather{.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1}  // a random mixture
+constexpr std::array machines{
+    MachineModel{},
+    MachineModel{.latency = 100e-6},                         // messages
+    MachineModel{.latency = 20e-6, .bandwidth = 1e6},        // long messages
+    MachineModel{.latency = 50e-6, .node = 0},               // everything but nodes
+    MachineModel{.node = 100e-6},                            // nodes
+    MachineModel{.handling = 5e-6},                          // sending and receiving
+    MachineModel{.latency = 20e-6, .machine = 4},            // between machines
+    MachineModel{.stall = 5e-3, .stall_probability = 0.02},  // some ranks stall
+    MachineModel{.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1}  // a random mixture
 };
 
 struct Draw {
   SizedTree tree;
   int ranks;
-  Weather weather;
+  MachineModel machine;
   engine::Options options;
 };
 
@@ -48,7 +48,7 @@ Draw draw(std::uint64_t seed) {
   const auto below = [&](std::uint64_t bound) { return random() % bound; };
   Draw draw{SizedTree(random(), 1 + below(400), 1 + below(8)),
             static_cast<int>(1 + below(below(4) == 0 ? 100 : 10)),
-            weathers[below(weathers.size())],
+            machines[below(machines.size())],
             {}};
   constexpr std::array goals{Goal::all, Goal::all, Goal::best, Goal::first};
   draw.options.goal = goals[below(goals.size())];
@@ -71,14 +71,14 @@ Draw draw(std::uint64_t seed) {
 
 // The failed invariant of the search of this seed; empty: none.
 std::string fault(std::uint64_t seed) {
-  auto [tree, ranks, weather, options] = draw(seed);
+  auto [tree, ranks, machine, options] = draw(seed);
   engine::Options depth_first;
   depth_first.goal = options.goal;
   depth_first.pool = options.pool;
   depth_first.cutoff = options.cutoff;
   const auto alone = engine::search(tree, depth_first);
   constexpr std::uint64_t most_steps = 10'000'000;
-  const auto many = engine::simulate(tree, ranks, seed, weather, options, most_steps);
+  const auto many = engine::simulate(tree, ranks, seed, machine, options, most_steps);
   if (many.left_behind != 0) return fmt::format("{} messages not received", many.left_behind);
   const auto& outcome = many.outcome;
   if (outcome.status == engine::Status::node_limit) {

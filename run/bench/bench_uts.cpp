@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/collectives.hpp"
 #include "engine/search.hpp"
-#include "engine/together.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "run/output/exit_code.hpp"
 

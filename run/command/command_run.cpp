@@ -12,16 +12,16 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "engine/collectives.hpp"
 #include "engine/signals.hpp"
-#include "engine/together.hpp"
 #include "engine/transport/mpi.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
-#include "run/session/supervision.hpp"
 #include "run/session/time_limit.hpp"
 #include "run/verdict/conclusion_text.hpp"
 #include "run/verdict/ending.hpp"
@@ -65,7 +65,7 @@ int CommandRun::execute() {
   settle_time_limit();
   command_.read(*this);
   open_outputs();
-  if (table_.limits() != nullptr) engine::heed_signals();
+  if (table_.limits() != nullptr) engine::install_signal_handlers();
   try {
     command_.prepare(*this);
   } catch (const support::Stopped&) {
@@ -76,7 +76,7 @@ int CommandRun::execute() {
   std::uint64_t code = solved;
   if (session_.speaks()) {
     auto steps = command_.results(*this);
-    if (keeping_) steps.insert(steps.begin(), [this] { write_status(); });
+    if (journal_options_) steps.insert(steps.begin(), [this] { write_status(); });
     do_all(steps);
     if (!quiet_) {
       for (const auto& name : written_) print_message("wrote {}\n", name);
@@ -85,7 +85,7 @@ int CommandRun::execute() {
     const auto exit = exit_code(reached);
     print_open(reached);
     auto remarks = command_.remarks(*this);
-    if (keeping_ && reached.ended != engine::Status::solved)
+    if (journal_options_ && reached.ended != engine::Status::solved)
       remarks.insert(remarks.begin(), how_to_go_on(reached.ended));
     for (const auto& remark : remarks) {
       if (exit == solved) {
@@ -105,7 +105,7 @@ int CommandRun::execute() {
 // The end of the search, before long results are written: a job script knows it even if the process
 // is killed meanwhile.
 void CommandRun::write_status() const {
-  OutputFile file("--resume", keeping_->file + status_ending, input());
+  OutputFile file("--resume", journal_options_->file + status_ending, input());
   file.stream() << status_text(verdict()) << '\n';
   file.put_in_place();
 }
@@ -270,27 +270,27 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
   engine::Facts facts{{"kusabi", KUSABI_VERSION}, {"command", std::string(name_)}};
   std::move(problem.begin(), problem.end(), std::back_inserter(facts));
   for (auto& fact : table_.facts()) facts.push_back(std::move(fact));
-  support::Fingerprint question;
+  support::Fingerprint facts_fingerprint;
   for (const auto& [name, value] : facts) {
-    question.add(name);
-    question.add(value);
+    facts_fingerprint.add(name);
+    facts_fingerprint.add(value);
   }
   kept_ = session_.from_first_rank([&] {
-    journal_ = opened_journal(choice.state, facts, question.value(), choice.patience);
+    journal_ = opened_journal(choice.state, facts, facts_fingerprint.value(), choice.patience);
     std::error_code none;
     std::filesystem::remove(choice.state + status_ending, none);
     for (const auto& line : journal_->warnings()) warn(line);
     if (journal_->is_finished() && !quiet_) print_message("{}: finished before\n", choice.state);
     return state_of(*journal_);
   });
-  keeping_ = engine::Keeping{.journal = journal_.get(),
-                             .file = choice.state,
-                             .interval = choice.interval,
-                             .on_improvement = choice.on_improvement,
-                             .question = question.value()};
+  journal_options_ = engine::JournalOptions{.journal = journal_.get(),
+                                            .file = choice.state,
+                                            .interval = choice.interval,
+                                            .on_improvement = choice.on_improvement,
+                                            .facts_fingerprint = facts_fingerprint.value()};
 }
 
-engine::Supervision CommandRun::supervision(const engine::Limits& limits) {
+engine::AnalysisOptions CommandRun::analysis_options(const engine::Limits& limits) {
   engine::Limits left = limits;
   left.seconds = std::max(0.0, limits.seconds - seconds());
   if (ends_with_the_job_at_) {
@@ -298,27 +298,27 @@ engine::Supervision CommandRun::supervision(const engine::Limits& limits) {
         *ends_with_the_job_at_ - std::chrono::steady_clock::now();
     left.seconds = std::max(0.0, until.count());
   }
-  auto result = run::supervision(kept_.finished ? engine::Limits{} : left, quiet_);
+  auto result = run::analysis_options(kept_.finished ? engine::Limits{} : left, quiet_);
   if (ends_with_the_job_at_ && session_.speaks()) reserve_time_to_write(result);
   if (kept_.finished) result.interrupt = {};  // too short to be stopped
   result.warn = warn;
-  result.keeping = keeping_;
+  result.journal_options = journal_options_;
   return result;
 }
 
 // A search ends the earlier before the end of the job the more results it has to write.
-void CommandRun::reserve_time_to_write(engine::Supervision& supervision) const {
+void CommandRun::reserve_time_to_write(engine::AnalysisOptions& analysis_options) const {
   const auto found = std::make_shared<std::uint64_t>(0);
-  supervision.watch = [found, watch = supervision.watch](engine::Goal goal,
-                                                         const engine::ShownObjective& shown) {
+  analysis_options.watch = [found, watch = analysis_options.watch](
+                               engine::Goal goal, const engine::ShownObjective& shown) {
     const auto show = watch ? watch(goal, shown) : std::function<void(const engine::Progress&)>();
     return [found, show](const engine::Progress& progress) {
       *found = progress.found;
       if (show) show(progress);
     };
   };
-  supervision.interrupt = [this, found, asked = supervision.interrupt,
-                           end = *ends_with_the_job_at_] {
+  analysis_options.interrupt = [this, found, asked = analysis_options.interrupt,
+                                end = *ends_with_the_job_at_] {
     const std::chrono::duration<double> left = end - std::chrono::steady_clock::now();
     if (*found != 0 && left.count() <= command_.seconds_to_write(*found))
       return engine::Interrupt::stop;

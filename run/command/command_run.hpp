@@ -18,10 +18,10 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/analysis/analysis.hpp"
+#include "engine/collectives.hpp"
 #include "engine/journal.hpp"
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
-#include "engine/together.hpp"
 #include "run/command/command_list.hpp"
 #include "run/command/config_file.hpp"
 #include "run/command/option_table.hpp"
@@ -29,7 +29,7 @@
 #include "run/output/json_writer.hpp"
 #include "run/output/output_file.hpp"
 #include "run/output/output_folder.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/session/session.hpp"
 #include "support/stop.hpp"
@@ -87,9 +87,9 @@ class CommandRun {
   /// True if an earlier run has finished everything.
   [[nodiscard]] bool is_finished() const { return kept_.finished; }
 
-  /// Supervision of an analysis and the file that keeps its state. Catches signals from here on.
+  /// Options of an analysis and the file that keeps its state. Catches signals from here on.
   /// @param limits of the call
-  engine::Supervision supervision(const engine::Limits& limits);
+  engine::AnalysisOptions analysis_options(const engine::Limits& limits);
 
   // Outputs and Steps of Subcommand::results, on rank 0. A step makes its content when its turn
   // comes, and only if the output is requested, so an error in one step does not affect the others.
@@ -124,7 +124,7 @@ class CommandRun {
   int stopped_before_the_search();
   void write_status() const;
   void settle_time_limit();
-  void reserve_time_to_write(engine::Supervision& supervision) const;
+  void reserve_time_to_write(engine::AnalysisOptions& analysis_options) const;
   void open_outputs();
   void announce();
   void put_in_place(const std::string& option);
@@ -146,8 +146,8 @@ class CommandRun {
   std::map<std::string, OutputFile> outputs_;    // by option; on rank 0
   std::map<std::string, OutputFolder> folders_;  // by option; on rank 0
   std::vector<std::string> written_;
-  std::unique_ptr<engine::Journal> journal_;  // on rank 0, if --resume is given
-  std::optional<engine::Keeping> keeping_;    // with --resume, on every rank
+  std::unique_ptr<engine::Journal> journal_;               // on rank 0, if --resume is given
+  std::optional<engine::JournalOptions> journal_options_;  // with --resume, on every rank
   KeptState kept_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_line_ = started_;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/session/progress_text.hpp"
 
 namespace kusabi::run {

@@ -49,28 +49,28 @@ class Critical final : public Subcommand {
 void Critical::describe(OptionTable& table) {
   table.problem(options_.input.file);
   table.choice(
-      "--method", options_.question.way,
-      {{"auto", wedged::CriticalWay::automatic},
-       {"descent", wedged::CriticalWay::descent},
-       {"global", wedged::CriticalWay::global},
-       {"newton", wedged::CriticalWay::newton},
-       {"bisection", wedged::CriticalWay::bisection}},
+      "--method", options_.parameters.way,
+      {{"auto", wedged::CriticalStrategy::automatic},
+       {"descent", wedged::CriticalStrategy::descent},
+       {"global", wedged::CriticalStrategy::global},
+       {"newton", wedged::CriticalStrategy::newton},
+       {"bisection", wedged::CriticalStrategy::bisection}},
       "method. For the smallest coefficient: from --mu-max downwards (descent), by one search over "
       "all coefficients from zero (global), or by both in turn (auto). For the coefficients of all "
       "patterns that stick at --mu-max: newton, or bisection (Algorithm 6.1)");
-  table.number("--mu-max", &options_.question.most, above(0),
+  table.number("--mu-max", &options_.parameters.most, above(0),
                "largest friction coefficient of the search");
-  table.number("--width", &options_.question.width, above(0),
+  table.number("--width", &options_.parameters.width, above(0),
                "width of the bracket of each coefficient. Default: 1e-8; with more than 100 "
                "candidates 1e-6, since their cone programs are solved in double precision only");
-  table.choice("--cuts", options_.question.tightening, cuts_words(),
+  table.choice("--cuts", options_.parameters.tightening, cuts_words(),
                "bounds of the reaction and the gap of each candidate, which are added as cuts to "
                "every node: for large constrained bodies (auto), never (none), or always");
   table.flag(
-      "--list", options_.question.list,
+      "--list", options_.parameters.list,
       "list all patterns that stick at the upper bound, in addition to the one that proves it");
   table
-      .number("--list-limit", &options_.question.list_nodes, above(0),
+      .number("--list-limit", &options_.parameters.list_nodes, above(0),
               "maximum number of nodes that are opened for this list")
       .needs("--list");
   table.top(options_.top, ", smallest coefficients first");
@@ -90,25 +90,25 @@ void Critical::describe(OptionTable& table) {
 }
 
 void Critical::check() const {
-  if (!looks_for_smallest(options_.question.way) && !options_.question.most) {
+  if (!finds_smallest_only(options_.parameters.way) && !options_.parameters.most) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient of the list of patterns, or "
         "--method auto");
   }
-  if (!looks_for_smallest(options_.question.way) && !vtu_.empty()) {
+  if (!finds_smallest_only(options_.parameters.way) && !vtu_.empty()) {
     throw WrongInput(
         "--vtu: this method stores no configurations; expected --method auto, descent or global");
   }
-  if (!looks_for_smallest(options_.question.way) && options_.question.list) {
+  if (!finds_smallest_only(options_.parameters.way) && options_.parameters.list) {
     throw WrongInput(
         "--list: this method lists all patterns that stick at --mu-max; expected --method auto, "
         "descent or global");
   }
-  const double most = options_.question.most.value_or(wedged::usual_most);
-  const double width = options_.question.width.value_or(wedged::usual_width);
-  if (width >= most || most > wedged::most_multiples * width) {
+  const double most = options_.parameters.most.value_or(wedged::default_max_friction);
+  const double width = options_.parameters.width.value_or(wedged::default_width);
+  if (width >= most || most > wedged::max_multiples * width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
-                                 width, most, most / wedged::most_multiples));
+                                 width, most, most / wedged::max_multiples));
   }
 }
 
@@ -116,22 +116,23 @@ void Critical::prepare(CommandRun& run) {
   contact_ = contact_problem(run, options_.input);
   // Upper limit: the largest coefficient that the candidate with the most friction permits.
   const double most = wedged::CriticalFriction::range(contact_.problem).most;
-  if (options_.question.most)
-    friction_at(contact_.problem, *options_.question.most, options_.input.file);
-  if (!options_.question.most && most < wedged::usual_most) options_.question.most = most;
+  if (options_.parameters.most)
+    friction_at(contact_.problem, *options_.parameters.most, options_.input.file);
+  if (!options_.parameters.most && most < wedged::default_max_friction)
+    options_.parameters.most = most;
   keep_state(run, options_.checkpoint, contact_.problem);
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
-  const double most = options_.question.most.value_or(wedged::usual_most);
+  const double most = options_.parameters.most.value_or(wedged::default_max_friction);
   return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
                      friction_text(contact_.problem, most), ranks);
 }
 
 void Critical::search(CommandRun& run) {
-  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
   findings_ = wedged::find_critical_friction(
-      analysis, contact_.structure, contact_.problem, options_.question,
+      analysis, contact_.structure, contact_.problem, options_.parameters,
       end_recorder(run.session(), {options_.certificate, options_.input.file, run.quiet()},
                    contact_.problem));
   if (!run.session().speaks()) return;

@@ -15,7 +15,7 @@ namespace kusabi::run {
 
 struct CriticalOptions {
   ProblemInput input;
-  wedged::CriticalQuestion question;
+  wedged::CriticalParameters parameters;
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of rows
   bool whole = false;       ///< whole state of every pattern in the result file
   std::string certificate;  ///< certificates of both bounds: NAME.lower and NAME.upper

@@ -14,7 +14,7 @@
 namespace kusabi::run {
 namespace {
 
-class EndCertificate final : public wedged::EndRecord {
+class EndCertificate final : public wedged::BoundRecord {
  public:
   EndCertificate(Session& session, const EndCertificates& certificates, const std::string& name,
                  std::uint64_t tree, const problems::WedgedProblem& problem,
@@ -28,12 +28,12 @@ class EndCertificate final : public wedged::EndRecord {
 
   void add(const wedged::Evidence& evidence) override { file_.add(evidence); }
 
-  void end(std::span<const wedged::ProvedBound> bounds, wedged::EndClaim claim,
+  void end(std::span<const wedged::ProvedBound> bounds, wedged::BoundClaim claim,
            bool holds) override {
     file_.close();
     if (!session_.speaks()) return;
     if (holds) {
-      const bool one = claim == wedged::EndClaim::one_pattern;
+      const bool one = claim == wedged::BoundClaim::one_pattern;
       file_.put_in_place(certificate_header(problem_, friction_, bounds) +
                          (one ? one_pattern_line : ""));
       if (!quiet_) print_written({name_});
@@ -53,16 +53,16 @@ class EndCertificate final : public wedged::EndRecord {
 
 }  // namespace
 
-wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
-                                 const problems::WedgedProblem& problem) {
+wedged::BoundRecorder end_recorder(Session& session, EndCertificates certificates,
+                                   const problems::WedgedProblem& problem) {
   if (certificates.name.empty()) return {};
   return [&session, &problem, certificates = std::move(certificates)](
-             wedged::CriticalEnd end, double factor,
-             std::span<const double> friction) -> std::unique_ptr<wedged::EndRecord> {
+             wedged::BracketSide end, double factor,
+             std::span<const double> friction) -> std::unique_ptr<wedged::BoundRecord> {
     support::Fingerprint fingerprint;
     fingerprint.add(problem.provenance.fingerprint);
     fingerprint.add(factor);
-    const char* const which = end == wedged::CriticalEnd::lower ? ".lower" : ".upper";
+    const char* const which = end == wedged::BracketSide::lower ? ".lower" : ".upper";
     return std::make_unique<EndCertificate>(session, certificates, certificates.name + which,
                                             fingerprint.value(), problem, friction);
   };

@@ -16,7 +16,7 @@ struct EndCertificates {
 };
 
 /// Recorder of both bounds. Session and problem must outlive it.
-wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
-                                 const problems::WedgedProblem& problem);
+wedged::BoundRecorder end_recorder(Session& session, EndCertificates certificates,
+                                   const problems::WedgedProblem& problem);
 
 }  // namespace kusabi::run

@@ -20,17 +20,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* way_name(wedged::CriticalWay way) {
+const char* way_name(wedged::CriticalStrategy way) {
   switch (way) {
-    case wedged::CriticalWay::automatic:
+    case wedged::CriticalStrategy::automatic:
       return "auto";
-    case wedged::CriticalWay::descent:
+    case wedged::CriticalStrategy::descent:
       return "descent";
-    case wedged::CriticalWay::global:
+    case wedged::CriticalStrategy::global:
       return "global";
-    case wedged::CriticalWay::newton:
+    case wedged::CriticalStrategy::newton:
       return "newton";
-    case wedged::CriticalWay::bisection:
+    case wedged::CriticalStrategy::bisection:
       break;
   }
   return "bisection";
@@ -94,9 +94,9 @@ const char* phase_name(wedged::CriticalPhase phase) {
       return "patterns";
     case wedged::CriticalPhase::coefficients:
       return "coefficients";
-    case wedged::CriticalPhase::lower_end:
+    case wedged::CriticalPhase::lower_bound:
       return "lower end";
-    case wedged::CriticalPhase::upper_end:
+    case wedged::CriticalPhase::upper_bound:
       break;
   }
   return "upper end";
@@ -104,8 +104,8 @@ const char* phase_name(wedged::CriticalPhase phase) {
 
 // Name in the table; result files keep that of their first version.
 const char* shown_name(wedged::CriticalPhase phase) {
-  if (phase == wedged::CriticalPhase::lower_end) return "lower bound";
-  return phase == wedged::CriticalPhase::upper_end ? "upper bound" : phase_name(phase);
+  if (phase == wedged::CriticalPhase::lower_bound) return "lower bound";
+  return phase == wedged::CriticalPhase::upper_bound ? "upper bound" : phase_name(phase);
 }
 
 // Searches, one per line, and their sum.
@@ -176,9 +176,9 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
                    contact_text(problem, entry.pattern));
   }
   text += '\n' + bracket_line(critical_bracket(options, problem, findings));
-  if (!looks_for_smallest(options.question.way) && findings.upper) {
+  if (!finds_smallest_only(options.parameters.way) && findings.upper) {
     fmt::format_to(out, "(of the {} at {})\n", counted(findings.patterns.size(), "pattern"),
-                   options.question.most.value_or(0));
+                   options.parameters.most.value_or(0));
   }
   return text + '\n' + ranks_text(findings, page) + costs_text(findings);
 }
@@ -190,11 +190,11 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
     const bool all = options.whole || i < whole_unless_requested;
     patterns.push_back(entry_json(problem, findings.patterns[i], all ? &whole : nullptr));
   }
-  ordered_json chosen = {{"method", way_name(options.question.way)},
-                         {"cuts", name_of(options.question.tightening)},
-                         {"width", wedged::grid_of(problem, options.question).width}};
-  chosen["mu_max"] = number_or_null(options.question.most);
-  chosen["list"] = options.question.list;
+  ordered_json chosen = {{"method", way_name(options.parameters.way)},
+                         {"cuts", name_of(options.parameters.tightening)},
+                         {"width", wedged::grid_of(problem, options.parameters).width}};
+  chosen["mu_max"] = number_or_null(options.parameters.most);
+  chosen["list"] = options.parameters.list;
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole.structure(), problem, options.input.file)},

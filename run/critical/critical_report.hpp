@@ -9,7 +9,7 @@
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/critical/critical.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {

@@ -39,16 +39,17 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
                                  const wedged::CriticalFindings& findings) {
   CriticalBracket found{.bracket = {},
                         .factor = !problems::uniform_friction(problem),
-                        .most = options.question.most.value_or(wedged::usual_most),
-                        .width = wedged::grid_of(problem, options.question).width};
+                        .most = options.parameters.most.value_or(wedged::default_max_friction),
+                        .width = wedged::grid_of(problem, options.parameters).width};
   // A bound of zero means only that nothing sticks without friction: the search has not advanced.
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
   found.grounds = findings.exact ? Grounds::exact_arithmetic : Grounds::solver_bounds;
   using enum wedged::CriticalDoubt;
-  found.wide = std::ranges::find(findings.open, wide_bracket) != findings.open.end();
-  found.patterns_open = (findings.upper && findings.patterns.empty()) ||
-                        std::ranges::find(findings.open, list_not_complete) != findings.open.end();
+  found.wide = std::ranges::find(findings.doubts, wide_bracket) != findings.doubts.end();
+  found.patterns_open =
+      (findings.upper && findings.patterns.empty()) ||
+      std::ranges::find(findings.doubts, list_not_complete) != findings.doubts.end();
   return found;
 }
 

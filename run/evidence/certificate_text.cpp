@@ -27,9 +27,9 @@ void append(std::string& text, const Numbers& numbers) {
 
 void append_bound(std::string& text, const wedged::ProvedBound& bound) {
   const auto* const side = bound.side == wedged::Side::contact ? "contact" : "separated";
-  const auto* const kind = bound.never() ? "never" : "bound";
+  const auto* const kind = bound.excludes_side() ? "never" : "bound";
   text += fmt::format("{} {} {} {}", kind, bound.block + 1, bound.candidate, side);
-  if (!bound.never()) text += fmt::format(" {:a}", bound.most);
+  if (!bound.excludes_side()) text += fmt::format(" {:a}", bound.most);
   append(text, bound.numbers);
   text += '\n';
 }

@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 
@@ -199,8 +199,9 @@ void PartFiles::close() {
   if (::close(part_) != 0) failed_ = true;
   part_ = -1;
   engine::Reduction own{.ranks = 1};
-  if (failed_) own.wishes = engine::wish_failed;
-  failed_ = (engine::all_reduce(session_.transport(), own).wishes & engine::wish_failed) != 0;
+  if (failed_) own.request_flags = engine::report_write_failure;
+  failed_ = (engine::all_reduce(session_.transport(), own).request_flags &
+             engine::report_write_failure) != 0;
 }
 
 void PartFiles::require() const {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/analysis.hpp"
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/root/safe_big_m.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_analysis.hpp"
@@ -21,7 +21,7 @@
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/session/supervision.hpp"
+#include "run/session/analysis_options.hpp"
 #include "solvers/linear/mps_writer.hpp"
 
 namespace kusabi::run {
@@ -80,7 +80,7 @@ void ExportMps::check() const {
 void ExportMps::prepare(CommandRun& run) {
   problem_ = problems::limit_problem(problems::in_chosen_case(input().structure(run), load_case_));
   if (choice_ == Program::worst_case) settle_half_widths();
-  engine::agree(run.session().transport(), problem_->fingerprint);
+  engine::require_equal_on_all_ranks(run.session().transport(), problem_->fingerprint);
 }
 
 void ExportMps::settle_half_widths() {
@@ -104,7 +104,7 @@ void ExportMps::search(CommandRun& run) {
     big_m_.setConstant(problem_->uncertain_count(), *asked_m_);
     return;
   }
-  engine::Analysis analysis(run.session().transport(), supervision({}, false));
+  engine::Analysis analysis(run.session().transport(), analysis_options({}, false));
   const auto derived = limit::safe_big_m(analysis, *problem_, *alpha_);
   if (!derived)
     throw WrongInput(

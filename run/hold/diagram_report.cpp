@@ -48,12 +48,12 @@ ordered_json diagram_json(const HoldOptions& options, const wedged::LoadedProble
     pieces.push_back({{"pattern", pattern_names(loaded, piece.pattern)},
                       {"vertices", points_json(piece.hull.vertices)},
                       {"rays", points_json(piece.hull.rays)},
-                      {"everything", piece.endless_all},
+                      {"everything", piece.is_whole_plane},
                       {"fine", piece.fine}});
   }
   return {{"cases", options.cases},
           {"proved", diagram.proved},
-          {"open", diagram.open},
+          {"open", diagram.unresolved},
           {"pieces", std::move(pieces)}};
 }
 
@@ -64,7 +64,7 @@ std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Dia
   for (const auto& piece : diagram.pieces) {
     fmt::format_to(std::back_inserter(text), "{:>5}  {:>8}  {:>10}  {}\n", ++number,
                    piece.hull.vertices.size(),
-                   piece.endless_all ? "all" : fmt::format("{}", piece.hull.rays.size()),
+                   piece.is_whole_plane ? "all" : fmt::format("{}", piece.hull.rays.size()),
                    contact_of(loaded, piece.pattern));
   }
   return text;
@@ -85,7 +85,8 @@ void write_held_csv(std::ostream& out, const wedged::LoadedProblem& loaded,
     };
     add("vertex", piece.hull.vertices);
     add("direction", piece.hull.rays);
-    if (piece.endless_all) csv.count(number).word("all").nothing().nothing().text(names).end_row();
+    if (piece.is_whole_plane)
+      csv.count(number).word("all").nothing().nothing().text(names).end_row();
   }
 }
 

@@ -57,10 +57,10 @@ void Hold::describe(OptionTable& table) {
       "friction coefficient, or several: START:END:STEP, or a list with commas. Default: the "
       "smallest one for the dead load is computed");
   table.load_case(options_.load_case);
-  table.number("--mu-max", &options_.question.most, above(0),
+  table.number("--mu-max", &options_.parameters.most, above(0),
                "upper limit of the search for the smallest coefficient");
   table
-      .number("--total", &options_.question.total, above(0),
+      .number("--total", &options_.parameters.total, above(0),
               "consider only states whose normal reactions add up to this force, such as a "
               "clamping force")
       .needs("--mu");
@@ -102,7 +102,7 @@ void Hold::refuse_without_loads() const {
 
 // A sum of normal reactions is that of one decoupled part.
 void Hold::refuse_total() const {
-  if (!options_.question.total) return;
+  if (!options_.parameters.total) return;
   if (options_.grip) throw WrongInput("--grip: the sum is given by --total; expected one of them");
   const int parts = wedged::loaded_blocks(loaded_);
   if (parts != 1) {
@@ -137,7 +137,7 @@ wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
                     file));
   }
   for (const wedged::LoadShare each : {wedged::LoadShare{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
-    if (wedged::unseen_work(loaded, each) <= wedged::negligible_work) continue;
+    if (wedged::work_on_other_modes(loaded, each) <= wedged::negligible_work) continue;
     throw WrongInput(
         fmt::format("{}: --diagram: a load moves a body in a direction that no candidate resists; "
                     "expected supports or candidates that do",
@@ -147,7 +147,7 @@ wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
 }
 
 void Hold::check() const {
-  const bool others = options_.grip || options_.question.total || !options_.load_case.empty() ||
+  const bool others = options_.grip || options_.parameters.total || !options_.load_case.empty() ||
                       !options_.certificate.empty();
   if (options_.diagram && others) {
     throw WrongInput(
@@ -192,7 +192,7 @@ void Hold::prepare(CommandRun& run) {
 std::string Hold::announcement(const std::string& ranks) const {
   const auto& points = options_.points;
   const auto at = points.empty()
-                      ? fmt::format("up to a friction coefficient of {}", options_.question.most)
+                      ? fmt::format("up to a friction coefficient of {}", options_.parameters.most)
                   : points.size() == 1 ? fmt::format("at friction coefficient {}", points.front())
                                        : fmt::format("at {} friction coefficients from {} to {}",
                                                      points.size(), points.front(), points.back());
@@ -200,21 +200,21 @@ std::string Hold::announcement(const std::string& ranks) const {
 }
 
 void Hold::search(CommandRun& run) {
-  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
-  auto& question = options_.question;
-  question.recorder = hold_recorder(
-      run.session(),
-      {options_.certificate, options_.input.file, options_.load_case, question.total, run.quiet()},
-      loaded_);
+  engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
+  auto& parameters = options_.parameters;
+  parameters.recorder = hold_recorder(run.session(),
+                                      {options_.certificate, options_.input.file,
+                                       options_.load_case, parameters.total, run.quiet()},
+                                      loaded_);
   if (options_.points.empty()) {
-    findings_.friction = wedged::holding_friction(analysis, loaded_, question);
+    findings_.friction = wedged::holding_friction(analysis, loaded_, parameters);
     if (findings_.friction->upper)
       warn_of_facets(run, options_.input, facets_, *findings_.friction->upper);
     return;
   }
   if (options_.diagram) {
     findings_.diagram =
-        wedged::diagram_of(analysis, loaded_, options_.points.front(), question.precision);
+        wedged::diagram_of(analysis, loaded_, options_.points.front(), parameters.precision);
     return;
   }
   for (const double mu : options_.points) {
@@ -224,8 +224,9 @@ void Hold::search(CommandRun& run) {
 }
 
 void Hold::search_at(engine::Analysis& analysis, double mu) {
-  const auto& question = options_.question;
-  const auto record = question.recorder ? question.recorder(wedged::HoldEnd::factors, mu) : nullptr;
+  const auto& parameters = options_.parameters;
+  const auto record =
+      parameters.recorder ? parameters.recorder(wedged::HoldClaim::factors, mu) : nullptr;
   // A configuration that is wedged at some coefficient is so at every larger one.
   const bool wedged = !findings_.points.empty() && findings_.points.back().factors.any_by_wedging;
   HeldPoint point{.mu = mu};
@@ -233,10 +234,10 @@ void Hold::search_at(engine::Analysis& analysis, double mu) {
     point.factors = findings_.points.back().factors;
     point.factors.costs.clear();
   } else {
-    point.factors = wedged::held_factors(analysis, loaded_, mu, question, record.get());
+    point.factors = wedged::held_factors(analysis, loaded_, mu, parameters, record.get());
   }
   if (options_.grip && point.factors.status == engine::Status::solved)
-    point.grip = wedged::grip_range(analysis, loaded_, mu, question, record.get());
+    point.grip = wedged::grip_range(analysis, loaded_, mu, parameters, record.get());
   findings_.points.push_back(std::move(point));
   if (record) record->finish();
 }

@@ -21,7 +21,7 @@ struct HoldOptions {
   std::string mu;              ///< as in the call
   std::vector<double> points;  ///< friction coefficients; none: the smallest one is requested
   std::string load_case;
-  wedged::HoldQuestion question;
+  wedged::HoldParameters parameters;
   bool grip = false;                 ///< the grip range is requested
   bool diagram = false;              ///< pairs of factors of two load cases are requested
   std::vector<std::string> cases{};  ///< with `diagram`: names of both

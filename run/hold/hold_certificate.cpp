@@ -88,13 +88,13 @@ wedged::HoldRecorder hold_recorder(Session& session, HoldCertificates certificat
                                    const wedged::LoadedProblem& loaded) {
   if (certificates.name.empty()) return {};
   return [&session, &loaded, certificates = std::move(certificates)](
-             wedged::HoldEnd end, double mu) -> std::unique_ptr<wedged::HoldRecord> {
+             wedged::HoldClaim end, double mu) -> std::unique_ptr<wedged::HoldRecord> {
     support::Fingerprint fingerprint;
     fingerprint.add(loaded.problem.provenance.fingerprint);
     fingerprint.add(mu);
-    const char* const which = end == wedged::HoldEnd::lower   ? ".lower"
-                              : end == wedged::HoldEnd::upper ? ".upper"
-                                                              : "";
+    const char* const which = end == wedged::HoldClaim::lower   ? ".lower"
+                              : end == wedged::HoldClaim::upper ? ".upper"
+                                                                : "";
     return std::make_unique<HoldCertificate>(session, certificates, certificates.name + which,
                                              loaded, mu, fingerprint.value());
   };

@@ -81,8 +81,8 @@ HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProble
                         .of_reference = loaded.has_reference,
                         .intervals = {},
                         .outside = standing(found.proved),
-                        .open = found.open};
-  answer.total = options.question.total;
+                        .open = found.unresolved};
+  answer.total = options.parameters.total;
   if (found.any_by_supports) answer.reason = HoldReason::supports;
   if (found.any_by_wedging) answer.reason = HoldReason::wedging;
   if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
@@ -104,9 +104,9 @@ HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProble
           .factor = !problems::uniform_friction(loaded.problem),
           .cases = options.cases,
           .pieces = found.pieces.size(),
-          .everything = count([](const auto& piece) { return piece.endless_all; }) > 0,
+          .everything = count([](const auto& piece) { return piece.is_whole_plane; }) > 0,
           .outside = standing(found.proved),
-          .open = found.open,
+          .open = found.unresolved,
           .coarse = count([](const auto& piece) { return !piece.fine; })};
 }
 
@@ -365,9 +365,9 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
   ordered_json given{{"mu", points.size() > 1    ? ordered_json(points)
                             : points.size() == 1 ? ordered_json(points.front())
                                                  : ordered_json()},
-                     {"mu_max", options.question.most},
+                     {"mu_max", options.parameters.most},
                      {"case", options.load_case}};
-  if (options.question.total) given["total"] = *options.question.total;
+  if (options.parameters.total) given["total"] = *options.parameters.total;
   if (options.grip) given["grip"] = true;
   if (options.diagram) given["diagram"] = true;
   return {{"command", "hold"},

@@ -34,7 +34,7 @@ struct NamedCurve {
 std::vector<NamedCurve> curves_of(const CurveReport& report) {
   const auto& [options, problem, answer] = report;
   const double alpha =
-      problems::common_half_width(problem, options.question.alpha.value_or(0)).value_or(1);
+      problems::common_half_width(problem, options.parameters.alpha.value_or(0)).value_or(1);
   std::vector<NamedCurve> list;
   if (answer.curve) {
     list.push_back({&*answer.curve, "curve", "critical", "beta times the critical load", alpha});
@@ -46,7 +46,7 @@ std::vector<NamedCurve> curves_of(const CurveReport& report) {
   if (answer.load_curve) {
     list.push_back({&*answer.load_curve, "load_curve", "load",
                     "beta times the load of --curve-load",
-                    options.question.curve_load->cwiseAbs().maxCoeff()});
+                    options.parameters.curve_load->cwiseAbs().maxCoeff()});
   }
   return list;
 }

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/limit_loads.hpp"
 #include "problems/files/sections/residual_strength.hpp"
 #include "problems/files/structure_file.hpp"
@@ -71,7 +71,7 @@ void Limit::describe(OptionTable& table) {
   table.alpha(options_.asked.alpha, ", unless the file gives it another one").swept();
   table.load_case(options_.load_case, ". Default: all load cases of the file");
   table.group_alpha(group_alpha_);
-  table.choice("--cuts", options_.question.method,
+  table.choice("--cuts", options_.parameters.method,
                {{"none", limit::LimitMethod::fixed},
                 {"disjunctive", limit::LimitMethod::disjunctive},
                 {"tighten", limit::LimitMethod::tightened},
@@ -81,18 +81,18 @@ void Limit::describe(OptionTable& table) {
                "paper without cuts (none), with the paper's disjunctive cuts (disjunctive), with a "
                "tightened M (tighten), or with all of these (all). With --big-m, none and "
                "disjunctive are the algorithms printed in the paper");
-  table.big_m(options_.question.big_m).needs("--cuts");
-  table.number("--samples", &options_.question.samples, between(1, most_samples),
+  table.big_m(options_.parameters.big_m).needs("--cuts");
+  table.number("--samples", &options_.parameters.samples, between(1, most_samples),
                "number of random admissible dead loads whose load factors are computed for "
                "comparison; --cuts none and disjunctive start from the smallest of these factors");
-  table.number("--seed", &options_.question.seed, at_least(0), "random seed for --samples");
-  table.flag("--curve", options_.question.curve,
+  table.number("--seed", &options_.parameters.seed, at_least(0), "random seed for --samples");
+  table.flag("--curve", options_.parameters.curve,
              "two curves: the load factor over multiples of the critical dead load, and the worst "
              "case over multiples of alpha");
   table.file("--curve-load", options_.curve_load, Role::input,
              "curve of the load factor over multiples of the load in this file: [[loads]] with "
              "nodes and forces, or a result file, whose critical load is used");
-  table.number("--curve-to", &options_.question.curve_to, between(1e-9, 1e9),
+  table.number("--curve-to", &options_.parameters.curve_to, between(1e-9, 1e9),
                "end of the curves, as a multiple of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
              "CSV file of the curves, one row per breakpoint");
@@ -111,21 +111,21 @@ void Limit::describe(OptionTable& table) {
 void Limit::check() const {
   group_half_widths(group_alpha_);
   if (options_.loss.most > 0) refuse_with_losses();
-  if (options_.question.curve || !options_.curve_load.empty()) return;
+  if (options_.parameters.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: requires --curve or --curve-load");
   }
-  if (options_.question.curve_to != limit::LimitQuestion{}.curve_to) {
+  if (options_.parameters.curve_to != limit::LimitParameters{}.curve_to) {
     throw WrongInput("--curve-to: requires --curve or --curve-load");
   }
 }
 
 // An option on a worst case without losses, if one is given.
 const char* Limit::option_of_worst_case() const {
-  const auto& question = options_.question;
-  if (question.curve) return "--curve";
-  if (question.samples > 0) return "--samples";
-  if (question.method != limit::LimitMethod::static_cuts) return "--cuts";
+  const auto& parameters = options_.parameters;
+  if (parameters.curve) return "--curve";
+  if (parameters.samples > 0) return "--samples";
+  if (parameters.method != limit::LimitMethod::static_cuts) return "--cuts";
   return nullptr;
 }
 
@@ -151,15 +151,15 @@ void Limit::settle_half_widths() {
   std::vector<problems::LimitProblem*> problems;
   for (auto& each : cases_) problems.push_back(&each.problem);
   try {
-    options_.question.alpha = problems::settle_half_widths(problems, options_.asked);
+    options_.parameters.alpha = problems::settle_half_widths(problems, options_.asked);
   } catch (const problems::UnfitHalfWidths& error) {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (options_.question.alpha || options_.loss.most > 0) return;
+  if (options_.parameters.alpha || options_.loss.most > 0) return;
   refuse_without_worst_case();
   // The dead load exactly as given: a certificate of the case without uncertainty.
-  if (!certificate_.empty()) options_.question.alpha = 0;
+  if (!certificate_.empty()) options_.parameters.alpha = 0;
 }
 
 void Limit::read(CommandRun& run) {
@@ -189,24 +189,24 @@ void Limit::prepare(CommandRun& run) {
              {"kusabi limit ignores temperature and displaced supports: a limit load does not "
               "depend on them"});
   }
-  options_.question.residual =
+  options_.parameters.residual =
       problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
   take_cases(structure);
   settle_half_widths();
-  options_.question.loss = options_.loss.question(cases_.front().problem);
+  options_.parameters.loss = options_.loss.parameters(cases_.front().problem);
   engine::Facts facts;
   for (const auto& [name, truss, problem, found] : cases_) {
-    engine::agree(run.session().transport(), problem.fingerprint);
+    engine::require_equal_on_all_ranks(run.session().transport(), problem.fingerprint);
     facts.emplace_back(name.empty() ? "the problem" : "the problem, case " + name,
                        hexadecimal(problem.fingerprint));
   }
-  if (options_.question.residual.size() > 0) {
+  if (options_.parameters.residual.size() > 0) {
     support::Fingerprint strengths;
-    for (const double strength : options_.question.residual) strengths.add(strength);
+    for (const double strength : options_.parameters.residual) strengths.add(strength);
     facts.emplace_back("the residual strengths", hexadecimal(strengths.value()));
   }
   if (!options_.curve_load.empty()) {
-    options_.question.curve_load =
+    options_.parameters.curve_load =
         curve_load(load_text_, options_.curve_load, cases_.front().problem);
     support::Fingerprint load;
     load.add(load_text_);
@@ -225,12 +225,12 @@ std::string Limit::announcement(const std::string& ranks) const {
 }
 
 void Limit::search(CommandRun& run) {
-  options_.question.evidence = !certificate_.empty();
-  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  options_.parameters.evidence = !certificate_.empty();
+  engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
   try {
     for (auto& each : cases_) {
       if (cases_.size() > 1) analysis.say("load case " + each.name);
-      each.found = limit::limit_loads(analysis, each.truss, each.problem, options_.question);
+      each.found = limit::limit_loads(analysis, each.truss, each.problem, options_.parameters);
     }
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(

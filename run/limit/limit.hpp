@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
@@ -18,8 +18,8 @@ struct LimitOptions {
   std::string load_case;   ///< requested load case; empty: all
   std::string curve_load;  ///< file of the load of a curve
   problems::AskedHalfWidths asked;
-  limit::LimitQuestion question;  ///< its alpha follows from `asked` and the file
-  engine::Limits limits;          ///< limits of the tree search
+  limit::LimitParameters parameters;  ///< its alpha follows from `asked` and the file
+  engine::Limits limits;              ///< limits of the tree search
   LossOptions loss;
   CheckpointChoice checkpoint;
 };

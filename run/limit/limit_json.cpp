@@ -106,22 +106,22 @@ ordered_json carried_between(const limit::LimitCollapse& collapse) {
 }
 
 ordered_json options_json(const LimitOptions& options) {
-  const auto& question = options.question;
+  const auto& parameters = options.parameters;
   ordered_json chosen{{"alpha", number_or_null(options.asked.alpha)},
-                      {"cuts", method_name(question.method)},
-                      {"big_m", number_or_null(question.big_m)},
-                      {"samples", question.samples},
-                      {"seed", question.seed},
-                      {"curve", question.curve}};
+                      {"cuts", method_name(parameters.method)},
+                      {"big_m", number_or_null(parameters.big_m)},
+                      {"samples", parameters.samples},
+                      {"seed", parameters.seed},
+                      {"curve", parameters.curve}};
   for (const auto& [name, half_width] : options.asked.groups)
     chosen["group_alpha"][name] = half_width;
   if (!options.load_case.empty()) chosen["case"] = options.load_case;
   if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
-  chosen["curve_to"] = question.curve_to;
-  if (question.loss) {
-    chosen["lose"] = question.loss->most;
-    chosen["at_least"] = number_or_null(question.loss->at_least);
-    if (question.loss->sudden != 1) chosen["sudden"] = question.loss->sudden;
+  chosen["curve_to"] = parameters.curve_to;
+  if (parameters.loss) {
+    chosen["lose"] = parameters.loss->most;
+    chosen["at_least"] = number_or_null(parameters.loss->at_least);
+    if (parameters.loss->sudden != 1) chosen["sudden"] = parameters.loss->sudden;
     if (!options.loss.kept.empty()) chosen["keep"] = options.loss.kept;
   }
   return chosen;
@@ -130,7 +130,7 @@ ordered_json options_json(const LimitOptions& options) {
 void add_worst_case(ordered_json& result, const LimitReport& report,
                     const limit::LimitWorstCase& worst) {
   result["alpha"] =
-      number_or_null(problems::common_half_width(report.problem, *report.options.question.alpha));
+      number_or_null(problems::common_half_width(report.problem, *report.options.parameters.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
   result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
                           {"upper", number_or_null(worst.ends.upper)},
@@ -166,7 +166,7 @@ void add_interval(ordered_json& result, const LimitReport& report) {
 ordered_json samples_json(const LimitReport& report) {
   auto factors = ordered_json::array();
   for (const double factor : report.answer.samples) factors.push_back(number_or_null(factor));
-  return {{"seed", report.options.question.seed},
+  return {{"seed", report.options.parameters.seed},
           {"least", number_or_null(*std::ranges::min_element(report.answer.samples))},
           {"factors", std::move(factors)}};
 }
@@ -179,7 +179,7 @@ ordered_json result_json(const LimitReport& report) {
   if (!report.load_case.empty()) {
     result["case"] = report.load_case;
     result["cases"] = cases_json(report.cases);
-    if (report.options.question.alpha) {
+    if (report.options.parameters.alpha) {
       result["guaranteed_interval_of_all_cases"] = interval_json(interval_of_all(report.cases));
     }
   }
@@ -195,7 +195,7 @@ ordered_json result_json(const LimitReport& report) {
   if (report.residual) result["struts"] = strut_json(report);
   if (report.loss) result["member_loss"] = loss_json(problem, *report.loss);
   if (answer.worst) add_worst_case(result, report, *answer.worst);
-  if (options.question.alpha && !report.loss) add_interval(result, report);
+  if (options.parameters.alpha && !report.loss) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
   CurveReport{options, problem, answer}.add_to(result);
   return result;

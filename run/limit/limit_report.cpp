@@ -100,7 +100,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
   const auto& worst = *answer.worst;
   const auto out = std::back_inserter(text);
   const auto unit = unit_of_alpha(problem);
-  const auto alpha = problems::common_half_width(problem, *options.question.alpha);
+  const auto alpha = problems::common_half_width(problem, *options.parameters.alpha);
   fmt::format_to(out, "\nworst case of {} uncertain loads, {}\n", problem.uncertain_count(),
                  alpha ? fmt::format("alpha = {}{}{}", *alpha, unit ? " " : "", unit.value_or(""))
                        : "each within its own half-width");

@@ -13,7 +13,7 @@
 #include "problems/structure/model/structure.hpp"
 #include "run/limit/limit.hpp"
 #include "run/limit/limit_cases.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 
 namespace kusabi::run {
 

@@ -156,7 +156,7 @@ LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> 
   LoadInterval interval{.uncertain = LoadRange{}, .cases = cases.size()};
   std::set<std::optional<double>> half_widths;
   for (const auto& each : cases)
-    half_widths.insert(problems::common_half_width(each.problem, *options.question.alpha));
+    half_widths.insert(problems::common_half_width(each.problem, *options.parameters.alpha));
   if (half_widths.size() == 1) interval.uncertain->half_width = *half_widths.begin();
   if (const auto unit = unit_of_alpha(cases.front().problem))
     interval.uncertain->force = std::string(*unit);

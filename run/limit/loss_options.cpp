@@ -71,9 +71,9 @@ void LossOptions::describe(OptionTable& table) {
       .needs("--lose");
 }
 
-std::optional<limit::LossQuestion> LossOptions::question(const LimitProblem& problem) const {
+std::optional<limit::LossParameters> LossOptions::parameters(const LimitProblem& problem) const {
   if (most == 0) return std::nullopt;
-  return limit::LossQuestion{most, at_least, kept_members(problem, kept), sudden};
+  return limit::LossParameters{most, at_least, kept_members(problem, kept), sudden};
 }
 
 }  // namespace kusabi::run

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/option_table.hpp"
 
@@ -20,7 +20,7 @@ struct LossOptions {
 
   /// Nothing if the loss of members is not in question.
   /// @throws WrongInput if a name in `kept` is neither a node nor a member
-  [[nodiscard]] std::optional<limit::LossQuestion> question(
+  [[nodiscard]] std::optional<limit::LossParameters> parameters(
       const problems::LimitProblem& problem) const;
 };
 

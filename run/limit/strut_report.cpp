@@ -31,7 +31,7 @@ std::vector<std::string> struts_at_strength(const LimitReport& report) {
   if (!collapse) return names;
   const auto used = problems::utilisation(report.problem, collapse->forces);
   for (int i = 0; i < report.problem.member_count(); ++i) {
-    const bool strut = report.options.question.residual(i) < report.problem.compression(i);
+    const bool strut = report.options.parameters.residual(i) < report.problem.compression(i);
     if (strut && collapse->forces(i) < 0 && used(i) >= at_strength)
       names.push_back(problems::member_name(report.problem, i));
   }

@@ -103,7 +103,7 @@ void Mip::describe(OptionTable& table) {
 }
 
 void Mip::read(CommandRun& run) {
-  engine::heed_signals();
+  engine::install_signal_handlers();
   began_ = std::chrono::steady_clock::now();
   program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
 }
@@ -115,7 +115,7 @@ void Mip::prepare(CommandRun& run) {
   auto limits = options_.limits;
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - began_;
   limits.seconds = std::max(0.0, limits.seconds - reading.count());
-  analysis_.emplace(run.session().transport(), run.supervision(limits));
+  analysis_.emplace(run.session().transport(), run.analysis_options(limits));
   search_options_.warn = warn;
   warn_all(run.session(), program_.warnings);
 }

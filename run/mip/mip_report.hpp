@@ -9,7 +9,7 @@
 
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/mip/mip.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/verdict/verdict.hpp"
 #include "solvers/linear/program_file.hpp"
 

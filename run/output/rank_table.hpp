@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/outcome.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 
 namespace kusabi::run {
 

@@ -11,7 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 
 namespace kusabi::run {
 namespace {

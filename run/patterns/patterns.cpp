@@ -50,11 +50,11 @@ bool has_reference_load(const problems::Structure& structure) {
 }
 
 // Reports, once and after the progress, that a long list takes memory. @pre progress is shown
-void report_memory(engine::Supervision& supervision) {
+void report_memory(engine::AnalysisOptions& analysis_options) {
   constexpr std::uint64_t long_list = 100'000;
   constexpr std::uint64_t kilobytes = 5;  // for each pattern of 20 candidates
-  supervision.watch = [watch = supervision.watch](engine::Goal goal,
-                                                  const engine::ShownObjective& shown) {
+  analysis_options.watch = [watch = analysis_options.watch](engine::Goal goal,
+                                                            const engine::ShownObjective& shown) {
     return [show = watch(goal, shown), reported = false](const engine::Progress& progress) mutable {
       show(progress);
       if (reported || progress.found < long_list) return;
@@ -100,7 +100,7 @@ class Patterns final : public Subcommand {
   std::string vtu_;
   ContactProblem contact_;
   std::vector<double> friction_;
-  wedged::PatternQuestion question_;
+  wedged::PatternParameters parameters_;
   std::optional<CertificateFile> certificate_;
   std::optional<PatternLines> lines_;
   std::optional<wedged::PatternFindings> findings_;
@@ -284,16 +284,16 @@ void Patterns::prepare(CommandRun& run) {
                     "polyhedral already; expected --method cones",
                     file));
   }
-  question_.tree = {.tolerances = {.sign = options_.tolerance},
-                    .branching = options_.branching,
-                    .tightening = options_.tightening,
-                    .probes = options_.probes,
-                    .facets = options_.facets_in_use(),
-                    .thorough = !options_.certificate.empty()};
-  question_.structure = &contact_.structure;
-  if (options_.prove) question_.proving = wedged::Proving::always;
-  question_.exists = options_.exists;
-  auto& search = question_.search;
+  parameters_.tree = {.tolerances = {.sign = options_.tolerance},
+                      .branching = options_.branching,
+                      .tightening = options_.tightening,
+                      .probes = options_.probes,
+                      .facets = options_.facets_in_use(),
+                      .thorough = !options_.certificate.empty()};
+  parameters_.structure = &contact_.structure;
+  if (options_.prove) parameters_.proving = wedged::Proving::always;
+  parameters_.exists = options_.exists;
+  auto& search = parameters_.search;
   search.order = options_.order;
   engine::Facts facts{{"the problem", hexadecimal(contact_.problem.provenance.fingerprint)}};
   if (loaded_)
@@ -304,7 +304,7 @@ void Patterns::prepare(CommandRun& run) {
                        file, tree_fingerprint(), run.has_begun_to_search(),
                        options_.checkpoint.state);
   if (certificate_->wanted())
-    question_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
+    parameters_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
   if (options_.lines) {
     if (loaded_) {
       unlimited_.emplace(run.session().transport());
@@ -318,7 +318,7 @@ void Patterns::prepare(CommandRun& run) {
                               .checkpoint = options_.checkpoint.state},
                    firmness_ ? &*firmness_ : nullptr, run.has_begun_to_search(),
                    run.has_searched());
-    question_.kept = [this](const auto& leaf) { lines_->add(leaf); };
+    parameters_.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
   search.warn = warn;
@@ -330,10 +330,11 @@ std::string Patterns::announcement(const std::string& ranks) const {
 }
 
 void Patterns::search(CommandRun& run) {
-  auto supervision = run.supervision(options_.limits);
-  if (supervision.watch && !options_.lines && !options_.exists) report_memory(supervision);
-  engine::Analysis analysis(run.session().transport(), std::move(supervision));
-  findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, question_);
+  auto analysis_options = run.analysis_options(options_.limits);
+  if (analysis_options.watch && !options_.lines && !options_.exists)
+    report_memory(analysis_options);
+  engine::Analysis analysis(run.session().transport(), std::move(analysis_options));
+  findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, parameters_);
   if (certificate_->wanted()) certificate_->close();
   if (lines_) lines_->close(*findings_);
   const bool sorted = options_.sort == PatternSort::critical;

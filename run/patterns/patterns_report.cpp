@@ -32,7 +32,7 @@ std::string patterns(const support::ExactCount& count) {
 // Number of patterns if all open leaves are patterns and none is contained in another.
 support::ExactCount most_patterns(const wedged::PatternFindings& findings) {
   std::vector<std::uint64_t> of_blocks;
-  for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.open);
+  for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.unresolved);
   return wedged::combinations(of_blocks);
 }
 
@@ -106,7 +106,7 @@ Verdict PatternsReport::verdict() const {
       .answer = Sticking{.friction = options_.friction,
                          .factor = !problems::uniform_friction(problem_),
                          .count = findings_.count(),
-                         .undecided = findings_.open(),
+                         .undecided = findings_.unresolved(),
                          .standing = proved ? Standing::proved : Standing::computed,
                          .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
                          .degenerate = exact.unproved,
@@ -193,14 +193,14 @@ std::string PatternsReport::details() const {
           "patterns of different blocks combine freely: the structure has the product of their "
           "numbers of patterns; the list has the patterns of each block\n";
     }
-    if (findings_.whole() && findings_.open() > 0) {
+    if (findings_.whole() && findings_.unresolved() > 0) {
       fmt::format_to(out, "with undecided ones, the structure has at most {}\n",
                      patterns(most_patterns(findings_)));
     }
   }
   if (options_.polyhedral) {
     fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
-                   findings_.outcome.tally().candidates, options_.facets);
+                   findings_.outcome.tally().polyhedral_leaves, options_.facets);
   }
   if (findings_.undecided != 0) {
     fmt::format_to(out, "{} undecided: the bracket of t* could not be made narrow enough\n",

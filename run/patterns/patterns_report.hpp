@@ -15,7 +15,7 @@
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/json_writer.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/patterns/patterns.hpp"
 #include "run/verdict/verdict.hpp"
 #include "run/wedged/whole_state_json.hpp"

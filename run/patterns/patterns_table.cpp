@@ -182,7 +182,7 @@ std::string PatternsReport::candidates() const {
                  "in contact (U) | separated (R)");
   std::size_t number = 0;
   for (const auto& candidate : findings_.tested) {
-    const auto& [contact, separated, at_rest] = candidate.pattern;
+    const auto& [contact, separated, inactive] = candidate.pattern;
     fmt::format_to(out, "{:>5}  {:>13.3e}  {:>10}  {} | {}\n", ++number, candidate.polyhedral,
                    candidate.discarded() ? "discarded" : fmt::format("{:.3e}", candidate.lower),
                    names(contact), names(separated));

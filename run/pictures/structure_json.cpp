@@ -117,7 +117,7 @@ ordered_json springs_json(const Structure& structure) {
   return list;
 }
 
-ordered_json shares_json(const std::vector<problems::Share>& shares) {
+ordered_json shares_json(const std::vector<problems::WeightedNode>& shares) {
   auto list = ordered_json::array();
   for (const auto& [node, weight] : shares) list.push_back({{"node", node}, {"weight", weight}});
   return list;

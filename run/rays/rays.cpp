@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "nodes/wedged/exact_list.hpp"
-#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_list_tree.hpp"
 #include "nodes/wedged/rays/ray_search.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
@@ -39,7 +39,7 @@ std::vector<pictures::ContactState> contact_states_of(const rays::Supports& supp
     const bool presses = (supports.reaction() & rays::bit(i)) != 0;
     states.push_back(separates ? pictures::ContactState::separated
                      : presses ? pictures::ContactState::contact
-                               : pictures::ContactState::at_rest);
+                               : pictures::ContactState::inactive);
   }
   return states;
 }
@@ -139,7 +139,7 @@ std::string Rays::announcement(const std::string& ranks) const {
 }
 
 void Rays::search(CommandRun& run) {
-  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
   found_ = wedged::find_rays(analysis, contact_.problem, friction_, *cone_, options_.method);
   const bool searched = run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;

@@ -13,7 +13,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/json_writer.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/rays/rays.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "solvers/rays/maximal_cones.hpp"

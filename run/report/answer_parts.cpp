@@ -48,7 +48,7 @@ void add_terms(Markup& page, const AnswerList& list, const Answer& answer) {
   };
   names("in contact", answer.contact);
   names("separated", answer.separated);
-  if (!answer.at_rest.empty()) names("inactive", answer.at_rest);
+  if (!answer.inactive.empty()) names("inactive", answer.inactive);
   if (!answer.state.empty()) page.element("dt", "remark").element("dd", answer.state);
   for (const auto& [key, value] : answer.numbers) {
     page.element("dt", meaning(list, key)).open("dd", {{"class", key}});

@@ -18,7 +18,7 @@ void read_states(const ResultReader& reader, const ResultJson& ray, Answer& answ
   if (states.size() != candidates.size()) reader.refuse("'state' has another length");
   for (std::size_t i = 0; i < states.size(); ++i) {
     auto& set = states[i] == "separates" ? answer.separated
-                : states[i] == "idle"    ? answer.at_rest
+                : states[i] == "idle"    ? answer.inactive
                                          : answer.contact;
     set.push_back(reader.text(candidates[i], "node"));
   }
@@ -35,7 +35,7 @@ void read_sets(const ResultReader& reader, const ResultJson& pattern, Answer& an
   answer.contact = reader.names(pattern, "contact");
   answer.separated = reader.names(pattern, "separated");
   if (ResultReader::find(pattern, "at_rest") != nullptr)
-    answer.at_rest = reader.names(pattern, "at_rest");
+    answer.inactive = reader.names(pattern, "at_rest");
   if (ResultReader::find(pattern, "state") != nullptr)
     answer.state = in_words(reader.text(pattern, "state"));
 }

@@ -16,7 +16,7 @@ struct Answer {
   std::size_t number;  ///< from 1 on, in the order of the file
   std::vector<std::string> contact;
   std::vector<std::string> separated;
-  std::vector<std::string> at_rest;
+  std::vector<std::string> inactive;
   std::string state;  ///< in words; empty: it holds, or the file does not say
   /// Named numbers: margin, or lower and upper bound. Null: unknown.
   std::vector<std::pair<std::string, const ResultJson*>> numbers;

@@ -10,8 +10,8 @@
 #include "pictures/svg/legend.hpp"
 #include "run/report/answer_parts.hpp"
 #include "run/report/facts.hpp"
-#include "run/report/page_parts.hpp"
-#include "run/report/turning_view.hpp"
+#include "run/report/page/page_parts.hpp"
+#include "run/report/page/turning_view.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "pictures/html/markup.hpp"
 #include "pictures/svg/inline_picture.hpp"
-#include "run/report/page_parts.hpp"
+#include "run/report/page/page_parts.hpp"
+#include "run/report/page/turning_script.hpp"
+#include "run/report/page/turning_view.hpp"
 #include "run/report/problem_facts.hpp"
-#include "run/report/turning_script.hpp"
-#include "run/report/turning_view.hpp"
 #include "run/results/drawn_structure.hpp"
 
 namespace kusabi::run {

@@ -6,7 +6,7 @@
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
-#include "run/report/page.hpp"
+#include "run/report/page/page.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -20,11 +20,11 @@ namespace {
 using Nodes = std::vector<int>;
 
 // Vertices and midside nodes in the order of the outline.
-Nodes around(const Nodes& corners_first, std::size_t corners) {
+Nodes around(const Nodes& corners_first, std::size_t vertices) {
   Nodes outline;
-  for (std::size_t i = 0; i < corners; ++i) {
+  for (std::size_t i = 0; i < vertices; ++i) {
     outline.push_back(corners_first[i]);
-    if (corners_first.size() > corners) outline.push_back(corners_first[corners + i]);
+    if (corners_first.size() > vertices) outline.push_back(corners_first[vertices + i]);
   }
   return outline;
 }
@@ -46,16 +46,16 @@ class Surface {
   void add(problems::ElementShape shape, const Nodes& nodes) {
     const auto& traits = problems::shape_traits(shape);
     if (traits.dimension == 2) {
-      outlines_.push_back(around(nodes, static_cast<std::size_t>(traits.corners)));
+      outlines_.push_back(around(nodes, static_cast<std::size_t>(traits.vertices)));
       return;
     }
     for (const auto& places : problems::element_faces(shape)) {
       Nodes face;
       for (const int place : places) face.push_back(nodes[static_cast<std::size_t>(place)]);
-      const auto corners = traits.quadratic ? face.size() / 2 : face.size();
-      Nodes key(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(corners));
+      const auto vertices = traits.quadratic ? face.size() / 2 : face.size();
+      Nodes key(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(vertices));
       std::ranges::sort(key);
-      face = around(face, corners);
+      face = around(face, vertices);
       if (is_inwards(face, nodes)) std::ranges::reverse(face);
       const auto [at, is_new] = faces_.try_emplace(std::move(key), std::move(face));
       if (!is_new) at->second.clear();

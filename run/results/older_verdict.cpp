@@ -109,8 +109,8 @@ class OlderVerdict {
                           .factor = factor()};
     auto& lower = found.bracket.lower;
     if (lower && lower->value <= 0) lower.reset();
-    constexpr double usual_most = 1000;
-    found.most = has(options, "mu_max") ? reader_.number(options, "mu_max") : usual_most;
+    constexpr double default_max_friction = 1000;
+    found.most = has(options, "mu_max") ? reader_.number(options, "mu_max") : default_max_friction;
     found.width = has(options, "width") ? reader_.number(options, "width") : 0;
     // A bracket of more than twice the requested width, with rounding.
     constexpr double wide = 2.5;

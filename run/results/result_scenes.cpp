@@ -178,7 +178,7 @@ class SceneReader {
       for (std::size_t i = 0; i < states.size(); ++i) {
         auto& candidate = scene.candidates[i];
         candidate.state = states[i] == "separates" ? ContactState::separated
-                          : states[i] == "idle"    ? ContactState::at_rest
+                          : states[i] == "idle"    ? ContactState::inactive
                                                    : ContactState::contact;
         if (states[i] != "idle") words.push_back(candidate.name + ' ' + states[i] + ',');
       }
@@ -312,7 +312,7 @@ class SceneReader {
     };
     set("contact", "in contact", ContactState::contact);
     set("separated", "separated", ContactState::separated);
-    set("at_rest", "inactive", ContactState::at_rest);
+    set("at_rest", "inactive", ContactState::inactive);
   }
 
   // Reactions, from the frames of the candidates to global axes; displacements of nodes, support

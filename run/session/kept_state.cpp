@@ -8,7 +8,7 @@
 
 #include "engine/analysis/recording.hpp"
 #include "engine/checkpoint.hpp"
-#include "engine/kept_search.hpp"
+#include "engine/checkpoint_check.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -47,11 +47,11 @@ void warn_all(Session& session, const std::vector<std::string>& lines) {
 }
 
 std::unique_ptr<engine::Journal> opened_journal(const std::string& state,
-                                                const engine::Facts& facts, std::uint64_t question,
-                                                double patience) {
+                                                const engine::Facts& facts,
+                                                std::uint64_t facts_fingerprint, double patience) {
   try {
     auto journal = journal_when_free(state, facts, patience);
-    engine::expect_usable_search(*journal, question);
+    engine::expect_usable_checkpoint(*journal, facts_fingerprint);
     return journal;
   } catch (const engine::CheckpointError& error) {
     throw WrongInput(fmt::format("--resume {}", error.what()));

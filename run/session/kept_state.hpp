@@ -20,12 +20,12 @@ void warn_all(Session& session, const std::vector<std::string>& lines);
 
 /// The state file of --resume, opened or created; on rank 0. If another run holds it, the call
 /// waits: a queue may begin a job while ranks of the previous one still write.
-/// @param question fingerprint of the facts
+/// @param facts_fingerprint fingerprint of the facts
 /// @param patience maximum waiting time in seconds
 /// @throws WrongInput if it cannot be used
 std::unique_ptr<engine::Journal> opened_journal(const std::string& state,
-                                                const engine::Facts& facts, std::uint64_t question,
-                                                double patience);
+                                                const engine::Facts& facts,
+                                                std::uint64_t facts_fingerprint, double patience);
 
 /// Progress recorded in a state file.
 struct KeptState {

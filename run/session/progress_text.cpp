@@ -25,18 +25,18 @@ std::string idle(const engine::Progress& progress) {
 }
 
 double objective(const ProgressState& state) {
-  return state.shown.unit * std::min(state.progress.objective, state.shown.above);
+  return state.shown.unit * std::min(state.progress.objective, state.shown.upper);
 }
 
 // Bounds beyond the objective are not reported: nodes there are discarded.
 double bound(const ProgressState& state) {
-  const double best = std::min(state.progress.objective, state.shown.above);
-  return state.shown.unit * std::min(std::max(state.progress.bound, state.shown.below), best);
+  const double best = std::min(state.progress.objective, state.shown.upper);
+  return state.shown.unit * std::min(std::max(state.progress.bound, state.shown.lower), best);
 }
 
 // True if no better solution is left and the open nodes are only discarded.
 bool proof_is_over(const ProgressState& state) {
-  const double best = std::min(state.progress.objective, state.shown.above);
+  const double best = std::min(state.progress.objective, state.shown.upper);
   return state.minimising && std::isfinite(best) && state.progress.bound >= best;
 }
 

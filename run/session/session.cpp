@@ -9,7 +9,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
 #include "run/session/launch.hpp"

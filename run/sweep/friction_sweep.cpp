@@ -30,21 +30,21 @@ class FrictionSweep final : public Swept {
   FrictionSweep(const SweepOptions& options, std::vector<double> points, double most)
       : options_(options),
         points_(std::move(points)),
-        question_{.most = most, .width = options.width} {}
+        parameters_{.most = most, .width = options.width} {}
 
   void prepare(CommandRun& run) override {
     contact_ =
-        contact_problem(run, options_.input, points_.empty() ? question_.most : points_.front());
-    friction_at(contact_.problem, question_.most, options_.input.file);
+        contact_problem(run, options_.input, points_.empty() ? parameters_.most : points_.front());
+    friction_at(contact_.problem, parameters_.most, options_.input.file);
     keep_state(run, options_.checkpoint, contact_.problem);
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
     return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
-                       friction_text(contact_.problem, question_.most), ranks);
+                       friction_text(contact_.problem, parameters_.most), ranks);
   }
   void search(CommandRun& run) override {
-    engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
-    found_ = wedged::sweep_friction(analysis, contact_.problem, question_);
+    engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
+    found_ = wedged::sweep_friction(analysis, contact_.problem, parameters_);
     const bool searched =
         run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
     if (!searched) return;
@@ -72,7 +72,7 @@ class FrictionSweep final : public Swept {
   const SweepOptions& options_;
   ContactProblem contact_;
   std::vector<double> points_;
-  wedged::SweepQuestion question_;
+  wedged::SweepParameters parameters_;
   wedged::SweepFindings found_;
   wedged::ExactTest exact_;  // of its counts
 };
@@ -100,7 +100,7 @@ void add_counts(ordered_json& json, const support::ExactCount& known, std::size_
 
 ordered_json point_json(const wedged::ConeCount& count) {
   ordered_json point{{"mu", count.friction}};
-  add_counts(point, count.known, count.open);
+  add_counts(point, count.known, count.unresolved);
   return point;
 }
 
@@ -124,12 +124,12 @@ ordered_json FrictionSweep::json() const {
     patterns.push_back(std::move(json));
   }
   auto open = ordered_json::array();
-  for (const auto& leaf : found_.open) {
+  for (const auto& leaf : found_.unresolved) {
     auto json = pattern_json(contact_.problem, leaf.block, leaf.pattern);
     json["lower"] = leaf.lower;
     open.push_back(std::move(json));
   }
-  ordered_json chosen{{"mu", points_}, {"mu_max", question_.most}, {"width", question_.width}};
+  ordered_json chosen{{"mu", points_}, {"mu_max", parameters_.most}, {"width", parameters_.width}};
   return {
       {"command", "sweep"},
       {"version", KUSABI_VERSION},
@@ -156,7 +156,7 @@ void FrictionSweep::write_csv(std::ostream& out) const {
     fmt::print(out, "{},{},{},{},{}\n", what, mu, open == 0 ? known.digits() : "", known.digits(),
                open);
   };
-  for (const auto& count : counts()) row("point", count.friction, count.known, count.open);
+  for (const auto& count : counts()) row("point", count.friction, count.known, count.unresolved);
   if (!found_.enumerated) return;
   for (const auto& [from, to, known, open] : found_.staircase()) {
     row("from", from, known, open);
@@ -171,13 +171,13 @@ std::string FrictionSweep::points_text() const {
     fmt::format_to(std::back_inserter(text), "{:>12.10g}  {}\n", count.friction,
                    count.exact() ? count.known.text()
                                  : fmt::format("undecided: {} known, {} open", count.known.text(),
-                                               count.open));
+                                               count.unresolved));
   }
   return text;
 }
 
 std::string FrictionSweep::cones_text() const {
-  if (found_.cones.empty() && found_.open.empty()) return {};
+  if (found_.cones.empty() && found_.unresolved.empty()) return {};
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\n{:>5}  {:>14}  {:>14}  {}\n", "", "absent at", "present at",
@@ -187,13 +187,13 @@ std::string FrictionSweep::cones_text() const {
     const auto begins = in_table(cone.begins.lower, cone.begins.upper);
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}", ++number, begins.lower, begins.upper,
                    names(cone.pattern.contact));
-    if (!cone.solid()) fmt::format_to(out, "  inactive: {}", names(cone.pattern.at_rest));
+    if (!cone.solid()) fmt::format_to(out, "  inactive: {}", names(cone.pattern.inactive));
     if (cone.absorbed)
       fmt::format_to(out, "  part of a larger one from {} on",
                      in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
     text += '\n';
   }
-  for (const auto& leaf : found_.open) {
+  for (const auto& leaf : found_.unresolved) {
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}\n", "open",
                    rounded_down(leaf.lower, digits_of_table), "?", names(leaf.pattern.contact));
   }
@@ -216,17 +216,17 @@ std::string FrictionSweep::ranks_text() const {
 }
 
 Verdict FrictionSweep::verdict() const {
-  FrictionSteps steps{.most = question_.most,
+  FrictionSteps steps{.most = parameters_.most,
                       .factor = !problems::uniform_friction(contact_.problem),
-                      .open_patterns = found_.open.size()};
+                      .open_patterns = found_.unresolved.size()};
   if (found_.enumerated) {
-    double infeasible = question_.most;
+    double infeasible = parameters_.most;
     for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
-    for (const auto& leaf : found_.open) infeasible = std::min(infeasible, leaf.lower);
+    for (const auto& leaf : found_.unresolved) infeasible = std::min(infeasible, leaf.lower);
     steps.infeasible = Bound{infeasible, Standing::computed};
     const auto last = found_.count_at(found_.most);
     steps.count = last.known;
-    steps.open_at_most = last.open;
+    steps.open_at_most = last.unresolved;
   }
   steps.doubt = doubt_of(exact_);
   const auto list = counts();

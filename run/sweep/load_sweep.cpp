@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/limit_sweep.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
@@ -18,7 +18,7 @@
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
-#include "run/session/supervision.hpp"
+#include "run/session/analysis_options.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
@@ -57,7 +57,7 @@ class LoadSweep final : public Swept {
           "--alpha: the file gives every uncertain load its own half-width; expected uncertain "
           "loads without alpha");
     }
-    engine::agree(run.session().transport(), problem_.fingerprint);
+    engine::require_equal_on_all_ranks(run.session().transport(), problem_.fingerprint);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
     ranks_ = run.session().ranks();
   }
@@ -68,7 +68,7 @@ class LoadSweep final : public Swept {
                        problems::alpha_is_force(problem_) ? ' ' + problem_.units.force : "", ranks);
   }
   void search(CommandRun& run) override {
-    engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+    engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
     found_ = limit::sweep_limit_loads(analysis, truss_, problem_, alphas_);
   }
   [[nodiscard]] ordered_json json() const override;

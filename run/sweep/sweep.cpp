@@ -90,9 +90,9 @@ void Sweep::check() const {
                                  *options_.mu_max, points.back()));
   }
   const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
-  if (options_.width >= most || most > wedged::most_multiples * options_.width) {
+  if (options_.width >= most || most > wedged::max_multiples * options_.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below {} and above {}",
-                                 options_.width, most, most / wedged::most_multiples));
+                                 options_.width, most, most / wedged::max_multiples));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {

@@ -27,10 +27,10 @@ std::string of_list(const CertificateCheck::List& list) {
     return fmt::format("PROVED except for {}: the list of {} is complete except for these",
                        counted(list.undecided, "marginal node"), patterns);
   }
-  const auto except = list.but_far_motions == 0
+  const auto except = list.except_large_displacements == 0
                           ? std::string{}
                           : fmt::format(", except for displacements over {:.2g} times the strains",
-                                        list.far_motion);
+                                        list.displacement_ratio);
   return fmt::format("PROVED: the list of {} is complete{}{}", patterns,
                      list.patterns == 0 ? ": it cannot stick" : "", except);
 }
@@ -118,9 +118,9 @@ std::string of_held(const CertificateCheck::Held& held) {
     if (!held.none.empty()) add(fmt::format("it cannot hold: {}", ranges_text(held.none)));
   }
   if (grip) add(grip_text(*held.grip));
-  if (held.but_far_motions) {
-    text +=
-        fmt::format(", except for displacements over {:.2g} times the strains", held.far_motion);
+  if (held.except_large_displacements) {
+    text += fmt::format(", except for displacements over {:.2g} times the strains",
+                        held.displacement_ratio);
   }
   return text;
 }

@@ -222,9 +222,9 @@ struct CertificateCheck {
     std::uint64_t patterns = 0;
     std::uint64_t nodes = 0;      ///< nodes with a proved claim
     std::uint64_t undecided = 0;  ///< nodes without a claim
-    /// Nodes whose proof leaves out displacements over `far_motion` times the strains.
-    std::uint64_t but_far_motions = 0;
-    double far_motion = 0;
+    /// Nodes whose proof leaves out displacements over `displacement_ratio` times the strains.
+    std::uint64_t except_large_displacements = 0;
+    double displacement_ratio = 0;
   };
   /// Load factors under all admissible loads.
   struct Factor {
@@ -258,9 +258,9 @@ struct CertificateCheck {
     std::vector<Range> held{};      ///< each factor has a state
     std::vector<Range> none{};      ///< no factor has one
     std::optional<GripBounds> grip{};
-    bool but_far_motions = false;  ///< proofs leave out displacements over `far_motion` times the
-                                   ///< strains
-    double far_motion = 0;
+    bool except_large_displacements = false;  ///< proofs leave out displacements over
+                                              ///< `displacement_ratio` times the strains
+    double displacement_ratio = 0;
   };
   /// Least load factor over all losses of some members.
   struct Loss {

@@ -179,8 +179,8 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
     return found;
   });
   // Signals stop it only if it can be resumed.
-  engine::Supervision kept;
-  if (!options.checkpoint.state.empty()) kept = run.supervision({});
+  engine::AnalysisOptions kept;
+  if (!options.checkpoint.state.empty()) kept = run.analysis_options({});
   engine::Analysis analysis(run.session().transport(), std::move(kept));
   const auto outcome = analysis.search(work, {});
   if (outcome.status != engine::Status::solved) return outcome.status;

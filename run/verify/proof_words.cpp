@@ -34,10 +34,10 @@ std::string verified_friction(const problems::CheckedStructure& structure, doubl
                      same ? "" : " times that of each candidate");
 }
 
-std::string far_motion_text(std::uint64_t nodes) {
+std::string large_displacements_text(std::uint64_t nodes) {
   if (nodes == 0) return {};
   return fmt::format(", {} of them except for displacements over {:.2g} times the strains", nodes,
-                     verify::farthest_motion);
+                     verify::largest_displacement_ratio);
 }
 
 }  // namespace kusabi::run

@@ -12,7 +12,7 @@
 namespace kusabi::run {
 
 /// Column of the claims that are proved except for large displacements.
-inline constexpr const char* far_motion_column = "but for far motion";
+inline constexpr const char* large_displacements_column = "but for far motion";
 
 inline constexpr std::string_view truss_of_certificate =
     "the truss is that of the certificate; --problem FILE proves the result for a problem file\n";
@@ -29,6 +29,6 @@ std::string verified_problem(const VerifyOptions& options,
 std::string verified_friction(const problems::CheckedStructure& structure, double friction);
 
 /// ", 3 of them except for displacements over 1e+06 times the strains"; empty for none.
-std::string far_motion_text(std::uint64_t nodes);
+std::string large_displacements_text(std::uint64_t nodes);
 
 }  // namespace kusabi::run

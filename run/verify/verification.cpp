@@ -15,7 +15,7 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
       out.solution({number, std::move(*judgement.refusal)});
       continue;
     }
-    if (judgement.but_for_far_motion) ++tally_.but_for_far_motion;
+    if (judgement.except_large_displacements) ++tally_.except_large_displacements;
     if (judgement.unloaded) ++tally_.unloaded;
     switch (record.claim) {
       case verify::Claim::infeasible:

@@ -36,8 +36,9 @@ class Verification {
     std::uint64_t infeasible = 0;  ///< with cuts or without
     std::uint64_t feasible = 0;
     std::uint64_t marginal = 0;  ///< without a claim
-    /// Infeasible nodes, proved except for displacements over `far_motion` times the strains.
-    std::uint64_t but_for_far_motion = 0;
+    /// Infeasible nodes, proved except for displacements over `displacement_ratio` times the
+    /// strains.
+    std::uint64_t except_large_displacements = 0;
     /// Undecided nodes with a proof that some candidate in contact stays unloaded.
     std::uint64_t unloaded = 0;
 
@@ -46,7 +47,7 @@ class Verification {
     static constexpr auto fields() {
       return std::tuple{field("dead", &Tally::infeasible), field("alive", &Tally::feasible),
                         field("marginal", &Tally::marginal),
-                        field(far_motion_column, &Tally::but_for_far_motion),
+                        field(large_displacements_column, &Tally::except_large_displacements),
                         field("unloaded", &Tally::unloaded)};
     }
   };

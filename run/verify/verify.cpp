@@ -17,7 +17,7 @@
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
-#include "run/output/page.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/verify_hold.hpp"

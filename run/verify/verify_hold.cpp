@@ -45,11 +45,11 @@ class HoldVerification {
 
   struct Tally : engine::Counts<Tally> {
     std::uint64_t proved = 0;
-    std::uint64_t but_for_far_motion = 0;
+    std::uint64_t except_large_displacements = 0;
 
     static constexpr auto fields() {
       return std::tuple{field("proved", &Tally::proved),
-                        field(far_motion_column, &Tally::but_for_far_motion)};
+                        field(large_displacements_column, &Tally::except_large_displacements)};
     }
   };
 
@@ -71,7 +71,7 @@ class HoldVerification {
         out.solution({number, std::move(*judgement.refusal)});
       } else {
         ++tally_.proved;
-        if (judgement.but_for_far_motion) ++tally_.but_for_far_motion;
+        if (judgement.except_large_displacements) ++tally_.except_large_displacements;
       }
       out.poll();
     }
@@ -176,7 +176,7 @@ ProvedParts proved_parts(const engine::Outcome<HoldVerification>& outcome,
 std::string summary_of(const VerifyOptions& options, const problems::CheckedStructure& structure,
                        const verify::HoldCertificate& certificate,
                        const verify::ConsistentLoads& consistent,
-                       std::uint64_t but_for_far_motion) {
+                       std::uint64_t except_large_displacements) {
   const auto& [enclosure, friction] = consistent;
   return fmt::format(
       "contact candidates: {}\n{}{}"
@@ -185,7 +185,7 @@ std::string summary_of(const VerifyOptions& options, const problems::CheckedStru
       fmt::join(certificate.header.names, " "), verified_problem(options, structure),
       verified_friction(structure, friction), enclosure.problem.stiffness.radius.nearest(),
       certificate.nodes.size(), counted(certificate.trees.size(), "tree"),
-      far_motion_text(but_for_far_motion), certificate.states.size());
+      large_displacements_text(except_large_displacements), certificate.states.size());
 }
 
 }  // namespace
@@ -221,14 +221,15 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
     return findings;
   }
   const auto [trees, states] = proved_parts(outcome, certificate, proof, options, findings);
-  const auto but_for_far_motion = outcome.tally().but_for_far_motion;
+  const auto except_large_displacements = outcome.tally().except_large_displacements;
   const bool reference =
       std::ranges::any_of(enclosure.loads[1].acts, [](bool acts) { return acts; });
   auto held = held_of(proof.claims(trees, states), friction, reference);
-  held.but_far_motions = but_for_far_motion > 0;
-  held.far_motion = verify::farthest_motion;
+  held.except_large_displacements = except_large_displacements > 0;
+  held.displacement_ratio = verify::largest_displacement_ratio;
   findings.check.claim = std::move(held);
-  findings.summary = summary_of(options, *structure, certificate, consistent, but_for_far_motion);
+  findings.summary =
+      summary_of(options, *structure, certificate, consistent, except_large_displacements);
   return findings;
 }
 

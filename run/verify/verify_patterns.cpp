@@ -112,7 +112,8 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
   fmt::format_to(std::back_inserter(text),
                  "cannot stick: {} proved{}\n"
                  "sticks: {} proved\n",
-                 proved.infeasible, far_motion_text(proved.but_for_far_motion), proved.feasible);
+                 proved.infeasible, large_displacements_text(proved.except_large_displacements),
+                 proved.feasible);
   if (proved.unloaded > 0)
     fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
                    proved.unloaded);
@@ -131,7 +132,7 @@ engine::Outcome<Verification> verified(CommandRun& run, Verification& verificati
   }
   if (options.checkpoint.state.empty())
     return engine::search(verification, run.session().transport(), search_options);
-  engine::Analysis analysis(run.session().transport(), run.supervision({}));
+  engine::Analysis analysis(run.session().transport(), run.analysis_options({}));
   return analysis.search(verification, search_options);
 }
 
@@ -139,8 +140,8 @@ CertificateCheck::List list_of(const Verification::Tally& proved) {
   return {.patterns = proved.feasible,
           .nodes = proved.infeasible + proved.feasible + proved.unloaded,
           .undecided = proved.open(),
-          .but_far_motions = proved.but_for_far_motion,
-          .far_motion = verify::farthest_motion};
+          .except_large_displacements = proved.except_large_displacements,
+          .displacement_ratio = verify::largest_displacement_ratio};
 }
 
 }  // namespace

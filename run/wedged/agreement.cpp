@@ -1,7 +1,7 @@
 // Hash of the input and of the computed problem.
 #include "run/wedged/agreement.hpp"
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -12,7 +12,7 @@ void agree(Session& session, const problems::WedgedProblem& problem) {
   for (const auto* matrix : {&problem.compliance.stiffness, &problem.compliance.matrix}) {
     for (const double number : matrix->reshaped()) computed.add(number);
   }
-  engine::agree(session.transport(), computed.value());
+  engine::require_equal_on_all_ranks(session.transport(), computed.value());
 }
 
 }  // namespace kusabi::run

@@ -27,7 +27,7 @@ void add_pattern(CsvWriter& csv, const problems::WedgedProblem& problem, std::ui
   csv.count(std::uint64_t{block} + 1);
   csv.names(candidate_names(problem, pattern.contact));
   csv.names(candidate_names(problem, pattern.separated));
-  csv.names(candidate_names(problem, pattern.at_rest | inactive));
+  csv.names(candidate_names(problem, pattern.inactive | inactive));
 }
 
 void add_configuration_columns(CsvWriter& csv, const problems::WedgedProblem& problem) {

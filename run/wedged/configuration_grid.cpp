@@ -108,7 +108,7 @@ pictures::UnstructuredGrid ConfigurationGrids::grid(const GridFacts& facts, std:
   };
   set(pattern.contact, ContactState::contact);
   set(pattern.separated, ContactState::separated);
-  set(pattern.at_rest | inactive, ContactState::at_rest);
+  set(pattern.inactive | inactive, ContactState::inactive);
   return grid(facts, of_all_candidates(problem, block, reactions),
               of_all_candidates(problem, block, displacements), contact);
 }

@@ -56,15 +56,15 @@ std::string problem_line(const problems::WedgedProblem& problem) {
   auto line = fmt::format("{}: {}, {}, {} contact candidates", problem.provenance.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
                           problem.contact_names.size());
-  const auto& loose = problem.modes.bodies;
+  const auto& bodies = problem.modes.bodies;
   constexpr std::size_t most_described = 3;
-  for (std::size_t k = 0; k < std::min(loose.size(), most_described); ++k) {
-    line += loose.size() == 1 ? "; unconstrained: "
-                              : fmt::format("; unconstrained from node {} on: ", loose[k].node);
-    line += loose[k].motions;
+  for (std::size_t k = 0; k < std::min(bodies.size(), most_described); ++k) {
+    line += bodies.size() == 1 ? "; unconstrained: "
+                               : fmt::format("; unconstrained from node {} on: ", bodies[k].node);
+    line += bodies[k].motions;
   }
-  if (loose.size() > most_described)
-    line += fmt::format("; and {} more unconstrained bodies", loose.size() - most_described);
+  if (bodies.size() > most_described)
+    line += fmt::format("; and {} more unconstrained bodies", bodies.size() - most_described);
   return line;
 }
 
@@ -98,12 +98,11 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
   for (std::size_t i = 0; i < friction.size(); ++i) {
     friction[i] *= coefficient;
     if (friction[i] == 0) continue;
-    if (friction[i] >= wedged::least_friction && friction[i] <= wedged::most_friction) continue;
-    throw WrongInput(
-        fmt::format("{}: the friction coefficient at {} is {:g}; expected 0, or {:g} to {:g}, by "
-                    "another --mu or another relative friction",
-                    file, problem.contact_names[i], friction[i], wedged::least_friction,
-                    wedged::most_friction));
+    if (friction[i] >= wedged::min_friction && friction[i] <= wedged::max_friction) continue;
+    throw WrongInput(fmt::format(
+        "{}: the friction coefficient at {} is {:g}; expected 0, or {:g} to {:g}, by "
+        "another --mu or another relative friction",
+        file, problem.contact_names[i], friction[i], wedged::min_friction, wedged::max_friction));
   }
   return friction;
 }
@@ -121,9 +120,9 @@ std::string contact_text(const problems::WedgedProblem& problem,
   const auto names = [&](const support::IndexSet& set) {
     return with_ranges(candidate_names(problem, set));
   };
-  const auto& [contact, separated, at_rest] = pattern;
+  const auto& [contact, separated, inactive] = pattern;
   auto text = names(contact);
-  if (!at_rest.empty()) return text + "  inactive: " + names(at_rest);
+  if (!inactive.empty()) return text + "  inactive: " + names(inactive);
   if (problem.blocks.size() > 1) return text;  // the other candidates of its block
   const auto rest = separated.empty() ? std::string("all") : "all but " + names(separated);
   return shown_width(rest) < shown_width(text) ? rest : text;
@@ -135,8 +134,8 @@ ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t 
   if (problem.blocks.size() > 1) json["block"] = block + 1;
   json["contact"] = candidate_names(problem, pattern.contact);
   json["separated"] = candidate_names(problem, pattern.separated);
-  const auto at_rest = pattern.at_rest | inactive;
-  if (!at_rest.empty()) json["at_rest"] = candidate_names(problem, at_rest);
+  const auto all_inactive = pattern.inactive | inactive;
+  if (!all_inactive.empty()) json["at_rest"] = candidate_names(problem, all_inactive);
   return json;
 }
 

@@ -24,8 +24,8 @@ constexpr double symmetry_tolerance = 1e-8;
 
 // Beyond these limits a cone is nearly a ray or a half-space, and no tolerance is suitable. The
 // margin allows for rounded products of factors and coefficients, and for circumscribed polygons.
-constexpr double least_friction = 1e-6 * (1 - 1e-12);
-constexpr double most_friction = 1.5e6;
+constexpr double min_friction = 1e-6 * (1 - 1e-12);
+constexpr double max_friction = 1.5e6;
 
 std::string in_short(double number) {
   std::ostringstream text;
@@ -41,7 +41,7 @@ std::vector<int> one_each(std::size_t candidates) {
 
 void check(std::span<const double> friction) {
   for (const double mu : friction)
-    if (mu != 0 && !(mu >= least_friction && mu <= most_friction))
+    if (mu != 0 && !(mu >= min_friction && mu <= max_friction))
       throw std::invalid_argument("a friction coefficient is " + in_short(mu) +
                                   "; expected 0, or a number from 1e-6 to 1e6");
 }

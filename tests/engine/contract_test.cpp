@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/detail/frontier.hpp"
-#include "engine/detail/heap.hpp"
-#include "engine/detail/lifelines.hpp"
-#include "engine/detail/victims.hpp"
+#include "engine/detail/nodes/frontier.hpp"
+#include "engine/detail/nodes/heap.hpp"
+#include "engine/detail/protocol/lifelines.hpp"
+#include "engine/detail/protocol/victims.hpp"
 #include "engine/search.hpp"
 #include "tests/engine/random_tree.hpp"
 
@@ -40,9 +40,10 @@ TEST(Contract, HoldsForWhatKeepsNodes) {
   EXPECT_THROW(frontier.open(), ContractBroken);
   EXPECT_THAT(
       complaint([&] { frontier.give(100); }),
-      MatchesRegex("engine/detail/frontier.hpp:[0-9]+: contract violated: a frontier gives nodes "
-                   "only if one is left"));
-  frontier.plant(1);
+      MatchesRegex(
+          "engine/detail/nodes/frontier.hpp:[0-9]+: contract violated: a frontier gives nodes "
+          "only if one is left"));
+  frontier.add_root(1);
   EXPECT_THROW(frontier.take({{}, {{1, 0, 0}}}), ContractBroken);
   Heap<int> heap;
   EXPECT_THROW(heap.give(100), ContractBroken);
@@ -75,7 +76,7 @@ class Babbling final : public Transport {
   MessageTag tag_;
 };
 
-TEST(Contract, HoldsForAnswersThatNobodyHasAskedFor) {
+TEST(Contract, RefusesAnswersWithoutARequest) {
   for (const auto tag : {MessageTag::transfer, MessageTag::refusal}) {
     Babbling transport(tag);
     examples::RandomTree tree(1, 5);

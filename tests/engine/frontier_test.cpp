@@ -1,5 +1,5 @@
 // Frontier tests: depth-first order, transfers, and paths computed from the trail.
-#include "engine/detail/frontier.hpp"
+#include "engine/detail/nodes/frontier.hpp"
 
 #include <random>
 
@@ -53,7 +53,7 @@ PathNode open_and_branch(Frontier<PathNode>& frontier, std::uint32_t children) {
 
 TEST(Frontier, OpensDepthFirstAndChildrenInOrder) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   std::vector<PathNode> opened;
   while (!frontier.empty()) {
     const bool inner = opened.size() < 2;
@@ -65,7 +65,7 @@ TEST(Frontier, OpensDepthFirstAndChildrenInOrder) {
 
 TEST(Frontier, GivesEveryOtherNodeFromTheShallowestOn) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   open_and_branch(frontier, 3);  // stack: 2 1 0
   open_and_branch(frontier, 3);  // stack: 2 1 0.2 0.1 0.0
   const auto transfer = frontier.give(100'000);
@@ -78,7 +78,7 @@ TEST(Frontier, GivesEveryOtherNodeFromTheShallowestOn) {
 
 TEST(Frontier, KeepsAtLeastOneNode) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   EXPECT_FALSE(frontier.can_give());
   open_and_branch(frontier, 2);
   ASSERT_TRUE(frontier.can_give());
@@ -88,7 +88,7 @@ TEST(Frontier, KeepsAtLeastOneNode) {
 
 TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   open_and_branch(frontier, 100);
   const auto transfer = frontier.give(400);
   EXPECT_GT(transfer.nodes.size(), 1U);
@@ -102,7 +102,7 @@ TEST(Frontier, GivesLargeFamiliesInPieces) {
   for (const std::size_t limit : {1U, 400U, 100'000U}) {
     SCOPED_TRACE(limit);
     Frontier<PathNode> frontier;
-    frontier.plant({});
+    frontier.add_root({});
     open_and_branch(frontier, 100);
     open_and_branch(frontier, 100);
     auto given = frontier.give(100'000);
@@ -124,7 +124,7 @@ TEST(Frontier, GivesLargeFamiliesInPieces) {
 // Repeated transfers from one node's children: each takes every other of the remaining ones.
 TEST(Frontier, GivesAwayAllButOneByAndBy) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   open_and_branch(frontier, 100);
   std::vector<std::uint32_t> left;  // shallowest first: the last child is at the bottom
   for (std::uint32_t branch = 100; branch > 0; --branch) left.push_back(branch - 1);
@@ -146,7 +146,7 @@ TEST(Frontier, GivesAwayAllButOneByAndBy) {
 
 TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   frontier.open();
   for (std::uint32_t branch = 0; branch < 4; ++branch) frontier.branch({branch});
   EXPECT_FALSE(frontier.can_give());
@@ -156,7 +156,7 @@ TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
 
 TEST(Frontier, HasTheShareOfTheTreeOfEachNode) {
   Frontier<PathNode> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   open_and_branch(frontier, 4);
   open_and_branch(frontier, 2);
   frontier.open();
@@ -174,7 +174,7 @@ struct ThirdOfEach {
 // one.
 TEST(Frontier, AFirstChildMayHaveASmallerShare) {
   Frontier<PathNode, ThirdOfEach> frontier;
-  frontier.plant({});
+  frontier.add_root({});
   frontier.open();
   for (std::uint32_t branch = 0; branch < 3; ++branch) frontier.branch({branch});
   EXPECT_DOUBLE_EQ(frontier.close(), 0);
@@ -195,7 +195,7 @@ TEST(Frontier, PathsSurviveAnyNumberOfTransfers) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     std::mt19937 random(seed);
     std::vector<Frontier<PathNode>> ranks(4);
-    ranks[0].plant({});
+    ranks[0].add_root({});
     std::size_t open = 1;
     std::size_t opened = 0;
     std::uint64_t fingerprint = 0;

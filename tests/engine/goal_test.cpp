@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/detail/incumbent.hpp"
-#include "engine/detail/relay.hpp"
+#include "engine/detail/protocol/relay.hpp"
 #include "engine/simulation.hpp"
 #include "tests/engine/knapsack.hpp"
 #include "tests/engine/queens.hpp"
@@ -147,7 +147,7 @@ TEST(Relay, ReachesEveryRankOverEdgesThatBothEndsKnow) {
   }
 }
 
-TEST(Limits, OfNodesStopsTheSearchAndSaysWhatIsLeft) {
+TEST(Limits, OfNodesStopsTheSearchWithOpenNodes) {
   RandomTree tree(1, 24);
   Options options;
   options.limits.nodes = 1000;
@@ -164,7 +164,7 @@ TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
   const auto whole = search(tree).opened();
   Options options;
   options.limits.nodes = whole / 4;
-  const Weather late{.latency = 5e-3, .node = 1e-7, .stall = 20e-3, .stall_probability = 0.3};
+  const MachineModel late{.latency = 5e-3, .node = 1e-7, .stall = 20e-3, .stall_probability = 0.3};
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const auto many = simulate(RandomTree(11, 10), 3, seed, late, options);
     EXPECT_EQ(many.outcome.status, Status::node_limit) << seed;
@@ -205,9 +205,9 @@ TEST(Limits, OfGapStopsWithAValidBoundThatKeepsIt) {
     options.order = seed % 2 == 0 ? Order::depth_first : Order::best_first;
     options.limits.gap = gap;
     options.reduction_interval = 5e-6;
-    const Weather weather{.latency = seed % 3 == 0 ? 2e-6 : 100e-6};
+    const MachineModel machine{.latency = seed % 3 == 0 ? 2e-6 : 100e-6};
     const int ranks = 2 + static_cast<int>(seed % 7);
-    const auto outcome = simulate(knapsack, ranks, seed, weather, options).outcome;
+    const auto outcome = simulate(knapsack, ranks, seed, machine, options).outcome;
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_EQ(outcome.solutions.size(), 1U);
     const double objective = knapsack.objective(outcome.solutions[0].solution);

@@ -1,12 +1,12 @@
 // Heap tests: order by bounds, transfers, and shared trails.
-#include "engine/detail/heap.hpp"
+#include "engine/detail/nodes/heap.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "engine/detail/frontier.hpp"
+#include "engine/detail/nodes/frontier.hpp"
 
 namespace kusabi::engine {
 namespace {
@@ -108,7 +108,7 @@ TEST(Heap, MemoryOfAChainGrowsWithItsNodes) {
   constexpr std::uint32_t depth = 3000;
   Frontier<PathNode> frontier;
   Heap<PathNode> heap;
-  frontier.plant({});
+  frontier.add_root({});
   std::size_t half = 0;
   for (std::uint32_t opened = 0; opened < depth; ++opened) {
     if (frontier.empty()) frontier.take(heap.take());
@@ -173,7 +173,7 @@ TEST(Heap, PathsSurvive) {
   std::mt19937 random(5);
   Frontier<PathNode> frontier;
   Heap<PathNode> heap;
-  frontier.plant({});
+  frontier.add_root({});
   std::size_t checked = 0;
   for (int opened = 0; opened < 2000; ++opened) {
     if (frontier.empty()) {

@@ -1,5 +1,5 @@
 // Lifeline tests: registration, and the order of service.
-#include "engine/detail/lifelines.hpp"
+#include "engine/detail/protocol/lifelines.hpp"
 
 #include <algorithm>
 #include <set>
@@ -70,7 +70,7 @@ TEST(Lifelines, KnowTheRanksThatBeginWithoutNodes) {
         lifelines.register_idle(first, rank, ranks);
         EXPECT_EQ(lifelines.all_aware(), rank >= first || ranks == 1);
         if (rank >= first) expected += lifelines.aware();
-        while (lifelines.wanted()) registered.insert(lifelines.take());
+        while (lifelines.has_registered()) registered.insert(lifelines.take());
       }
       EXPECT_EQ(registered.size(), expected);
       EXPECT_EQ(registered.count(0), 0U);
@@ -80,12 +80,12 @@ TEST(Lifelines, KnowTheRanksThatBeginWithoutNodes) {
 
 TEST(Lifelines, WhoWaitedLongestIsServedFirst) {
   Lifelines lifelines(0, 8);
-  EXPECT_FALSE(lifelines.wanted());
+  EXPECT_FALSE(lifelines.has_registered());
   lifelines.remember(5);
   lifelines.remember(3);
   EXPECT_EQ(lifelines.take(), 5);
   EXPECT_EQ(lifelines.take(), 3);
-  EXPECT_FALSE(lifelines.wanted());
+  EXPECT_FALSE(lifelines.has_registered());
 }
 
 }  // namespace

@@ -122,8 +122,8 @@ TEST(Order, TheOutcomeIsTheSameInAnyOrderOnAnyNumberOfRanks) {
     auto options = with(order, goal);
     options.heap_nodes = seed % 2 == 0 ? 20 : 100'000;
     options.message_bytes = seed % 5 == 0 ? 1 : 64 * 1024;
-    const Weather weather{.latency = seed % 7 == 0 ? 100e-6 : 2e-6};
-    const auto many = simulate(knapsack, 1 + static_cast<int>(seed % 17), seed, weather, options);
+    const MachineModel machine{.latency = seed % 7 == 0 ? 100e-6 : 2e-6};
+    const auto many = simulate(knapsack, 1 + static_cast<int>(seed % 17), seed, machine, options);
     SCOPED_TRACE("seed " + std::to_string(seed));
     EXPECT_EQ(many.left_behind, 0U);
     EXPECT_EQ(many.outcome.bound, alone.bound);

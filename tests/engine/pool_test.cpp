@@ -86,9 +86,10 @@ TEST(Solutions, OfAPoolAreTheSameUnderAnySchedule) {
     const auto& pool = pools[seed % pools.size()];
     auto options = for_the_best(pool);
     options.order = all_orders[seed % 3];
-    const Weather hostile{.latency = 50e-6, .stall = 1e-3, .stall_probability = 0.05};
+    const MachineModel hostile{.latency = 50e-6, .stall = 1e-3, .stall_probability = 0.05};
     const int ranks = seed % 4 == 0 ? 1 : 2 << (seed % 4);
-    const auto many = simulate(tree, ranks, seed, seed % 2 == 0 ? hostile : Weather{}, options);
+    const auto many =
+        simulate(tree, ranks, seed, seed % 2 == 0 ? hostile : MachineModel{}, options);
     EXPECT_EQ(many.left_behind, 0U);
     EXPECT_EQ(paths_of(many.outcome), by_objective(tree, pool)) << "seed " << seed;
   }

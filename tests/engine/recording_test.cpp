@@ -91,7 +91,7 @@ TEST_F(JournalTest, IsFinishedUntilSomethingIsAppended) {
   EXPECT_TRUE(journal.warnings().empty());
 }
 
-TEST_F(JournalTest, SaysWhatDiffers) {
+TEST_F(JournalTest, ReportsDifferentFacts) {
   keep_two();
   const auto before = content();
   EXPECT_THAT(refusal({{"the problem", "7"}, {"--mu", "0.7"}, {"--thorough", ""}}),
@@ -116,7 +116,7 @@ TEST_F(JournalTest, TakesNoOtherFile) {
   }
 }
 
-TEST_F(JournalTest, CutShortAnywhereHasWhatIsWholeOrIsRefused) {
+TEST_F(JournalTest, TruncatedAnywhereKeepsWholeRecordsOrIsRefused) {
   keep_two();
   const auto whole = content();
   std::array<int, 3> found{};
@@ -136,7 +136,7 @@ TEST_F(JournalTest, CutShortAnywhereHasWhatIsWholeOrIsRefused) {
   EXPECT_GT(found[1], 0);
 }
 
-TEST_F(JournalTest, WithAnyBitTurnedHasWhatIsWholeOrIsRefused) {
+TEST_F(JournalTest, WithAnyBitFlippedKeepsWholeRecordsOrIsRefused) {
   keep_two();
   const auto whole = content();
   int refused = 0;
@@ -177,10 +177,11 @@ class AnalysisTest : public Recorded {
     Journal journal(file_, these_facts);
     SingleProcess alone;
     int left = reductions;
-    Supervision supervision;
-    supervision.interrupt = [&left] { return --left < 0 ? Interrupt::stop : Interrupt::none; };
-    supervision.keeping = Keeping{.journal = &journal, .file = file_, .interval = 0, .question = 5};
-    Analysis analysis(alone, std::move(supervision));
+    AnalysisOptions analysis_options;
+    analysis_options.interrupt = [&left] { return --left < 0 ? Interrupt::stop : Interrupt::none; };
+    analysis_options.journal_options =
+        JournalOptions{.journal = &journal, .file = file_, .interval = 0, .facts_fingerprint = 5};
+    Analysis analysis(alone, std::move(analysis_options));
     done_ = 0;
     Options options;
     options.reduction_interval = 0;
@@ -216,7 +217,7 @@ TEST_F(AnalysisTest, IsTheSameWithoutAnInterruption) {
   EXPECT_EQ(done_, 5);
 }
 
-TEST_F(AnalysisTest, DoesNothingAgain) {
+TEST_F(AnalysisTest, RepeatsNoFinishedSearch) {
   run();
   EXPECT_EQ(run(), the_answer);
   EXPECT_EQ(done_, 0);
@@ -234,13 +235,13 @@ TEST_F(AnalysisTest, OpensEachNodeOnceHoweverOftenItIsEnded) {
   EXPECT_EQ(answer, the_answer);
 }
 
-TEST_F(AnalysisTest, TakesNothingForFinishedThatWasCutShort) {
+TEST_F(AnalysisTest, RecordsNoStoppedSearchAsFinished) {
   run(0);
   EXPECT_EQ(Journal(file_, these_facts).size(), 0U);
   EXPECT_EQ(run(), the_answer);
 }
 
-TEST_F(AnalysisTest, GoesOnWhereItsRecordsAreDamaged) {
+TEST_F(AnalysisTest, RestoresDamagedRecords) {
   run();
   const auto kept = content();
   for (const double share : {0.3, 0.6, 0.9}) {

@@ -1,5 +1,5 @@
 // ReportRelay tests: every piece reaches rank 0 once, in messages of bounded size.
-#include "engine/detail/report_relay.hpp"
+#include "engine/detail/protocol/report_relay.hpp"
 
 #include <deque>
 #include <map>

@@ -26,7 +26,7 @@ int end_of_child(bool under_mpirun, Send send) {
     if (under_mpirun) setenv("OMPI_COMM_WORLD_SIZE", "1", 1);
     static volatile std::sig_atomic_t last = 0;
     std::signal(SIGALRM, [](int) { last = 1; });
-    heed_signals();
+    install_signal_handlers();
     if (write(ready[1], "x", 1) != 1) _exit(2);
     while (!end_asked_by_signal() && last == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

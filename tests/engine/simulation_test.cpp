@@ -35,7 +35,7 @@ TEST(Simulation, TheAnswerIsThatOfOneRankUnderAThousandSchedules) {
   RandomTree tree(11, 10);
   const auto alone = search(tree);
   ASSERT_GT(alone.opened(), 100U);
-  const std::vector<Weather> weathers{
+  const std::vector<MachineModel> machines{
       {},                                                           // normal conditions
       {.latency = 100e-6},                                          // messages slower than nodes
       {.latency = 1e-6, .stall = 5e-3, .stall_probability = 0.02},  // ranks that stall
@@ -43,10 +43,10 @@ TEST(Simulation, TheAnswerIsThatOfOneRankUnderAThousandSchedules) {
   };
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     const int ranks = 1 + static_cast<int>(seed % 9);
-    const auto& weather = weathers[seed % weathers.size()];
+    const auto& machine = machines[seed % machines.size()];
     Options options;
     options.nodes_per_step = seed % 3 == 0 ? 16 : 1;
-    const auto many = simulate(RandomTree(11, 10), ranks, seed, weather, options);
+    const auto many = simulate(RandomTree(11, 10), ranks, seed, machine, options);
     expect_the_same(alone, many, "seed " + std::to_string(seed));
     if (HasFailure()) break;
   }
@@ -118,7 +118,7 @@ TEST(Simulation, AFailingSeedReplays) {
 // A message that arrives inside a node is looked at when the node is done, in both. A wave that is
 // complete as soon as a rank joins is looked at next, in both.
 TEST(Simulation, LazySteppingGivesTheTimesOfEachStep) {
-  const std::vector<Weather> weathers{
+  const std::vector<MachineModel> machines{
       {},
       {.node = 10e-6, .handling = 0.5e-6},
       {.latency = 100e-6},
@@ -135,7 +135,7 @@ TEST(Simulation, LazySteppingGivesTheTimesOfEachStep) {
     options.nodes_per_step = seed % 7 == 0 ? 16 : 1;
     const auto run = [&](Stepping stepping) {
       return simulate(RandomTree(seed, 12), 2 + static_cast<int>(seed % 29), seed,
-                      weathers[seed % weathers.size()], options, 100'000'000, stepping);
+                      machines[seed % machines.size()], options, 100'000'000, stepping);
     };
     const auto lazy = run(Stepping::lazy);
     const auto each = run(Stepping::each_step);

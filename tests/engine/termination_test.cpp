@@ -1,9 +1,9 @@
 // Termination tests: one wave, and what it must say.
-#include "engine/detail/termination.hpp"
+#include "engine/detail/protocol/termination.hpp"
 
 #include <gtest/gtest.h>
 
-#include "engine/detail/stamp.hpp"
+#include "engine/detail/protocol/stamp.hpp"
 
 namespace kusabi::engine {
 namespace {

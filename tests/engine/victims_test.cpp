@@ -1,5 +1,5 @@
 // Victims tests: choice of the rank to request work from, and the back-off.
-#include "engine/detail/victims.hpp"
+#include "engine/detail/protocol/victims.hpp"
 
 #include <algorithm>
 #include <map>
@@ -90,9 +90,9 @@ TEST(Victims, RefusalsSpaceTheRequestsOutAndATransferEndsThat) {
   }
   victims.gave(1);
   EXPECT_TRUE(victims.due(0));
-  EXPECT_FALSE(victims.tried_ahead());
+  EXPECT_FALSE(victims.has_requested_early());
   for (int refusal = 0; refusal < 100; ++refusal) victims.refused(1, 0);
-  EXPECT_TRUE(victims.tried_ahead());
+  EXPECT_TRUE(victims.has_requested_early());
   EXPECT_LE(victims.next_request(), 10e-3);  // a bounded pause: work is found soon after it appears
 }
 

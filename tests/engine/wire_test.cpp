@@ -8,7 +8,7 @@
 #include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/detail/frontier.hpp"
+#include "engine/detail/nodes/frontier.hpp"
 
 namespace kusabi::engine {
 namespace {

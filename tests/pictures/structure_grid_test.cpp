@@ -59,7 +59,7 @@ TEST(StructureGrid, HasBarsThenNodesWithoutAny) {
   EXPECT_EQ(grid.points.col(2), Eigen::Vector3d(4, 3, 0));
 }
 
-TEST(StructureGrid, SaysWhatHoldsAndWhereItMayTouch) {
+TEST(StructureGrid, MarksSupportsAndCandidates) {
   const auto grid = structure_grid(corner());
   SmallNumbers fixed(3, 4);
   fixed << 1, 0, 0, 0,  //

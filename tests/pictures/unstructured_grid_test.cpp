@@ -88,7 +88,7 @@ TEST(VtuFile, PacksWhatFillsItsBlocks) {
   EXPECT_EQ(read.back(), 0.1);
 }
 
-TEST(VtuFile, KeepsWhatIsNoNumber) {
+TEST(VtuFile, KeepsNan) {
   auto grid = random_grid(2);
   std::get<Eigen::MatrixXd>(grid.cell_data[0].values)(0, 0) =
       std::numeric_limits<double>::quiet_NaN();

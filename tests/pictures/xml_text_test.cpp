@@ -8,7 +8,7 @@ namespace {
 using kusabi::pictures::xml_comment;
 using kusabi::pictures::xml_text;
 
-TEST(XmlText, SaysOtherwiseWhatXmlMeansOtherwise) {
+TEST(XmlText, EscapesSpecialCharacters) {
   EXPECT_EQ(xml_text("a<b & \"c\">d"), "a&lt;b &amp; &quot;c&quot;&gt;d");
 }
 
@@ -16,7 +16,7 @@ TEST(XmlText, KeepsLettersOfAllSizes) {
   EXPECT_EQ(xml_text("µ 楔 \U0001F4D0"), "µ 楔 \U0001F4D0");
 }
 
-TEST(XmlText, ReplacesWhatIsNoLetter) {
+TEST(XmlText, ReplacesInvalidCharacters) {
   const char* const none = "\uFFFD";
   EXPECT_EQ(xml_text("\x01"), none);
   EXPECT_EQ(xml_text("\xE6\xA5"

@@ -78,7 +78,7 @@ Structure random_bodies(int dimension, std::mt19937& bits) {
   const auto a = [&](int i) { return first[static_cast<std::size_t>(dimension + i)]; };
   const auto b = [&](int i) { return second[static_cast<std::size_t>(dimension + i)]; };
   const auto normal = [&] { return random_vector(dimension, bits).normalized(); };
-  const auto touches = [&](int node, std::vector<Share> place) {
+  const auto touches = [&](int node, std::vector<WeightedNode> place) {
     structure.contact.push_back({node, normal(), std::nullopt, 1, std::nullopt, std::move(place)});
   };
   structure.inclined.push_back({b(0), random_vector(dimension, bits)});

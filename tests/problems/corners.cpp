@@ -31,7 +31,7 @@ Structure random_corners(int dimension, std::mt19937& bits) {
   structure.contact.clear();
   const auto a = [&](int i) { return dimension + i; };
   const auto b = [&](int i) { return dimension + 5 + dimension + i; };
-  const auto touches = [&](int node, Eigen::VectorXd normal, std::vector<Share> place) {
+  const auto touches = [&](int node, Eigen::VectorXd normal, std::vector<WeightedNode> place) {
     structure.contact.push_back(
         {node, std::move(normal), std::nullopt, 1, std::nullopt, std::move(place)});
   };

@@ -51,7 +51,7 @@ TEST_F(Config, StandsInForOptionsThatTheCallHasNot) {
   EXPECT_THAT(none.output, Not(HasSubstr("defaults of")));
 }
 
-TEST_F(Config, IsLookedForWherePeopleKeepIt) {
+TEST_F(Config, IsFoundInTheUsualFolders) {
   const auto rest = "show " + truss;
   config("[show]\nquiet = true\n", "xdg/kusabi/config.toml");
   const auto other = config("[show]\nquiet = false\n", "other.toml");
@@ -73,7 +73,7 @@ TEST_F(Config, IsLookedForWherePeopleKeepIt) {
   EXPECT_EQ(shell(home + " " + rest).output, "");
 }
 
-TEST_F(Config, SaysWhatIsWrongWithFileLineAndKey) {
+TEST_F(Config, ReportsFileLineAndKeyOfAFault) {
   struct Wrong {
     std::string text;
     std::string message;

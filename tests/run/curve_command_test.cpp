@@ -201,7 +201,7 @@ TEST_F(CurveCommand, SaysTheSameOnOneAndTwoRanks) {
   EXPECT_EQ(results[0].dump(), results[1].dump());
 }
 
-TEST_F(CurveCommand, RefusesALoadThatIsNone) {
+TEST_F(CurveCommand, RefusesAnInvalidLoad) {
   const std::string group = "[[loads]]\nnodes = [\"1,3\"]\n";
   EXPECT_THAT(
       refusal("[[loads]]\nnodes = [\"1,33\"]\nforce = [1, 0]\n"),

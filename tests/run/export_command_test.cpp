@@ -176,7 +176,7 @@ TEST_F(ExportCbf, AnotherSolverFindsTheMarginsOfThePatterns) {
   }
 }
 
-TEST_F(ExportCbf, RefusesNodesThatAreNone) {
+TEST_F(ExportCbf, RefusesInvalidNodes) {
   const auto refusal = [&](const std::string& options) {
     const auto run =
         shell(command + " export cbf " + example("plane-truss.toml") + " --mu 0.5 " + options);

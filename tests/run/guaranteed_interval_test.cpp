@@ -77,7 +77,7 @@ TEST_F(GuaranteedInterval, OfAHangerUnderUplift) {
 }
 
 // If both ends are 1, no number of digits shows that the interval is not empty.
-TEST_F(GuaranteedInterval, IsOpenWhereItIsOnePoint) {
+TEST_F(GuaranteedInterval, IsUndecidedIfItIsOnePoint) {
   const auto json = result_of(case_file("uplift.toml") + " --alpha 2", 3);
   const auto& interval = json["guaranteed_interval"];
   EXPECT_NEAR(interval["lower"]["upper"].get<double>(), 1, 1e-6);

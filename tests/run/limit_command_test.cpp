@@ -354,7 +354,7 @@ TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
   }
 }
 
-TEST_F(LimitCommand, RefusesAWidthThatIsNone) {
+TEST_F(LimitCommand, RefusesAnInvalidWidth) {
   for (const char* alpha : {"nan", "-1", "inf", "1e400", "x"}) {
     const auto run =
         shell(command + " limit " + example("paper/limit-3x3.toml") + " --alpha " + alpha);

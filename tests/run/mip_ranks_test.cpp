@@ -105,7 +105,7 @@ TEST_F(Command, SaysWhenAZeroOneProgramHasNoOptimum) {
   EXPECT_THAT(run.output, HasSubstr("infeasible"));
 }
 
-TEST_F(Command, RefusesAZeroOneProgramThatIsNone) {
+TEST_F(Command, RefusesAnInvalidZeroOneProgram) {
   std::ofstream(in_folder("bad.mps")) << "NAME X\nROWS\n N C\nCOLUMNS\n A B 1\nENDATA\n";
   const auto run = shell(command + " mip " + argument("bad.mps"));
   EXPECT_EQ(run.exit_code, 2);

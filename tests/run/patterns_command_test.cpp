@@ -184,7 +184,7 @@ TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
   EXPECT_EQ(json["result"]["patterns"][0]["state"], "alive");
 }
 
-TEST_F(Command, SaysWhetherThereIsAnyPattern) {
+TEST_F(Command, DecidesTheExistenceOfAPattern) {
   const auto file = argument("long.toml");  // its critical coefficient is 0.54124
   shell(command + " example space-truss --rows 10 --depth 3 --output " + file);
   const auto ask = [&](const std::string& launcher, const std::string& mu) {

@@ -75,7 +75,7 @@ TEST_F(Pictures, LeaveNoEmptyFolderBehindAWrongCall) {
   EXPECT_FALSE(fs::exists(in_folder("seen")));
 }
 
-TEST_F(Pictures, ShowNothingThatBisectionHasNot) {
+TEST_F(Pictures, RequireAMethodThatFindsPatterns) {
   const auto run =
       called("critical " + truss + " --method newton --mu-max 1 --vtu " + argument("seen"));
   EXPECT_EQ(run.exit_code, 2);

@@ -146,7 +146,7 @@ TEST_F(VerifyCommand, AFileThatIsNoProblemGetsItsLine) {
   EXPECT_THAT(wrong.output, HasSubstr("changed.toml:"));
 }
 
-TEST_F(VerifyCommand, WhatIsMarginalIsNotProvedAndSaidSo) {
+TEST_F(VerifyCommand, ReportsMarginalNodesAsNotProved) {
   const auto run = shell(command + " verify " + given_certificate("everything-marginal.cert"));
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_THAT(run.output, AllOf(HasSubstr("NOTHING PROVED: all nodes are marginal"),

@@ -310,7 +310,7 @@ TEST_F(Words, ColoursAreForTerminalsAlone) {
   EXPECT_THAT(shell("TERM=xterm " + ranks(2) + call).output, Not(HasSubstr("\033")));
 }
 
-TEST_F(Words, WhatIsOpenIsYellow) {
+TEST_F(Words, ReservationsAreYellow) {
   const auto call = command + " patterns " + truss + " --mu 0.65 --node-limit 20; true";
   const auto shown = on_terminal(call, 80);
   EXPECT_THAT(shown, HasSubstr("\033[33mStopped early (node-limit)"));

@@ -49,7 +49,7 @@ struct Wrong {
   const char* said;
 };
 
-TEST(BoundLines, SaysWhatIsWrongAndWhatWasExpected) {
+TEST(BoundLines, ReportsFaultAndExpectation) {
   auto draft = two_candidates(2);
   draft.bounds = {"bound 1 1 separated 0x1p-2 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x1p+0\n",
                   "never 1 0 contact -0x1p+2 -0x1p+2 0x0p+0 0x1p+0\n"};

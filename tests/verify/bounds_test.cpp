@@ -128,7 +128,7 @@ TEST(Bounds, OfASmallerBoundThanBeforeTheLargerIsForgotten) {
   EXPECT_FALSE(verdict(draft.text()).proved());
 }
 
-TEST(Bounds, RefusesWhatIsSpoilt) {
+TEST(Bounds, RefusesAlteredEvidence) {
   const auto refused = [](std::size_t which, const std::string& with) {
     auto draft = two_candidates(2);
     draft.bounds[which] = with;
@@ -197,7 +197,7 @@ TEST(BoundsOfAnUnconstrainedBar, ProveItsList) {
   EXPECT_EQ(said.bounds, 3U);
   EXPECT_EQ(said.feasible.size(), 1U);
   EXPECT_EQ(said.infeasible, 2U);
-  EXPECT_EQ(said.but_for_far_motion, 0U);
+  EXPECT_EQ(said.except_large_displacements, 0U);
   auto without = unconstrained_bar(2);
   without.bounds.clear();
   EXPECT_THAT(verdict(without.text()).refusals, testing::SizeIs(1));
@@ -223,7 +223,7 @@ TEST(BoundsOfAnUnconstrainedBar, AreRefusedBelowHalfOfTheReactions) {
 }
 
 // No end is ever separated, so every bound on that side is true.
-TEST(BoundsOfAnUnconstrainedBar, NoChangeProvesWhatIsNotTrue) {
+TEST(BoundsOfAnUnconstrainedBar, NoAlterationProvesAFalseBound) {
   const auto text = unconstrained_bar(2).text();
   const auto begin = text.find("bounds 3\n");
   const auto size = text.rfind("digest ") - begin;
@@ -294,7 +294,7 @@ bool is_true(const CandidateBound& bound) {
   return !has_part || (bound.most && *bound.most >= 1);
 }
 
-TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
+TEST(Bounds, NoAlterationProvesAFalseBound) {
   const auto text = two_candidates(2).text();
   const auto begin = text.find("bounds 3\n");
   const auto size = text.rfind("digest ") - begin;

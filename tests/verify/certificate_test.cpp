@@ -88,7 +88,7 @@ struct Wrong {
   const char* said;
 };
 
-TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
+TEST(Certificate, ReportsFaultAndExpectation) {
   const auto text = small().text();
   const Wrong table[] = {
       {"kusabi certificate 1", "kusabi certificate 5", "cert:1: 'kusabi certificate 5', expected"},
@@ -163,7 +163,7 @@ TEST(CertificateInBlocks, IsReadAsItWasWritten) {
   EXPECT_EQ(certificate.stiffness[10 * 7 + 2], 0);
 }
 
-TEST(CertificateInBlocks, SaysWhatIsWrongAndWhatWasExpected) {
+TEST(CertificateInBlocks, ReportsFaultAndExpectation) {
   const auto text = pieces().text();
   const Wrong table[] = {
       {"blocks 2", "blocks 0", "cert:10: 'blocks 0', expected 'blocks' and a number from 1 to"},
@@ -250,7 +250,7 @@ TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
   EXPECT_GT(read, 1000);
 }
 
-TEST(Certificate, NoChangeAnywhereDoesHarm) {
+TEST(Certificate, NoAlterationProvesAFalseClaim) {
   std::mt19937_64 generator(3);
   const std::string texts[] = {small().text(), pieces().text()};
   // Numbers at the limits of doubles, and beyond.

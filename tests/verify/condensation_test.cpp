@@ -52,7 +52,7 @@ Structure chain(double near, double far, double upright) {
   Structure structure;
   structure.dimension = 2;
   structure.names = {"wall", "middle", "tip", "below middle", "below tip"};
-  structure.places = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, -1, 0}, {2, -1, 0}};
+  structure.coordinates = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, -1, 0}, {2, -1, 0}};
   structure.fixed.assign(5, {true, true, false});
   structure.fixed[1] = structure.fixed[2] = {false, false, false};
   structure.bars = {
@@ -96,7 +96,7 @@ TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
   Structure structure;
   structure.dimension = 2;
   structure.names = {"a", "b", "c", "d"};
-  structure.places = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  structure.coordinates = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   structure.fixed.assign(4, {true, true, false});
   structure.fixed[0] = {false, false, false};
   ContactPoint corner;
@@ -142,7 +142,7 @@ TEST(Condensation, IsNearWhatTheSolverComputes) {
 TEST(Condensation, DoesNotDependOnTheAxes) {
   const auto straight = chain(2, 7, 1);
   auto turned = straight;
-  for (auto& place : turned.places) {
+  for (auto& place : turned.coordinates) {
     place = {3 * place[0] - 4 * place[1], 4 * place[0] + 3 * place[1], 0};
   }
   turned.contact[0].normal = {-6, -8, 0};
@@ -153,10 +153,11 @@ TEST(Condensation, DoesNotDependOnTheAxes) {
 TEST(Condensation, IsExactlyZeroBetweenPieces) {
   auto structure = chain(2, 7, 1);
   const auto other = chain(1e6, 5, 3);
-  const auto shift = structure.places.size();
-  for (std::size_t node = 0; node < other.places.size(); ++node) {
+  const auto shift = structure.coordinates.size();
+  for (std::size_t node = 0; node < other.coordinates.size(); ++node) {
     structure.names.push_back("other " + other.names[node]);
-    structure.places.push_back(other.places[node]);  // at the same place, but not connected
+    structure.coordinates.push_back(
+        other.coordinates[node]);  // at the same place, but not connected
     structure.fixed.push_back(other.fixed[node]);
   }
   for (auto bar : other.bars) {
@@ -179,7 +180,7 @@ TEST(Condensation, RefusesAMechanismAndABarWithoutLength) {
   mechanism.bars.erase(mechanism.bars.begin() + 2);
   EXPECT_THAT(std::get<std::string>(condensed_stiffness(mechanism)), HasSubstr("mechanism"));
   auto pinned = chain(1, 1, 1);
-  pinned.places[3] = {1, 0, 0};  // the upright below the middle has length zero
+  pinned.coordinates[3] = {1, 0, 0};  // the upright below the middle has length zero
   EXPECT_THAT(std::get<std::string>(condensed_stiffness(pinned)), HasSubstr("no length"));
   auto near = chain(1, 1, 1);
   near.bars[2].axial_stiffness = 1e-30;  // useless for supporting the middle, but not a mechanism

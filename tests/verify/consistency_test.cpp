@@ -51,7 +51,7 @@ TEST(Consistency, TheCertificateOfAnotherProblemIsRefused) {
   };
   EXPECT_THAT(refusal([](Structure& s) { s.bars[3].axial_stiffness *= 1.001; }),
               HasSubstr("K of the certificate is not that of the structure"));
-  EXPECT_THAT(refusal([](Structure& s) { s.places[s.contact[1].node][0] += 1e-3; }),
+  EXPECT_THAT(refusal([](Structure& s) { s.coordinates[s.contact[1].node][0] += 1e-3; }),
               HasSubstr("K of the certificate is not that of the structure"));
   EXPECT_THAT(refusal([](Structure& s) { s.contact[2].normal[1] += 1e-3; }),
               HasSubstr("K of the certificate is not that of the structure"));
@@ -72,7 +72,7 @@ TEST(Consistency, TheCertificateOfAnotherProblemIsRefused) {
 
 // Differences below the tolerance of the comparison do not lead to a proof for the wrong structure
 // either, since the proof uses the structure's K alone.
-TEST(Consistency, TheKOfTheStructureIsWhatIsProved) {
+TEST(Consistency, ProofsUseTheKOfTheStructure) {
   const auto structure = structure_of("plane-truss.toml");
   const auto certificate = read_certificate(searched(example("plane-truss.toml"), 1.0).text(), "c");
   auto other = structure;
@@ -115,7 +115,7 @@ TEST(Consistency, BlocksMustBeUnconnectedInTheStructure) {
   const auto single = searched(example("two-bars.toml"), 3.0);
   const auto nodes = structure.names.size();
   for (std::size_t node = 0; node < nodes; ++node) {
-    structure.places.push_back(structure.places[node]);
+    structure.coordinates.push_back(structure.coordinates[node]);
     structure.fixed.push_back(structure.fixed[node]);
     structure.names.push_back("b-" + structure.names[node]);
     structure.names[node] = "a-" + structure.names[node];
@@ -137,7 +137,7 @@ TEST(Consistency, BlocksMustBeUnconnectedInTheStructure) {
   weak.first = structure.contact[0].node;
   weak.second = structure.contact[1].node;
   weak.axial_stiffness = 1e-40;
-  structure.places[weak.second][0] += 0x1p-40;
+  structure.coordinates[weak.second][0] += 0x1p-40;
   structure.bars.push_back(weak);
   EXPECT_THAT(verdict(text, &structure).refusals,
               ElementsAre(HasSubstr("in different blocks, but the structure connects them")));

@@ -46,7 +46,7 @@ TEST(Cover, TheRootAloneCoversEverything) {
   EXPECT_EQ(flaw(certificate), "");
 }
 
-TEST(Cover, NamesWhatIsMissing) {
+TEST(Cover, ReportsAMissingPattern) {
   auto certificate = of(3);
   add(certificate, 0b001, 0b000);
   add(certificate, 0b010, 0b001);
@@ -55,7 +55,7 @@ TEST(Cover, NamesWhatIsMissing) {
   EXPECT_EQ(flaw(certificate), "");
 }
 
-TEST(Cover, NamesWhatIsThereTwice) {
+TEST(Cover, ReportsAPatternCoveredTwice) {
   auto certificate = of(2);
   add(certificate, 0b01, 0);
   add(certificate, 0, 0b01);

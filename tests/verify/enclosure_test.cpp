@@ -83,7 +83,7 @@ TEST(Enclosure, OperationsHoldEveryResultOfTheirArguments) {
   }
 }
 
-TEST(Enclosure, KnowsHowFarItIsFromANumber) {
+TEST(Enclosure, BoundsItsDistanceFromANumber) {
   const auto third = Enclosure(1) / Enclosure(3);
   const auto distance = third.distance(Dyadic(0.25)).rational();
   EXPECT_GE(distance, mpq_class(1, 12));

@@ -106,7 +106,7 @@ TEST(DyadicList, AddsExactly) {
   }
 }
 
-TEST(Dyadic, RefusesWhatIsNoNumber) {
+TEST(Dyadic, RefusesInfinityAndNan) {
   for (const double wrong :
        {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
         std::numeric_limits<double>::quiet_NaN()}) {

@@ -24,7 +24,7 @@ Structure truss() {
   Structure structure;
   structure.dimension = 2;
   structure.names = {"low", "high", "tip"};
-  structure.places = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+  structure.coordinates = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
   structure.fixed = {{true, true, false}, {true, true, false}, {false, false, false}};
   structure.bars = {{0, 2, 1, 1, 1}, {1, 2, 1, 1, 1}};
   structure.reference = {{2, {0, -1, 0}}};
@@ -119,7 +119,7 @@ TEST(LimitConsistency, AnotherTrussIsRefused) {
   };
   EXPECT_EQ(refusal([](Structure&) {}), "");
   EXPECT_EQ(refusal([](Structure& s) { s.bars[0].axial_stiffness = 7; }), "");  // not in its laws
-  EXPECT_THAT(refusal([](Structure& s) { s.places[1][1] += 1e-12; }),
+  EXPECT_THAT(refusal([](Structure& s) { s.coordinates[1][1] += 1e-12; }),
               HasSubstr("the recorded direction of member high-tip is not that of the truss"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars[0].tension = 1 + 1e-15; }),
               HasSubstr("the recorded yield forces of member low-tip are not those of the truss"));
@@ -224,7 +224,7 @@ TEST(LimitCertificate, AnEndBeyondAllDoublesIsRoundedToInfinity) {
   EXPECT_EQ(rounded_up(std::get<mpq_class>(upper)), std::numeric_limits<double>::infinity());
 }
 
-TEST(LimitCertificate, NoChangeAnywhereDoesHarm) {
+TEST(LimitCertificate, NoAlterationProvesAFalseClaim) {
   const auto text = text_of(evidence());
   std::mt19937_64 generator(5);
   const std::string likely = "0123456789abcdef-+xp \n";

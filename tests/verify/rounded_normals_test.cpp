@@ -113,12 +113,12 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
       const auto below = verdict(written(problem, 0.97 * critical), &own);
       EXPECT_THAT(below.refusals, IsEmpty()) << shape.name << ' ' << degrees;
       EXPECT_THAT(below.feasible, IsEmpty());
-      EXPECT_EQ(below.but_for_far_motion, 0U);  // proved by a rigid-body mode alone
+      EXPECT_EQ(below.except_large_displacements, 0U);  // proved by a rigid-body mode alone
       const auto above = verdict(written(problem, 1.3 * critical), &own);
       EXPECT_THAT(above.refusals, IsEmpty()) << shape.name << ' ' << degrees;
       EXPECT_FALSE(above.feasible.empty());
       EXPECT_EQ(above.marginal, 0U);
-      far += above.but_for_far_motion;
+      far += above.except_large_displacements;
     }
   }
   EXPECT_GT(far, 0U);

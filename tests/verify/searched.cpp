@@ -196,7 +196,7 @@ Verdict verdict(const std::string& text, const Structure* structure) {
   }
   for (const auto& record : certificate.records) {
     const auto judgement = proof.judgement(record);
-    if (judgement.but_for_far_motion) ++result.but_for_far_motion;
+    if (judgement.except_large_displacements) ++result.except_large_displacements;
     if (judgement.unloaded) ++result.unloaded;
     if (judgement.refusal) {
       result.refusals.push_back(*judgement.refusal);

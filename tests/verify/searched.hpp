@@ -53,8 +53,8 @@ struct Verdict {
   std::size_t bounds = 0;                ///< proved
   std::size_t infeasible = 0;            ///< proved, with cuts or without
   std::size_t marginal = 0;
-  std::size_t but_for_far_motion = 0;  ///< of the infeasible ones
-  std::size_t unloaded = 0;            ///< of the undecided ones
+  std::size_t except_large_displacements = 0;  ///< of the infeasible ones
+  std::size_t unloaded = 0;                    ///< of the undecided ones
 
   [[nodiscard]] bool proved() const { return refusals.empty(); }
 };

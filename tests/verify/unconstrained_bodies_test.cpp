@@ -40,7 +40,7 @@ struct BarBetweenWalls {
     Structure bar;
     bar.dimension = 2;
     bar.names = {"a", "b"};
-    bar.places = {{-1, 0, 0}, {1, 0, 0}};
+    bar.coordinates = {{-1, 0, 0}, {1, 0, 0}};
     bar.fixed.resize(2);
     bar.bars = {{0, 1, 2, 0, 0}};
     bar.contact.resize(2);
@@ -169,7 +169,7 @@ TEST(UnconstrainedBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
   };
   const auto squeezed = node("dead 1 3 0", {-1, -1, 0, 0, 0});
   EXPECT_THAT(said(1e-9, squeezed).refusals, IsEmpty());
-  EXPECT_EQ(said(1e-9, squeezed).but_for_far_motion, 1U);
+  EXPECT_EQ(said(1e-9, squeezed).except_large_displacements, 1U);
   EXPECT_THAT(said(1e-5, squeezed).refusals, Contains(HasSubstr("do not rule out")));
   EXPECT_THAT(said(1e-5, node("alive 1 3 0", {1e-5, -1e-5, 0, 0, 0})).refusals, IsEmpty());
 }
@@ -438,22 +438,23 @@ TEST(ContactMotions, OfTheStructureAreRigidAndComplete) {
       Rationals unit(p);
       unit[k] = 1;
       const auto forces =
-          problem.stiffness.middle * seen_of(problem.motions, unit).values;  // K G, to 46 digits
+          problem.stiffness.middle *
+          restricted_to_candidates(problem.motions, unit).values;  // K G, to 46 digits
       for (std::size_t row = 0; row < n; ++row) EXPECT_LE(std::abs(forces[row].nearest()), 1e-40);
     }
     EXPECT_EQ(near.size(), n * p);
   }
 }
 
-TEST(Elimination, KnowsWhatDepends) {
+TEST(Elimination, DetectsLinearDependence) {
   Elimination rest(3);
-  EXPECT_TRUE(rest.demand({1, 2, 3}));
-  EXPECT_FALSE(rest.demand({2, 4, 6}));
-  EXPECT_TRUE(rest.demand({mpq_class(1, 3), 0, 1}));
-  ASSERT_EQ(rest.left().size(), 1U);
-  EXPECT_EQ(dot(rest.left()[0], {1, 2, 3}), 0);
-  EXPECT_EQ(dot(rest.left()[0], {1, 0, 3}), 0);
-  EXPECT_EQ(rest.taken().size(), 2U);
+  EXPECT_TRUE(rest.add_equation({1, 2, 3}));
+  EXPECT_FALSE(rest.add_equation({2, 4, 6}));
+  EXPECT_TRUE(rest.add_equation({mpq_class(1, 3), 0, 1}));
+  ASSERT_EQ(rest.basis().size(), 1U);
+  EXPECT_EQ(dot(rest.basis()[0], {1, 2, 3}), 0);
+  EXPECT_EQ(dot(rest.basis()[0], {1, 0, 3}), 0);
+  EXPECT_EQ(rest.removed().size(), 2U);
   EXPECT_FALSE(solution({{1, 2}, {2, 4}}, {1, 3}).has_value());
   const auto x = *solution({{1, 2}, {2, 4}, {0, 1}}, {1, 2, 5});
   EXPECT_EQ(x, (Rationals{-9, 5}));

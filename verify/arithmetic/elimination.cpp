@@ -26,16 +26,16 @@ mpq_class dot(const Rationals& a, const Rationals& b) {
 }
 
 Elimination::Elimination(std::size_t unknowns) {
-  for (std::size_t k = 0; k < unknowns; ++k) left_.emplace_back(unknowns).at(k) = 1;
+  for (std::size_t k = 0; k < unknowns; ++k) basis_.emplace_back(unknowns).at(k) = 1;
 }
 
 Rationals Elimination::products(const Rationals& row) const {
   Rationals result;
-  for (const auto& column : left_) result.push_back(dot(row, column));
+  for (const auto& column : basis_) result.push_back(dot(row, column));
   return result;
 }
 
-bool Elimination::demand(const Rationals& row) {
+bool Elimination::add_equation(const Rationals& row) {
   const auto product = products(row);
   // The pivot is the largest product, which keeps numerators and denominators small.
   const auto largest = std::max_element(product.begin(), product.end(),
@@ -46,22 +46,22 @@ bool Elimination::demand(const Rationals& row) {
   return true;
 }
 
-void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
+void Elimination::add_equations_largest_first(const std::vector<Rationals>& rows) {
   std::vector<Rationals> product;  // of each row, with the vectors that are left
   product.reserve(rows.size());
   for (const auto& row : rows) product.push_back(products(row));
   // Sizes by which basis vectors are scaled: those of their largest products.
-  std::vector<double> size(left_.size(), 0);
+  std::vector<double> size(basis_.size(), 0);
   for (const auto& own : product) {
     for (std::size_t k = 0; k < own.size(); ++k)
       size[k] = std::max(size[k], std::abs(own[k].get_d()));
   }
-  while (!left_.empty()) {
+  while (!basis_.empty()) {
     double most = 0;
     std::size_t row = 0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < product.size(); ++i) {
-      for (std::size_t k = 0; k < left_.size(); ++k) {
+      for (std::size_t k = 0; k < basis_.size(); ++k) {
         if (sgn(product[i][k]) == 0) continue;
         const double share = std::abs(product[i][k].get_d()) / size[k];
         if (!(share > most)) continue;  // also if both are below all doubles
@@ -74,21 +74,22 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
     take(at, product[row], product);
     size.erase(size.begin() + static_cast<std::ptrdiff_t>(at));
   }
-  for (const auto& row : rows) demand(row);  // remaining ones, whose products are below all doubles
+  for (const auto& row : rows)
+    add_equation(row);  // remaining ones, whose products are below all doubles
 }
 
 void Elimination::take(std::size_t at, Rationals pivots, std::vector<Rationals>& products) {
   const auto place = static_cast<std::ptrdiff_t>(at);
-  taken_.push_back(std::move(left_[at]));
-  for (std::size_t k = 0; k < left_.size(); ++k) {
+  removed_.push_back(std::move(basis_[at]));
+  for (std::size_t k = 0; k < basis_.size(); ++k) {
     if (k == at || sgn(pivots[k]) == 0) continue;
     const mpq_class factor = pivots[k] / pivots[at];
-    subtract(left_[k], factor, taken_.back());
+    subtract(basis_[k], factor, removed_.back());
     for (auto& own : products) {
       if (sgn(own[at]) != 0) own[k] -= factor * own[at];
     }
   }
-  left_.erase(left_.begin() + place);
+  basis_.erase(basis_.begin() + place);
   for (auto& own : products) own.erase(own.begin() + place);
 }
 

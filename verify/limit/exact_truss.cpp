@@ -10,8 +10,8 @@ ExactTruss exact_truss(const Structure& structure) {
     auto& column = truss.columns.emplace_back();
     auto& square = truss.square_lengths.emplace_back();
     for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      const mpq_class along = mpq_class(structure.places[bar.second][axis]) -
-                              mpq_class(structure.places[bar.first][axis]);
+      const mpq_class along = mpq_class(structure.coordinates[bar.second][axis]) -
+                              mpq_class(structure.coordinates[bar.first][axis]);
       if (sgn(along) == 0) continue;
       square += along * along;
       if (const auto number = freedom.number[bar.first][axis]; number != Freedom::none)

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "verify/arithmetic/numbering.hpp"
+#include "verify/arithmetic/reverse_cuthill_mckee.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -36,7 +36,7 @@ Gram::Gram(const std::vector<Sparse>& columns, const std::vector<std::size_t>& m
       if (other != row) neighbours[row].push_back(other);
     }
   }
-  const auto order = narrow_order(neighbours);
+  const auto order = reverse_cuthill_mckee(neighbours);
   std::vector<std::size_t> place(n);
   for (std::size_t at = 0; at < n; ++at) place[order[at]] = at;
   for (std::size_t k = 0; k < n; ++k) place_[displacements[k]] = place[k];

@@ -16,22 +16,20 @@ std::string bar_name(const Structure& structure, const Bar& bar) {
 }
 
 // The middle of an enclosure, and its distance from the bounds.
-Near middle(const Enclosure& value) {
+Approximate middle(const Enclosure& value) {
   const auto sum = (value.lower() + value.upper()).scaled(-1);
   return {sum, value.distance(sum)};
 }
 
 // The exact column of the bar of a member; nothing if the recorded one is not a rounding of it.
-std::optional<std::vector<std::pair<std::size_t, Near>>> true_column(const Sparse& column,
-                                                                     const Structure& structure,
-                                                                     const Freedom& freedom,
-                                                                     const Bar& bar) {
+std::optional<std::vector<std::pair<std::size_t, Approximate>>> true_column(
+    const Sparse& column, const Structure& structure, const Freedom& freedom, const Bar& bar) {
   std::map<std::size_t, double> recorded;
   for (const auto& [place, value] : column) {
     if (!recorded.emplace(place, value).second) return {};
   }
   const auto cosines = direction(structure, bar).cosines;
-  std::vector<std::pair<std::size_t, Near>> exact;
+  std::vector<std::pair<std::size_t, Approximate>> exact;
   for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
     if (!cosines[axis].finite()) return {};
     for (const auto node : {bar.first, bar.second}) {
@@ -64,10 +62,10 @@ std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure&
 }
 
 // The recorded load is a sum of doubles in double precision, with few rounding errors.
-std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
-                                           const std::vector<Enclosure>& load) {
+std::optional<std::vector<Approximate>> true_load(const std::vector<double>& recorded,
+                                                  const std::vector<Enclosure>& load) {
   constexpr long roundings = -40;
-  std::vector<Near> exact;
+  std::vector<Approximate> exact;
   for (std::size_t e = 0; e < load.size(); ++e) {
     const Dyadic value(recorded[e]);
     if (load[e].distance(value) > absolute(value).scaled(roundings)) return {};
@@ -193,7 +191,7 @@ std::optional<std::string> other_bars(const LimitCertificate& certificate,
 std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& certificate,
                                                         const Structure& structure) {
   const Freedom freedom(structure);
-  if (!freedom.others.empty() || !structure.ties.empty())
+  if (!freedom.masters.empty() || !structure.ties.empty())
     return "the structure has multi-point constraints, inclined supports or contact pairs; "
            "limit analysis does not support these";
   if (certificate.displacements != freedom.count ||

@@ -19,7 +19,7 @@ Dyadic product(const Dyadic& a, double b) {
   return a * Dyadic(b);
 }
 
-using Column = std::vector<std::pair<std::size_t, Near>>;
+using Column = std::vector<std::pair<std::size_t, Approximate>>;
 
 // b'u.
 Dyadic elongation_of(const Column& column, const std::vector<Dyadic>& motion) {
@@ -33,7 +33,7 @@ std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const L
   std::vector<SparseDyadic> errors(truss.columns.size());
   bool any = false;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    std::map<std::size_t, Near> difference;
+    std::map<std::size_t, Approximate> difference;
     for (const auto& [e, entry] : truss.columns[i]) {
       difference[e].value = difference[e].value + entry.value;
       difference[e].error = difference[e].error + entry.error;
@@ -58,7 +58,7 @@ LimitTruss recorded_truss(const LimitCertificate& certificate) {
   LimitTruss truss;
   for (const auto& column : certificate.columns) {
     auto& exact = truss.columns.emplace_back();
-    for (const auto& [e, entry] : column) exact.emplace_back(e, Near{Dyadic(entry), {}});
+    for (const auto& [e, entry] : column) exact.emplace_back(e, Approximate{Dyadic(entry), {}});
   }
   for (const double dead : certificate.dead) truss.dead.push_back({Dyadic(dead), {}});
   for (const double reference : certificate.reference) {
@@ -91,7 +91,7 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
   std::vector<Dyadic> errors(load.size());
-  const auto add = [&](std::size_t e, const Near& number, double times) {
+  const auto add = [&](std::size_t e, const Approximate& number, double times) {
     load[e].add_product(number.value, times);
     errors[e].add_product(number.error, std::abs(times));
   };
@@ -326,7 +326,7 @@ std::optional<std::string> LimitProof::yielding(const LimitNode& node,
 
 bool LimitProof::shows_no_factor() const {
   const auto& reference = truss_.reference;
-  const auto exact = [](const Near& load) { return load.error.sign() == 0; };
+  const auto exact = [](const Approximate& load) { return load.error.sign() == 0; };
   if (!load_is_admissible()) return false;
   if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
     return false;

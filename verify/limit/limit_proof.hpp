@@ -17,7 +17,7 @@
 namespace kusabi::verify {
 
 /// A number within `error` of `value`.
-struct Near {
+struct Approximate {
   Dyadic value;
   Dyadic error;
 };
@@ -25,9 +25,9 @@ struct Near {
 /// The truss of the proof: that of a certificate, whose numbers are doubles, or that of a problem
 /// file, whose direction cosines are roots, enclosed with a hundred digits.
 struct LimitTruss {
-  std::vector<std::vector<std::pair<std::size_t, Near>>> columns;  ///< B, by member
-  std::vector<Near> dead;                                          ///< f_D
-  std::vector<Near> reference;                                     ///< f_R
+  std::vector<std::vector<std::pair<std::size_t, Approximate>>> columns;  ///< B, by member
+  std::vector<Approximate> dead;                                          ///< f_D
+  std::vector<Approximate> reference;                                     ///< f_R
   std::vector<double> half_widths{};  ///< of the uncertain loads of the problem file, in its order
 };
 

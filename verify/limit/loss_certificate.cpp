@@ -53,7 +53,7 @@ Structure read_truss(Lines& lines) {
   const std::string of_node = "'node', and for each axis a coordinate and 'fixed' or 'free'";
   for (std::size_t k = 0; k < nodes; ++k) {
     begin(lines, "node", of_node);
-    auto& place = truss.places.emplace_back();
+    auto& place = truss.coordinates.emplace_back();
     auto& fixed = truss.fixed.emplace_back();
     for (std::size_t axis = 0; axis < truss.dimension; ++axis) {
       place[axis] = lines.number(of_node);
@@ -71,7 +71,7 @@ Structure read_truss(Lines& lines) {
     auto& bar = truss.bars.emplace_back();
     bar.first = below(lines, nodes, of_bar);
     bar.second = below(lines, nodes, of_bar);
-    if (truss.places[bar.first] == truss.places[bar.second])
+    if (truss.coordinates[bar.first] == truss.coordinates[bar.second])
       lines.refuse("two nodes at different places");
     bar.tension = not_negative(lines, of_bar);
     bar.compression = not_negative(lines, of_bar);
@@ -86,7 +86,7 @@ std::vector<Force> read_forces(Lines& lines, const Structure& truss, const std::
   for (auto left = lines.count(keyword); left > 0; --left) {
     begin(lines, "force", what);
     auto& force = forces.emplace_back();
-    force.node = below(lines, truss.places.size(), what);
+    force.node = below(lines, truss.coordinates.size(), what);
     for (std::size_t axis = 0; axis < truss.dimension; ++axis)
       force.components[axis] = lines.number(what);
     lines.end_of_line(what);
@@ -105,7 +105,7 @@ void read_loads(Lines& lines, Structure& truss) {
     auto& column = uncertain.emplace_back();
     for (auto parts = count(lines, lines.remainder().size(), what); parts > 0; --parts) {
       auto& part = column.emplace_back();
-      part.node = below(lines, truss.places.size(), what);
+      part.node = below(lines, truss.coordinates.size(), what);
       part.axis = below(lines, truss.dimension, what);
       part.weight = lines.number(what);
     }

@@ -48,11 +48,11 @@ class LineWriter {
 
 void put_truss(std::string& text, const Structure& truss) {
   LineWriter(text, "dimension") << truss.dimension;
-  LineWriter(text, "nodes") << truss.places.size();
-  for (std::size_t node = 0; node < truss.places.size(); ++node) {
+  LineWriter(text, "nodes") << truss.coordinates.size();
+  for (std::size_t node = 0; node < truss.coordinates.size(); ++node) {
     LineWriter line(text, "node");
     for (std::size_t axis = 0; axis < truss.dimension; ++axis)
-      line << truss.places[node][axis] << (truss.fixed[node][axis] ? "fixed" : "free");
+      line << truss.coordinates[node][axis] << (truss.fixed[node][axis] ? "fixed" : "free");
   }
   LineWriter(text, "members") << truss.bars.size();
   for (const auto& bar : truss.bars)

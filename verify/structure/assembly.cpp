@@ -67,7 +67,7 @@ std::vector<std::vector<std::pair<std::size_t, Enclosure>>> rows_of(const Struct
     if (node) {
       rows.push_back(freedom.weighted(*node, axis));
     } else {
-      rows.push_back({{freedom.own[index][rows.size()], Enclosure(1)}});
+      rows.push_back({{freedom.internal[index][rows.size()], Enclosure(1)}});
     }
   }
   return rows;
@@ -135,7 +135,8 @@ Connected connected(const Structure& structure, const Freedom& freedom) {
   for (const auto& bar : structure.bars) {
     std::vector<std::size_t> straining;
     for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      if (structure.places[bar.first][axis] == structure.places[bar.second][axis]) continue;
+      if (structure.coordinates[bar.first][axis] == structure.coordinates[bar.second][axis])
+        continue;
       for (const auto node : {bar.first, bar.second}) {
         for (const auto number : freedom.parts(node, axis)) straining.push_back(number);
       }

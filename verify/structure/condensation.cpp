@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "verify/arithmetic/cholesky.hpp"
-#include "verify/arithmetic/numbering.hpp"
+#include "verify/arithmetic/reverse_cuthill_mckee.hpp"
 #include "verify/structure/assembly.hpp"
 #include "verify/structure/enclosed_problem.hpp"
 #include "verify/structure/several_normals.hpp"
@@ -116,7 +116,7 @@ void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
       if (!is_contact_[column] && column != rest[at]) neighbours[at].push_back(place_[column]);
     }
   }
-  for (const auto at : narrow_order(neighbours)) displacement_.push_back(rest[at]);
+  for (const auto at : reverse_cuthill_mckee(neighbours)) displacement_.push_back(rest[at]);
   for (std::size_t at = 0; at < displacement_.size(); ++at) place_[displacement_[at]] = at;
   parts_.rest = rest.size();
 }
@@ -127,7 +127,7 @@ void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
 // (docs/theory/wedged.md, "Rollers at candidates").
 void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& stiffness) {
   auto& numbers = freedom_.number[point.node];
-  const auto normal = numbers[steepest_axis(point.normal)];
+  const auto normal = numbers[largest_component_axis(point.normal)];
   for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
     if (numbers[axis] != Freedom::none) continue;
     const auto spring = stiffness[normal][normal];

@@ -46,7 +46,7 @@ std::vector<Body> bodies_of(const Structure& structure) {
       if (!is_ground(structure, part.node)) links.back().push_back(part.node);
     }
   }
-  DisjointSets sets(structure.places.size());
+  DisjointSets sets(structure.coordinates.size());
   const auto own = [&](const std::vector<std::size_t>& nodes) {
     return std::find_if(nodes.begin(), nodes.end(),
                         [&](auto node) { return !is_ground(structure, node); });
@@ -59,7 +59,7 @@ std::vector<Body> bodies_of(const Structure& structure) {
   }
   std::map<std::size_t, std::size_t> number;  // body of each set
   std::vector<Body> bodies;
-  for (std::size_t node = 0; node < structure.places.size(); ++node) {
+  for (std::size_t node = 0; node < structure.coordinates.size(); ++node) {
     if (is_ground(structure, node)) continue;
     const auto [place, is_new] = number.emplace(sets.of(node), bodies.size());
     if (is_new) bodies.emplace_back();
@@ -104,7 +104,7 @@ Rationals lever(const Structure& structure, const Vector& centre, std::size_t no
                 std::size_t axis) {
   Rationals place;
   for (std::size_t k = 0; k < structure.dimension; ++k)
-    place.emplace_back(structure.places[node][k]);
+    place.emplace_back(structure.coordinates[node][k]);
   return lever(centre, place, axis);
 }
 
@@ -125,7 +125,7 @@ void demand_conditions(const Structure& structure, const Body& body, const Vecto
     if (!is_own(node)) continue;
     Rationals row;
     for (std::size_t axis = 0; axis < d; ++axis) add(row, mpq_class(direction[axis]), node, axis);
-    free.demand(row);
+    free.add_equation(row);
   }
   for (const auto& tie : structure.ties) {
     for (std::size_t axis = 0; axis < d && is_own(tie.node); ++axis) {
@@ -134,7 +134,7 @@ void demand_conditions(const Structure& structure, const Body& body, const Vecto
       for (const auto& [node, weight] : tie.to) {
         if (!is_ground(structure, node)) add(row, mpq_class(-weight), node, axis);
       }
-      free.demand(row);
+      free.add_equation(row);
     }
   }
 }
@@ -146,23 +146,23 @@ std::vector<Rationals> motions_of(const Structure& structure, const Body& body,
   Elimination free(d == 2 ? 3 : 6);
   for (const auto* nodes : {&body.nodes, &body.ground}) {
     for (const auto node : *nodes) {
-      for (std::size_t axis = 0; axis < d && !free.left().empty(); ++axis) {
-        if (structure.fixed[node][axis]) free.demand(lever(structure, centre, node, axis));
+      for (std::size_t axis = 0; axis < d && !free.basis().empty(); ++axis) {
+        if (structure.fixed[node][axis]) free.add_equation(lever(structure, centre, node, axis));
       }
     }
   }
   for (const auto& spring : structure.springs) {
-    if (free.left().empty()) break;
+    if (free.basis().empty()) break;
     if (std::binary_search(body.nodes.begin(), body.nodes.end(), spring.node))
-      free.demand(lever(structure, centre, spring.node, spring.axis));
+      free.add_equation(lever(structure, centre, spring.node, spring.axis));
   }
   demand_conditions(structure, body, centre, free);
-  Elimination moving(free.left());
+  Elimination moving(free.basis());
   for (const auto node : body.nodes) {
-    for (std::size_t axis = 0; axis < d && !moving.left().empty(); ++axis)
-      moving.demand(lever(structure, centre, node, axis));
+    for (std::size_t axis = 0; axis < d && !moving.basis().empty(); ++axis)
+      moving.add_equation(lever(structure, centre, node, axis));
   }
-  return moving.taken();
+  return moving.removed();
 }
 
 // Rigid-body modes of all unconstrained bodies, side by side.
@@ -204,7 +204,7 @@ UnconstrainedBodies::UnconstrainedBodies(const Structure& structure)
     // Stiffness matrices of other programs have rigid-body modes only up to rounding. K must
     // therefore be definite for such a body, which is proved with the rest.
     if (body.has_given_stiffness) continue;
-    const auto centre = structure.places[body.nodes.front()];
+    const auto centre = structure.coordinates[body.nodes.front()];
     const auto own = motions_of(structure, body, centre);
     if (own.empty()) continue;
     for (const auto node : body.nodes) body_of_[node] = bodies_.size();
@@ -243,20 +243,20 @@ Rationals UnconstrainedBodies::at(const ContactPoint& point, std::size_t axis) c
 
 std::vector<GroundSpring> UnconstrainedBodies::grounding_springs(Elimination unseen) const {
   std::vector<GroundSpring> springs;
-  while (!unseen.left().empty()) {
+  while (!unseen.basis().empty()) {
     GroundSpring best{};
     mpq_class most;
     for (const auto& [node, body] : body_of_) {
       for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
         if (structure_.fixed[node][axis]) continue;
-        const mpq_class moves = abs(dot(at(node, axis), unseen.left().front()));
+        const mpq_class moves = abs(dot(at(node, axis), unseen.basis().front()));
         if (moves > most) {
           most = moves;
           best = {node, axis, 1};
         }
       }
     }
-    unseen.demand(at(best.node, best.axis));
+    unseen.add_equation(at(best.node, best.axis));
     springs.push_back(best);
   }
   return springs;
@@ -344,7 +344,7 @@ std::vector<double> ContactMotions::nearest() const {
 namespace {
 
 // The numbers, each with an error relative to its size, rounded to a grid far below the largest.
-NearList on_a_grid(const Rationals& numbers, const Dyadic& share) {
+ApproximateList on_a_grid(const Rationals& numbers, const Dyadic& share) {
   constexpr long digits = 256;
   long largest = 0;
   bool any = false;
@@ -355,7 +355,7 @@ NearList on_a_grid(const Rationals& numbers, const Dyadic& share) {
     largest = any ? std::max(largest, magnitude) : magnitude;
     any = true;
   }
-  NearList result{DyadicList(numbers.size()), {}};
+  ApproximateList result{DyadicList(numbers.size()), {}};
   if (!any) return result;
   const long grid = largest - digits;
   result.values.exponent = grid;
@@ -376,7 +376,7 @@ NearList on_a_grid(const Rationals& numbers, const Dyadic& share) {
 
 }  // namespace
 
-NearList times_lengths(const ContactMotions& motions, const Rationals& numbers) {
+ApproximateList times_lengths(const ContactMotions& motions, const Rationals& numbers) {
   Rationals products(numbers.size());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (sgn(numbers[k]) != 0) products[k] = numbers[k] * motions.lengths[k].rational();
@@ -384,7 +384,8 @@ NearList times_lengths(const ContactMotions& motions, const Rationals& numbers) 
   return on_a_grid(products, motions.spread);
 }
 
-NearList seen_of(const ContactMotions& motions, const Rationals& coefficients) {
+ApproximateList restricted_to_candidates(const ContactMotions& motions,
+                                         const Rationals& coefficients) {
   Rationals quotients(motions.rows.size());
   for (std::size_t k = 0; k < motions.rows.size(); ++k) {
     quotients[k] = dot(motions.rows[k], coefficients);
@@ -398,8 +399,8 @@ namespace {
 // Modes that displace candidates, and the others; the scales of the former are those of
 // scale_columns().
 struct SplitModes {
-  std::vector<Rationals> seen;
-  std::vector<Rationals> unseen;
+  std::vector<Rationals> of_candidates;
+  std::vector<Rationals> others;
 };
 
 SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bodies,
@@ -411,8 +412,8 @@ SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bo
   // Their doubles are compared with the modes of a certificate, so modes of long levers must not be
   // nearly equal.
   Elimination visible(bodies.motions());
-  visible.demand_largest_first(seen_rows);
-  return {visible.taken(), visible.left()};
+  visible.add_equations_largest_first(seen_rows);
+  return {visible.removed(), visible.basis()};
 }
 
 }  // namespace
@@ -420,7 +421,7 @@ SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bo
 UnconstrainedModes unconstrained_modes(const Structure& structure) {
   const auto d = structure.dimension;
   UnconstrainedModes result;
-  auto& seen = result.seen;
+  auto& seen = result.of_candidates;
   std::vector<Directions> frames;
   for (const auto& point : structure.contact) {
     frames.push_back(directions_of(point, d));
@@ -435,7 +436,7 @@ UnconstrainedModes unconstrained_modes(const Structure& structure) {
   if (bodies.motions().empty()) return result;
   std::vector<Rationals> seen_rows;
   const auto [columns, unseen] = split_modes(structure, bodies, seen_rows);
-  result.unseen = bodies.grounding_springs(Elimination(unseen));
+  result.others = bodies.grounding_springs(Elimination(unseen));
   seen.count = columns.size();
   for (auto& row : seen.rows) row.resize(seen.count);
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
@@ -467,9 +468,10 @@ std::vector<LoadWork> works_of(const Structure& structure, const ContactMotions&
           if (sgn(row[k]) != 0) moved[k] += mpq_class(components[axis]) * row[k];
       }
     }
-    for (std::size_t k = 0; k < modes.seen.size(); ++k)
-      result[load].seen.push_back(times_power(dot(moved, modes.seen[k]), seen.shifts[k]));
-    for (const auto& mode : modes.unseen) result[load].unseen.push_back(dot(moved, mode));
+    for (std::size_t k = 0; k < modes.of_candidates.size(); ++k)
+      result[load].of_candidates.push_back(
+          times_power(dot(moved, modes.of_candidates[k]), seen.shifts[k]));
+    for (const auto& mode : modes.others) result[load].others.push_back(dot(moved, mode));
   }
   return result;
 }

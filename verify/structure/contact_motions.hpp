@@ -26,30 +26,32 @@ struct ContactMotions {
 };
 
 /// Dyadic approximations of numbers.
-struct NearList {
+struct ApproximateList {
   DyadicList values;
   Dyadic error;  ///< bound of the error of each
 };
 
 /// l_k times rational numbers, for all k: components along the directions of the candidates.
-NearList times_lengths(const ContactMotions& motions, const Rationals& numbers);
+ApproximateList times_lengths(const ContactMotions& motions, const Rationals& numbers);
 
 /// G a: a rigid-body mode restricted to contact degrees of freedom.
-NearList seen_of(const ContactMotions& motions, const Rationals& coefficients);
+ApproximateList restricted_to_candidates(const ContactMotions& motions,
+                                         const Rationals& coefficients);
 
 /// Rigid-body modes that supports and springs admit; bars and elements determine the connected
 /// components.
 struct UnconstrainedModes {
-  ContactMotions seen;
+  ContactMotions of_candidates;
   /// Grounding springs of stiffness 1 for modes that displace no candidate. Contact reactions in
   /// equilibrium cause no force in them.
-  std::vector<GroundSpring> unseen;
+  std::vector<GroundSpring> others;
 };
 
-/// Z'f of a load: its work on the modes of `seen`, and on those that displace no candidate.
+/// Z'f of a load: its work on the modes of `of_candidates`, and on those that displace no
+/// candidate.
 struct LoadWork {
-  Rationals seen;
-  Rationals unseen;
+  Rationals of_candidates;
+  Rationals others;
 };
 
 /// Exact work of loads on all modes. @param seen those of unconstrained_modes()

@@ -14,7 +14,7 @@ namespace {
 double distance(const Structure& structure, std::size_t a, std::size_t b) {
   double sum = 0;
   for (std::size_t axis = 0; axis < structure.dimension; ++axis)
-    sum += std::pow(structure.places[a][axis] - structure.places[b][axis], 2);
+    sum += std::pow(structure.coordinates[a][axis] - structure.coordinates[b][axis], 2);
   return std::sqrt(sum);
 }
 
@@ -45,11 +45,11 @@ std::variant<LoadedEnclosure, std::string> enclosed(const Structure& structure,
                                                     const std::vector<ForceList>& loads,
                                                     const support::LongWork& work) {
   auto modes = unconstrained_modes(structure);
-  const bool constrained = modes.seen.count == 0 && modes.unseen.empty();
+  const bool constrained = modes.of_candidates.count == 0 && modes.others.empty();
   auto grounded = structure;
   const double stiffness = typical_stiffness(structure);
   if (!constrained) {
-    for (auto spring : modes.unseen) {
+    for (auto spring : modes.others) {
       spring.stiffness = stiffness;
       grounded.springs.push_back(spring);
     }
@@ -63,7 +63,7 @@ std::variant<LoadedEnclosure, std::string> enclosed(const Structure& structure,
     for (std::size_t k = 0; k < size; ++k) springs[size * k + k] = -stiffness;
     matrix.middle.entries += DyadicList(springs);
   }
-  LoadedEnclosure result{{std::move(matrix), std::move(modes.seen)}, {}};
+  LoadedEnclosure result{{std::move(matrix), std::move(modes.of_candidates)}, {}};
   if (loads.empty()) return result;
   auto works = works_of(structure, result.problem.motions, loads);
   const Freedom freedom(structure);

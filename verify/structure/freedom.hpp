@@ -22,7 +22,7 @@ namespace kusabi::verify {
 using SparseEnclosure = std::vector<std::map<std::size_t, Enclosure>>;
 
 /// The axis of the largest component; the first of equal ones.
-std::size_t steepest_axis(const Vector& direction);
+std::size_t largest_component_axis(const Vector& direction);
 
 /// Numbers of free displacements: by node and axis, then the internal unknowns of given
 /// stiffnesses.
@@ -34,10 +34,10 @@ struct Freedom {
   std::vector<std::array<std::size_t, 3>> number;
   /// By (node, axis) of dependent displacements: the free displacements in it and their weights.
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, Enclosure>>>
-      others;
+      masters;
 
   /// By given stiffness and row: the number of an internal unknown, or `none`.
-  std::vector<std::vector<std::size_t>> own;
+  std::vector<std::vector<std::size_t>> internal;
 
   explicit Freedom(const Structure& structure);
 

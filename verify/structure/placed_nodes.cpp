@@ -19,11 +19,11 @@ std::optional<Rationals> place_of(const Structure& structure, const ContactPoint
   double off = 0;
   for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
     for (const auto& [node, weight] : point.against) {
-      const double coordinate = structure.places[node][axis];
+      const double coordinate = structure.coordinates[node][axis];
       place[axis] += mpq_class(weight) * mpq_class(coordinate);
       largest = std::max(largest, std::abs(coordinate));
     }
-    const double own = structure.places[point.node][axis];
+    const double own = structure.coordinates[point.node][axis];
     largest = std::max(largest, std::abs(own));
     const mpq_class away = place[axis] - mpq_class(own);
     off = std::max(off, std::abs(away.get_d()));
@@ -46,10 +46,10 @@ Enclosure coordinate(const Structure& structure, std::size_t node, std::size_t a
     if (point.node != node || !place_of(structure, point)) continue;
     Enclosure sum;
     for (const auto& [other, weight] : point.against)
-      sum.add_product(Enclosure(weight), Enclosure(structure.places[other][axis]));
+      sum.add_product(Enclosure(weight), Enclosure(structure.coordinates[other][axis]));
     return sum;
   }
-  return Enclosure(structure.places[node][axis]);
+  return Enclosure(structure.coordinates[node][axis]);
 }
 
 }  // namespace kusabi::verify

@@ -27,14 +27,14 @@ std::optional<std::pair<Columns, Dyadic>> pseudo_inverse(const ContactMotions& m
     }
   }
   Elimination independent(p);
-  for (const auto& row : gram) independent.demand(row);
-  if (!independent.left().empty()) return {};
+  for (const auto& row : gram) independent.add_equation(row);
+  if (!independent.basis().empty()) return {};
   Columns columns;
   Dyadic error;
   for (std::size_t k = 0; k < p; ++k) {
     Rationals unit(p);
     unit[k] = 1;
-    const auto near = seen_of(motions, *solution(gram, std::move(unit)));
+    const auto near = restricted_to_candidates(motions, *solution(gram, std::move(unit)));
     auto& column = columns.emplace_back();
     for (std::size_t row = 0; row < near.values.size(); ++row) column.push_back(near.values[row]);
     error = larger(error, near.error);

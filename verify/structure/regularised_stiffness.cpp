@@ -13,8 +13,8 @@ namespace kusabi::verify {
 namespace {
 
 // Corrections of the refinement are truncated this many bits below their largest number, which
-// loses no accuracy and saves multiplications. The first approximation is truncated as CoarseMatrix
-// requires.
+// loses no accuracy and saves multiplications. The first approximation is truncated as
+// TruncatedMatrix requires.
 constexpr int refined_bits = 64;
 constexpr int first_bits = 9;
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "verify/arithmetic/cholesky.hpp"
-#include "verify/arithmetic/coarse_matrix.hpp"
 #include "verify/arithmetic/enclosed_factor.hpp"
 #include "verify/arithmetic/exact.hpp"
+#include "verify/arithmetic/truncated_matrix.hpp"
 
 namespace kusabi::verify {
 
@@ -68,7 +68,7 @@ class RegularisedStiffness {
                                                           const Check& check) const;
 
   EnclosedMatrix stiffness_;
-  CoarseMatrix coarse_;
+  TruncatedMatrix coarse_;
   std::vector<std::size_t> springs_;
   std::vector<double> rounded_;  // the middle of the enclosure, for approximate solutions
   std::optional<Dyadic> least_;

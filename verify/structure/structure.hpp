@@ -64,7 +64,7 @@ struct Part {
 
 /// A node of a multi-point constraint: its displacement is the sum of weight times those of master
 /// nodes.
-struct TiedNode {
+struct MultiPointConstraint {
   std::size_t node = 0;
   std::vector<Part> to;
 };
@@ -106,11 +106,11 @@ struct UncertainForce {
 struct Structure {
   std::size_t dimension = 0;  ///< d: 2 or 3
   std::vector<std::string> names;
-  std::vector<Vector> places;              ///< one for each node
+  std::vector<Vector> coordinates;         ///< one for each node
   std::vector<std::array<bool, 3>> fixed;  ///< one for each node
   std::vector<Bar> bars;
   std::vector<Element> elements;
-  std::vector<TiedNode> ties;
+  std::vector<MultiPointConstraint> ties;
   std::vector<InclinedNode> inclined;
   std::vector<ContactPoint> contact;  ///< in the order of all answers
   std::vector<Force> dead;

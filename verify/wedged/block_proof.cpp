@@ -51,7 +51,7 @@ BlockProof::BlockProof(ContactBlock block)
 void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double negligible,
                                 Elimination& rest, std::vector<std::size_t>& chosen) const {
   std::optional<double> first;
-  while (!rest.left().empty()) {
+  while (!rest.basis().empty()) {
     std::optional<double> most;
     std::size_t best = 0;
     for (const auto row : rows) {
@@ -64,7 +64,7 @@ void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double neg
     }
     if (!most || (first && *most <= negligible * *first)) return;
     if (!first) first = most;
-    rest.demand(block_.motions.rows[best]);
+    rest.add_equation(block_.motions.rows[best]);
     chosen.push_back(best);
   }
 }
@@ -81,7 +81,7 @@ BlockProof::Grounding BlockProof::grounding(const IndexSet& contact) const {
   }
   Elimination rest(motions());
   demand_largest(normals, nearly_sliding, rest, result.springs);
-  result.sliding = rest.left();
+  result.sliding = rest.basis();
   demand_largest(others, 0, rest, result.springs);
   std::sort(result.springs.begin(), result.springs.end());
   return result;

@@ -55,14 +55,14 @@ struct ContactBlock {
 };
 
 /// A configuration *moves far* if its displacements exceed their part without rigid-body modes by
-/// this factor: |u| > farthest_motion min_a |u - G a|. Directions in files have sixteen digits, so
-/// over such distances nearly parallel walls cannot be distinguished from parallel ones.
-inline constexpr double farthest_motion = 0x1p20;
+/// this factor: |u| > largest_displacement_ratio min_a |u - G a|. Directions in files have sixteen
+/// digits, so over such distances nearly parallel walls cannot be distinguished from parallel ones.
+inline constexpr double largest_displacement_ratio = 0x1p20;
 
 /// The result of the check of a claim.
 struct Judgement {
-  std::optional<std::string> refusal{};  ///< reason why it is not proved; nothing if it is
-  bool but_for_far_motion = false;       ///< proved only for configurations that do not move far
+  std::optional<std::string> refusal{};     ///< reason why it is not proved; nothing if it is
+  bool except_large_displacements = false;  ///< proved only for configurations that do not move far
   /// Of an undecided node: its configurations are proved to be those of nodes with fewer contacts.
   bool unloaded = false;
 };
@@ -208,12 +208,12 @@ class BlockProof {
   [[nodiscard]] std::optional<std::string> refusal_of_leaf(Leaf leaf,
                                                            std::span<const double> numbers) const;
   // Upper bound of the norm of normal displacements on a set.
-  [[nodiscard]] Dyadic normal_size(const NearList& displacements,
+  [[nodiscard]] Dyadic normal_size(const ApproximateList& displacements,
                                    const support::IndexSet& contact) const;
   // Bound of the error of the tangential reactions caused by the normal displacements of sliding
   // modes on U; nothing if it is too large. `pressures` is the norm of r_n.
   [[nodiscard]] std::optional<Dyadic> error_of_lift(const RegularisedStiffness& regularised,
-                                                    const Leaf& leaf, const NearList& shift,
+                                                    const Leaf& leaf, const ApproximateList& shift,
                                                     const Dyadic& pressures) const;
   [[nodiscard]] std::optional<std::string> check_feasible(const RegularisedStiffness& regularised,
                                                           const Leaf& leaf, const DyadicList& u,
@@ -269,7 +269,7 @@ class BlockProof {
   // Forces along the normals; where u_n >= 0 they are not below the coefficients of the
   // inequalities.
   struct Multipliers {
-    NearList near;
+    ApproximateList near;
     Dyadic carried;  // norm of the spring forces that would bring them into equilibrium
   };
   // Multipliers in exact equilibrium; nothing if there are none.
@@ -280,7 +280,7 @@ class BlockProof {
                                                             double small) const;
   [[nodiscard]] std::optional<Dyadic> carried_by_springs(const std::vector<Rationals>& rows,
                                                          const Rationals& forces) const;
-  [[nodiscard]] NearList along_normals(const Rationals& forces) const;
+  [[nodiscard]] ApproximateList along_normals(const Rationals& forces) const;
   [[nodiscard]] Judgement judge_unconstrained(const Combination& combination) const;
   [[nodiscard]] std::optional<std::string> check_unconstrained(
       const Combination& combination, const Multipliers& y, const std::vector<double>& mean,
@@ -293,7 +293,7 @@ class BlockProof {
 
   // Rigid-body motions in a form, for springs on as many normals as possible.
   struct MotionsOfForm {
-    std::vector<NearList> lifting;  // those of springs on normals
+    std::vector<ApproximateList> lifting;  // those of springs on normals
     Dyadic lifted_by_sliding;  // bound of the normal displacements by the others, over |u| s / |r|
   };
   [[nodiscard]] std::optional<MotionsOfForm> motions_of_form(

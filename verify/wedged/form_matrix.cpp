@@ -74,7 +74,7 @@ WideMatrix transposed_product(const WordGrid& a, const WordGrid& b, std::size_t 
 
 }  // namespace
 
-NormalRows normal_rows(const InverseColumns& inverse, const std::vector<NearList>& lifting,
+NormalRows normal_rows(const InverseColumns& inverse, const std::vector<ApproximateList>& lifting,
                        std::size_t m, std::size_t d) {
   const auto size = d * m;
   const auto n = size + lifting.size();
@@ -187,7 +187,7 @@ std::optional<std::vector<double>> FormMatrix::equilibrium_factors(std::span<con
   return factors;
 }
 
-bool FormMatrix::restrict_to_equilibrium(const std::vector<NearList>& motions) {
+bool FormMatrix::restrict_to_equilibrium(const std::vector<ApproximateList>& motions) {
   const auto p = motions.size();
   if (p == 0) return true;
   const auto size = motions.front().values.size();

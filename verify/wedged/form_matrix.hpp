@@ -34,7 +34,7 @@ struct NormalRows {
 /// @param inverse columns of the compliance at the normals
 /// @param lifting rigid-body motions, dm displacements each; the unit of the coefficient of each is
 ///        a power of two for which D is as large as F
-NormalRows normal_rows(const InverseColumns& inverse, const std::vector<NearList>& lifting,
+NormalRows normal_rows(const InverseColumns& inverse, const std::vector<ApproximateList>& lifting,
                        std::size_t m, std::size_t d);
 
 /// Twice the form.
@@ -49,7 +49,7 @@ class FormMatrix {
   /// Adds G C + C'G', zero for G'r = 0, with a C, p x n, for which the part outside G'r = 0 is near
   /// -level I, without coupling to the rest.
   /// @param motions p columns of G @return false: they are dependent
-  bool restrict_to_equilibrium(const std::vector<NearList>& motions);
+  bool restrict_to_equilibrium(const std::vector<ApproximateList>& motions);
 
   /// A lower bound of the least eigenvalue of minus the matrix; nothing if it is not positive.
   [[nodiscard]] std::optional<Dyadic> least_opposite() const;

@@ -30,7 +30,7 @@ std::optional<BlockProof::MotionsOfForm> BlockProof::motions_of_form(
     right[j] = 1;
     const auto shares = solution(rows, std::move(right));
     if (!shares) return {};
-    auto seen = seen_of(block_.motions, *shares);
+    auto seen = restricted_to_candidates(block_.motions, *shares);
     if (springs[j] % d == 0) {
       result.lifting.push_back(std::move(seen));
       continue;
@@ -65,12 +65,13 @@ Judgement BlockProof::judge_form(std::span<const double> numbers) const {
   if (!inverse || !moving) return {"K is too ill-conditioned to compute its displacements"};
   auto rows = normal_rows(*inverse, moving->lifting, m, d);
   const bool far = moving->lifted_by_sliding.sign() > 0;
-  rows.error = rows.error + Dyadic(farthest_motion) * moving->lifted_by_sliding;
+  rows.error = rows.error + Dyadic(largest_displacement_ratio) * moving->lifted_by_sliding;
   FormMatrix matrix(form, rows, d);
   matrix.add_friction(form, friction_, d);
-  std::vector<NearList> motions_of_block;
+  std::vector<ApproximateList> motions_of_block;
   const Elimination all(motions());
-  for (const auto& motion : all.left()) motions_of_block.push_back(seen_of(block_.motions, motion));
+  for (const auto& motion : all.basis())
+    motions_of_block.push_back(restricted_to_candidates(block_.motions, motion));
   if (!matrix.restrict_to_equilibrium(motions_of_block))
     return {"its numbers are too large to compute with"};
   const auto least = matrix.least_opposite();

@@ -15,12 +15,12 @@ using support::IndexSet;
 
 namespace {
 
-constexpr double no_end = std::numeric_limits<double>::infinity();
+constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
 // Doubles outside and inside of a rational number.
 double not_above(const mpq_class& number) {
   double near = number.get_d();
-  while (mpq_class(near) > number) near = std::nextafter(near, -no_end);
+  while (mpq_class(near) > number) near = std::nextafter(near, -unbounded_end);
   return near;
 }
 
@@ -35,10 +35,10 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
     : certificate_(certificate) {
   const auto& header = certificate.header;
   const auto& [problem, loads] = enclosure;
-  for (const auto& load : loads) unseen_.push_back(load.work.unseen);
+  for (const auto& load : loads) unseen_.push_back(load.work.others);
   for (const auto& block : header.blocks) {
     auto own = contact_block(header, problem.stiffness, problem.motions, block, loads);
-    Part part{.loose = own.motions.count > 0};
+    Part part{.unconstrained = own.motions.count > 0};
     for (const int i : block) {
       const auto candidate = static_cast<std::size_t>(i);
       own.clearance.push_back(clearances[candidate]);
@@ -61,7 +61,7 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
   if (!certificate.total) return;
   for (auto& part : parts_) {  // the dead share has the total, also without a load
     const bool loaded = part.dead || part.reference;
-    part = {.loose = loaded, .dead = loaded, .reference = part.reference};
+    part = {.unconstrained = loaded, .dead = loaded, .reference = part.reference};
   }
   const auto loaded = std::ranges::count_if(parts_, [](const auto& part) { return part.dead; });
   if (loaded != 1) least_.reset();
@@ -132,7 +132,7 @@ std::optional<std::string> HoldProof::flaw(std::size_t tree) const {
 std::optional<FactorRange> HoldProof::excluded(const HoldTree& tree) const {
   const auto& part = parts_[tree.block];
   if (tree.grip && tree.grip->kind != GripBound::Kind::equal) return {};
-  FactorRange range{no_end, -no_end};
+  FactorRange range{unbounded_end, -unbounded_end};
   bool upward = false;
   bool downward = false;
   for (const auto& [dead, reference] : tree.shares) {
@@ -145,15 +145,15 @@ std::optional<FactorRange> HoldProof::excluded(const HoldTree& tree) const {
     range.high = std::max(range.high, reference);
   }
   if (!part.dead) {  // the factor is a multiple: all of one sign, or none
-    const double least = std::nextafter(0.0, no_end);
+    const double least = std::nextafter(0.0, unbounded_end);
     if (upward != downward && !(range.low <= range.high))
-      return upward ? FactorRange{least, no_end} : FactorRange{-no_end, -least};
+      return upward ? FactorRange{least, unbounded_end} : FactorRange{-unbounded_end, -least};
     return {};
   }
   if (!(range.low <= range.high)) return {};
   if (!part.reference) return FactorRange{};
-  if (downward) range.low = -no_end;
-  if (upward) range.high = no_end;
+  if (downward) range.low = -unbounded_end;
+  if (upward) range.high = unbounded_end;
   return range;
 }
 
@@ -186,8 +186,8 @@ std::vector<FactorRange> HoldProof::held_by(std::size_t block,
     const auto point = points.find(pattern);
     if (part.dead && point == points.end()) continue;
     all.push_back(part.dead ? point->second : FactorRange{0, 0});
-    if (way.first) all.back().high = no_end;
-    if (way.second) all.back().low = -no_end;
+    if (way.first) all.back().high = unbounded_end;
+    if (way.second) all.back().low = -unbounded_end;
   }
   return joined(std::move(all));
 }
@@ -219,7 +219,7 @@ GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
     if (!tree.grip || tree.shares != std::vector{dead}) continue;
     const double total = tree.grip->total;
     if (tree.grip->kind == GripBound::Kind::above)
-      range.above = std::min(range.above.value_or(no_end), total);
+      range.above = std::min(range.above.value_or(unbounded_end), total);
     if (tree.grip->kind == GripBound::Kind::below) range.below = std::max(range.below, total);
   }
   for (std::size_t k = 0; k < states.size(); ++k) {
@@ -230,7 +230,7 @@ GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
     if (blocks_[block].refusal_of_held_state(
             within(own, state.contact), within(own, state.separated), dead, state.numbers, &grip))
       continue;
-    if (!range.states) range.states = FactorRange{no_end, -no_end};
+    if (!range.states) range.states = FactorRange{unbounded_end, -unbounded_end};
     range.states->low = std::min(range.states->low, not_below(grip.most));
     range.states->high = std::max(range.states->high, not_above(grip.least));
   }
@@ -253,11 +253,11 @@ std::optional<GripRange> HoldProof::whole_grip(const std::vector<bool>& trees,
     const auto own = grip_of(block, trees, states);
     whole.below = sum(whole.below, own.below, 0);
     if (whole.above && own.above)
-      whole.above = sum(*whole.above, *own.above, no_end);
+      whole.above = sum(*whole.above, *own.above, unbounded_end);
     else
       whole.above.reset();
     if (whole.states && own.states) {
-      whole.states->low = sum(whole.states->low, own.states->low, no_end);
+      whole.states->low = sum(whole.states->low, own.states->low, unbounded_end);
       whole.states->high = sum(whole.states->high, own.states->high, 0);
     } else {
       whole.states.reset();
@@ -278,7 +278,7 @@ HoldClaims HoldProof::claims(const std::vector<bool>& trees,
   }
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const auto& part = parts_[block];
-    if (part.loose && (part.dead || part.reference))
+    if (part.unconstrained && (part.dead || part.reference))
       claims.held = common(claims.held, held_by(block, states));
   }
   claims.grip = whole_grip(trees, states);

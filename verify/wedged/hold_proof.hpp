@@ -66,7 +66,7 @@ class HoldProof {
  private:
   /// A block to be held: which parts of the loads act on it.
   struct Part {
-    bool loose = false;
+    bool unconstrained = false;
     bool dead = false;  ///< the dead load or a clearance
     bool reference = false;
   };

@@ -181,7 +181,7 @@ std::optional<Dyadic> BlockProof::carried_by_springs(const std::vector<Rationals
   return norm_above(near.values) + near.error * Dyadic(static_cast<double>(springs.size()));
 }
 
-NearList BlockProof::along_normals(const Rationals& forces) const {
+ApproximateList BlockProof::along_normals(const Rationals& forces) const {
   Rationals everywhere(block_.dimension * candidates());
   for (std::size_t i = 0; i < candidates(); ++i) everywhere[block_.dimension * i] = forces[i];
   return times_lengths(block_.motions, everywhere);
@@ -191,8 +191,8 @@ NearList BlockProof::along_normals(const Rationals& forces) const {
 std::optional<std::string> BlockProof::check_unconstrained(
     const Combination& combination, const Multipliers& y, const std::vector<double>& mean,
     const DyadicList& w, const DyadicList& nu, const Dyadic& off) const {
-  std::vector<Rationals> motions_of_block = Elimination(motions()).left();
-  const auto shift = seen_of(block_.motions, missing(mean, w, motions_of_block));
+  std::vector<Rationals> motions_of_block = Elimination(motions()).basis();
+  const auto shift = restricted_to_candidates(block_.motions, missing(mean, w, motions_of_block));
   auto moved = w;
   moved += shift.values;
   std::vector<Dyadic> forces;
@@ -204,8 +204,8 @@ std::optional<std::string> BlockProof::check_unconstrained(
   Dyadic square_sum;
   for (std::size_t k = 0; k < w.size(); ++k)
     square_sum = square_sum + square(nu[k] - y.near.values[k]);
-  const auto epsilon =
-      sqrt_above(square_sum) + count * y.near.error + off + Dyadic(farthest_motion) * y.carried;
+  const auto epsilon = sqrt_above(square_sum) + count * y.near.error + off +
+                       Dyadic(largest_displacement_ratio) * y.carried;
   return check_margins(combination, moved, shift.error, epsilon, works);
 }
 

@@ -87,13 +87,13 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   demand_largest(tangents, 0, unseen, chosen);
   for (const int i : leaf.contact) {
     const auto normal = block_.dimension * static_cast<std::size_t>(i);
-    if (unseen.demand(block_.motions.rows[normal])) return not_balanced;
+    if (unseen.add_equation(block_.motions.rows[normal])) return not_balanced;
   }
-  for (const auto& motion : unseen.left()) {  // no reaction of U does work on it
+  for (const auto& motion : unseen.basis()) {  // no reaction of U does work on it
     if (!leaf.work.empty() && sgn(dot(leaf.work, motion)) != 0)
       return "its load does work on a rigid-body mode that no contact resists";
   }
-  const auto& seen = unseen.taken();
+  const auto& seen = unseen.removed();
   std::vector<Rationals> rows;
   Rationals forces;
   for (std::size_t row = 0; row < size; ++row) {
@@ -131,7 +131,8 @@ bool BlockProof::add_corrections(const std::vector<Rationals>& rows,
     }
   }
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    leaf.lift = leaf.lift + normal_size(seen_of(block_.motions, modes[motion]), leaf.contact);
+    leaf.lift = leaf.lift +
+                normal_size(restricted_to_candidates(block_.motions, modes[motion]), leaf.contact);
     Rationals unit(motions);
     unit[motion] = 1;
     const auto shares = solution(products, unit);
@@ -145,7 +146,8 @@ bool BlockProof::add_corrections(const std::vector<Rationals>& rows,
   return true;
 }
 
-Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& contact) const {
+Dyadic BlockProof::normal_size(const ApproximateList& displacements,
+                               const IndexSet& contact) const {
   Dyadic sum;
   for (const int i : contact) {
     const auto row = block_.dimension * static_cast<std::size_t>(i);
@@ -155,7 +157,7 @@ Dyadic BlockProof::normal_size(const NearList& displacements, const IndexSet& co
 }
 
 std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& stiffness,
-                                                const Leaf& leaf, const NearList& shift,
+                                                const Leaf& leaf, const ApproximateList& shift,
                                                 const Dyadic& pressures) const {
   const auto& s = *stiffness.least_eigenvalue();
   const auto change = (leaf.lift * leaf.correction).scaled(1);
@@ -187,7 +189,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
   auto moved = u;
   Dyadic off;
   if (!leaf.sliding.empty()) {
-    auto shift = seen_of(block_.motions, missing(leaf.mean, u, leaf.sliding));
+    auto shift = restricted_to_candidates(block_.motions, missing(leaf.mean, u, leaf.sliding));
     const auto pressures = normal_size({reaction, quotient_above(error, s)}, leaf.contact);
     const auto lifted = error_of_lift(stiffness, leaf, shift, pressures);
     if (!lifted) return "its sliding modes displace the contacts along their normals by too much";

@@ -106,9 +106,10 @@ bool BlockProof::resists_all_motions(const IndexSet& contact) const {
   for (const int i : contact) {
     const auto own = static_cast<std::size_t>(i);
     const std::size_t directions = block_.friction[own] == 0 ? 1 : d;
-    for (std::size_t k = 0; k < directions; ++k) free.demand(block_.motions.rows[d * own + k]);
+    for (std::size_t k = 0; k < directions; ++k)
+      free.add_equation(block_.motions.rows[d * own + k]);
   }
-  return free.left().empty();
+  return free.basis().empty();
 }
 
 }  // namespace kusabi::verify

@@ -55,7 +55,7 @@ ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix&
     for (std::size_t k = 0; k < rows.size(); ++k)
       own.forces.mantissas[k] = condensed.forces.mantissas[rows[k]];
     own.error = condensed.error;
-    for (const auto k : columns_of(motions, rows)) own.work.push_back(work.seen[k]);
+    for (const auto k : columns_of(motions, rows)) own.work.push_back(work.of_candidates[k]);
   }
   return result;
 }

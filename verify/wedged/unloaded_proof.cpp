@@ -18,14 +18,14 @@ bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
   if (motions() == 0 || carrying.size() > most_carrying) return false;
   const auto fixed_at = [&](std::size_t candidate, Elimination motions) {
     for (std::size_t k = 0; k < block_.dimension; ++k)
-      motions.demand(block_.motions.rows[block_.dimension * candidate + k]);
+      motions.add_equation(block_.motions.rows[block_.dimension * candidate + k]);
     return motions;
   };
   for (std::size_t a = 0; a < carrying.size(); ++a) {
     const auto one = fixed_at(carrying[a], Elimination(motions()));
     for (std::size_t b = a + 1; b < carrying.size(); ++b) {
       const auto both = fixed_at(carrying[b], one);
-      if (both.left().size() == 1 && all_work_against(both.left().front(), carrying, contact))
+      if (both.basis().size() == 1 && all_work_against(both.basis().front(), carrying, contact))
         return true;
     }
   }
@@ -34,7 +34,7 @@ bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
 
 bool BlockProof::all_work_against(const Rationals& motion, const std::vector<std::size_t>& carrying,
                                   const IndexSet& contact) const {
-  const auto w = seen_of(block_.motions, motion);
+  const auto w = restricted_to_candidates(block_.motions, motion);
   int sign = 0;
   bool any_in_contact = false;
   for (const auto i : carrying) {

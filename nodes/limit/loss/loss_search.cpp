@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
@@ -68,17 +68,17 @@ struct Remains {
 
 LossSearch::LossSearch(engine::Analysis& analysis, const verify::Structure& truss,
                        const problems::LimitProblem& problem, const problems::LimitModel& model,
-                       const LossQuestion& question, double alpha)
+                       const LossParameters& parameters, double alpha)
     : analysis_(analysis),
       truss_(truss),
       problem_(problem),
       model_(model),
-      question_(question),
+      parameters_(parameters),
       alpha_(alpha),
       eligible_(IndexSet::below(problem.member_count())),
       proof_(truss, problem, model, alpha),
       remaining_(model, alpha / model.force_unit, analysis.budget().stop()) {
-  for (const int member : question.kept) eligible_ -= IndexSet::single(member);
+  for (const int member : parameters.kept) eligible_ -= IndexSet::single(member);
 }
 
 // The worst load known after a loss.
@@ -115,8 +115,8 @@ LossSearch::Known LossSearch::worst_after(const IndexSet& lost) {
   RootSearch search(analysis_, problem);
   const auto status = search.set_up(problems::limit_model(problem, model_.force_unit));
   if (status != LoadStatus::collapses) return known;
-  const LimitQuestion question{.alpha = alpha_};
-  auto worst = WorstCaseSearch(search, question, truss).solve();
+  const LimitParameters parameters{.alpha = alpha_};
+  auto worst = WorstCaseSearch(search, parameters, truss).solve();
   if (worst.status == RootStatus::not_carried) {
     known.status = LoadStatus::not_carried;
     known.zeta = worst.zeta;
@@ -157,7 +157,7 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
 void LossSearch::start() {
   worst_ = after({});
   answer_.nominal = worst_.collapse.factor;
-  for (int k = 0; k < question_.most && worst_.status == LoadStatus::collapses; ++k) {
+  for (int k = 0; k < parameters_.most && worst_.status == LoadStatus::collapses; ++k) {
     if (analysis_.ended()) return;
     const auto losses = after_one_more(worst_);
     if (losses.empty()) return;
@@ -180,7 +180,7 @@ void LossSearch::judge(const IndexSet& suspect) {
     return;
   }
   if (factor < value(worst_.status, worst_.collapse.factor)) worst_ = std::move(found);
-  if (question_.at_least) {
+  if (parameters_.at_least) {
     missed_ = true;
   } else {
     known_.target = std::min(known_.target, factor) - target_gap * unit;
@@ -197,7 +197,7 @@ std::vector<LossPiece> LossSearch::open_round(const std::vector<LossNode>& batch
 // Nodes are kept with the next one in depth-first order last.
 void LossSearch::search_below() {
   const auto kept = IndexSet::below(model_.member_count()) - eligible_;
-  std::vector<LossNode> open{{{}, kept, std::min(question_.most, eligible_.size())}};
+  std::vector<LossNode> open{{{}, kept, std::min(parameters_.most, eligible_.size())}};
   program_.emplace(model_, alpha_ / model_.force_unit, known_.target / model_.factor_unit,
                    analysis_.budget().stop());
   while (!open.empty() && !missed_ && worst_.status == LoadStatus::collapses) {
@@ -206,7 +206,7 @@ void LossSearch::search_below() {
       return fmt::format(
           "losses of up to {} members: none of the closed nodes below the load factor {:.10g}; {} "
           "nodes closed, {} open, {} states",
-          question_.most, known_.target, answer_.counts.nodes, open.size(), states_.size());
+          parameters_.most, known_.target, answer_.counts.nodes, open.size(), states_.size());
     });
     const auto size = std::min(open.size(), nodes_of_a_round(states_.size()));
     const std::vector<LossNode> batch(open.rbegin(),
@@ -239,7 +239,7 @@ void LossSearch::search_below() {
 void LossSearch::search() {
   search_below();
   for (const double decrease : decreases) {
-    const bool final = known_.undecided.empty() || question_.at_least ||
+    const bool final = known_.undecided.empty() || parameters_.at_least ||
                        worst_.status != LoadStatus::collapses || analysis_.ended();
     if (final) return;
     known_.undecided.clear();
@@ -261,12 +261,12 @@ void LossSearch::drop_useless() {
 }
 
 void LossSearch::settle_target() {
-  if (!question_.at_least) return;
-  answer_.target = question_.at_least;
+  if (!parameters_.at_least) return;
+  answer_.target = parameters_.at_least;
   const auto& ends = answer_.ends;
   if (lower_) {
     answer_.reaches_target = answer_.proved = true;
-  } else if (ends.upper_proved && ends.upper < *question_.at_least) {
+  } else if (ends.upper_proved && ends.upper < *parameters_.at_least) {
     answer_.reaches_target = false;
     answer_.proved = true;
   }
@@ -303,8 +303,8 @@ void LossSearch::record() {
   if (!analysis_.is_first() || !ends.upper_proved) return;
   auto& statement = answer_.statement.emplace();
   statement.truss = truss_;
-  statement.sudden = question_.sudden;
-  statement.most = static_cast<std::size_t>(std::min(question_.most, eligible_.size()));
+  statement.sudden = parameters_.sudden;
+  statement.most = static_cast<std::size_t>(std::min(parameters_.most, eligible_.size()));
   for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
     statement.kept.push_back(static_cast<std::size_t>(i));
   statement.lost.assign(worst_.lost.begin(), worst_.lost.end());
@@ -321,20 +321,20 @@ void LossSearch::record() {
 }
 
 LossAnswer LossSearch::solve() {
-  answer_.most = question_.most;
+  answer_.most = parameters_.most;
   answer_.uncertain = alpha_ > 0;
-  answer_.sudden = question_.sudden;
+  answer_.sudden = parameters_.sudden;
   answer_.eligible = eligible_.size();
   start();
   const bool ended = analysis_.ended();
   if (worst_.status == LoadStatus::collapses && !ended) {
     const double margin = target_gap * model_.factor_unit;
-    known_.target = question_.at_least.value_or(worst_.collapse.factor - margin);
-    missed_ = question_.at_least && worst_.collapse.factor < known_.target - margin;
+    known_.target = parameters_.at_least.value_or(worst_.collapse.factor - margin);
+    missed_ = parameters_.at_least && worst_.collapse.factor < known_.target - margin;
     if (!missed_) search();
   }
   if (analysis_.ended() && !lower_ && worst_.status == LoadStatus::collapses && !missed_)
-    answer_.search = analysis_.budget().why();
+    answer_.search = analysis_.budget().stop_reason();
   drop_useless();
   conclude();
   settle_target();

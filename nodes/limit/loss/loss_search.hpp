@@ -12,7 +12,7 @@
 #include "nodes/limit/loss/loss_opening.hpp"
 #include "nodes/limit/loss/loss_programs.hpp"
 #include "nodes/limit/loss/loss_proof.hpp"
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/index_set.hpp"
 #include "verify/structure/structure.hpp"
@@ -26,7 +26,7 @@ class LossSearch {
   /// @pre all outlive this object. Every rank makes the same calls.
   LossSearch(engine::Analysis& analysis, const verify::Structure& truss,
              const problems::LimitProblem& problem, const problems::LimitModel& model,
-             const LossQuestion& question, double alpha);
+             const LossParameters& parameters, double alpha);
 
   LossAnswer solve();
 
@@ -56,7 +56,7 @@ class LossSearch {
   const verify::Structure& truss_;
   const problems::LimitProblem& problem_;
   const problems::LimitModel& model_;
-  const LossQuestion& question_;
+  const LossParameters& parameters_;
   double alpha_;
   support::IndexSet eligible_;
   LossProof proof_;

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "engine/transport/exchange.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/root/split_root.hpp"
@@ -87,7 +87,7 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
                   model().uncertain_count()));
   const bool small = analysis_.transport().size() == 1 || columns.size() <= pricing_block;
   // Stored results are distributed in any case, such that a resumed run need not price again.
-  if (columns.empty() || (small && !analysis_.is_kept())) {
+  if (columns.empty() || (small && !analysis_.has_journal())) {
     return price_alone(pricing, z, columns);
   }
   pricing.aim(z, columns.front());

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/splitting/column_blocks.hpp"
@@ -22,7 +22,7 @@ namespace kusabi::limit {
 class RootSearch {
  public:
   /// @pre both outlive this object. Every rank makes the same calls.
-  /// @param split_from as in LimitQuestion
+  /// @param split_from as in LimitParameters
   RootSearch(engine::Analysis& analysis, const problems::LimitProblem& problem,
              int split_from = usual_split_from)
       : analysis_(analysis), problem_(problem), split_from_(split_from) {}

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/root/fixed_shares.hpp"
 
 namespace kusabi::limit {

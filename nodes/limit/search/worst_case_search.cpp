@@ -10,7 +10,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/zero_one_worst.hpp"
@@ -107,7 +107,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     // Nodes that do not cover all signs prove nothing, but the root does.
     if (tree.status == engine::Status::solved) nodes = std::move(tree.closed);
   }
-  if (root.status == RootStatus::stopped) worst.search = search_.analysis().budget().why();
+  if (root.status == RootStatus::stopped) worst.search = search_.analysis().budget().stop_reason();
   if (root.status == RootStatus::not_carried) {
     worst.status = RootStatus::not_carried;
     worst.zeta = root.overpowering_load * model().force_unit;
@@ -165,7 +165,7 @@ LimitWorstCase WorstCaseSearch::by_zero_one_program() {
                       result.status != RootStatus::stopped;
   std::optional<ZeroOneWorst> zero_one;
   if (usable) {
-    zero_one = zero_one_worst(search_.analysis(), question_, model(), search_.scaled(alpha()),
+    zero_one = zero_one_worst(search_.analysis(), parameters_, model(), search_.scaled(alpha()),
                               result, start_);
     worst.no_safe_m = !zero_one;
   }
@@ -208,9 +208,9 @@ void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWor
 // The result of the paper's method by itself first; then, if requested, static evidence.
 LimitWorstCase WorstCaseSearch::as_printed() {
   auto& analysis = search_.analysis();
-  const auto printed = printed_worst(analysis, question_, search_.problem(), start_);
+  const auto printed = printed_worst(analysis, parameters_, search_.problem(), start_);
   LimitWorstCase worst;
-  if (printed.status == engine::Status::solved && question_.evidence) {
+  if (printed.status == engine::Status::solved && parameters_.evidence) {
     analysis.say("(29) is solved; its ends are put to the proof by static cuts");
     worst = by_static_cuts();
   } else {
@@ -227,8 +227,8 @@ LimitWorstCase WorstCaseSearch::as_printed() {
 }
 
 LimitWorstCase WorstCaseSearch::solve() {
-  if (question_.method == LimitMethod::static_cuts) return by_static_cuts();
-  return question_.as_printed() ? as_printed() : by_zero_one_program();
+  if (parameters_.method == LimitMethod::static_cuts) return by_static_cuts();
+  return parameters_.as_printed() ? as_printed() : by_zero_one_program();
 }
 
 }  // namespace kusabi::limit

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/search/sign_tree.hpp"
@@ -35,9 +35,9 @@ class WorstCaseSearch {
  public:
   /// @pre all but `start` outlive this object. @param truss for the proofs @param start initial
   /// point of (29) @pre question.alpha
-  WorstCaseSearch(RootSearch& search, const LimitQuestion& question, const verify::Structure& truss,
-                  std::optional<ZeroOneStart> start = {})
-      : search_(search), question_(question), truss_(truss), start_(std::move(start)) {}
+  WorstCaseSearch(RootSearch& search, const LimitParameters& parameters,
+                  const verify::Structure& truss, std::optional<ZeroOneStart> start = {})
+      : search_(search), parameters_(parameters), truss_(truss), start_(std::move(start)) {}
 
   /// By the requested method. @throws BigMTooSmall on every rank
   LimitWorstCase solve();
@@ -57,10 +57,10 @@ class WorstCaseSearch {
   void prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
                        LimitWorstCase& worst);
   [[nodiscard]] const problems::LimitModel& model() const { return search_.model(); }
-  [[nodiscard]] double alpha() const { return *question_.alpha; }
+  [[nodiscard]] double alpha() const { return *parameters_.alpha; }
 
   RootSearch& search_;
-  const LimitQuestion& question_;
+  const LimitParameters& parameters_;
   const verify::Structure& truss_;
   std::optional<ZeroOneStart> start_;
   std::optional<verify::LimitCertificate> certificate_;

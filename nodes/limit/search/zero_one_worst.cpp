@@ -9,7 +9,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/limit/root/motion_bounds.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "problems/limit/mixed_limit.hpp"
@@ -47,7 +47,7 @@ void add_static_row(linear::LinearProgram& program, const LimitModel& model, con
 }
 
 // (29) with the given M or a safe one; nothing if none is found.
-std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& question,
+std::optional<linear::MixedProgram> bounded_program(const LimitParameters& parameters,
                                                     const LimitModel& model, double alpha,
                                                     const RootResult& root) {
   const auto bounds = motion_bounds(model, alpha, root.cuts, root.worst->collapse.factor);
@@ -63,7 +63,7 @@ std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& questio
     }
     big_m = 2 * bounds->motion;
   }
-  if (question.big_m) big_m = *question.big_m * model.direction_unit / model.factor_unit;
+  if (parameters.big_m) big_m = *parameters.big_m * model.direction_unit / model.factor_unit;
   if (big_m.size() == 0) return std::nullopt;
   return problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
 }
@@ -115,8 +115,8 @@ void note_root(const zero_one::ZeroOneRoot& root, double unit, LimitZeroOne& fou
 // without one proves nothing.
 ZeroOneWorst search(engine::Analysis& analysis, const LimitModel& model,
                     const linear::MixedProgram& mixed, const ZeroOneRootOptions& options,
-                    const LimitQuestion& question, const engine::ShownObjective& shown) {
-  const bool m_is_given = question.big_m.has_value();
+                    const LimitParameters& parameters, const engine::ShownObjective& shown) {
+  const bool m_is_given = parameters.big_m.has_value();
   ZeroOneWorst result;
   if (options.incumbent) {
     const auto& [objective, values] = *options.incumbent;
@@ -128,7 +128,7 @@ ZeroOneWorst search(engine::Analysis& analysis, const LimitModel& model,
   note_root(prepared.root, model.factor_unit, result.found);
   if (prepared.stopped) {
     result.found.lower = prepared.root.bound * model.factor_unit;
-    result.status = analysis.budget().why();
+    result.status = analysis.budget().stop_reason();
     return result;
   }
   if (m_is_given && prepared.root.status == linear::LinearStatus::infeasible &&
@@ -167,29 +167,31 @@ ZeroOneWorst search(engine::Analysis& analysis, const LimitModel& model,
 
 }  // namespace
 
-ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitQuestion& question,
+ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitParameters& parameters,
                            const problems::LimitProblem& problem,
                            const std::optional<ZeroOneStart>& start) {
   const auto model = problems::unscaled_model(problem);
   ZeroOneRootOptions options{
-      .cuts = cuts_of(question.method), .tighten = false, .dive = false, .as_printed = true};
+      .cuts = cuts_of(parameters.method), .tighten = false, .dive = false, .as_printed = true};
   start_from(model, start, options);
-  auto result = search(analysis, model, printed_program(model, *question.alpha, *question.big_m),
-                       options, question, {});
-  result.found.big_m = question.big_m;
+  auto result =
+      search(analysis, model, printed_program(model, *parameters.alpha, *parameters.big_m), options,
+             parameters, {});
+  result.found.big_m = parameters.big_m;
   if (start) result.found.start = start->factor;
   return result;
 }
 
 std::optional<ZeroOneWorst> zero_one_worst(engine::Analysis& analysis,
-                                           const LimitQuestion& question, const LimitModel& model,
-                                           double alpha, const RootResult& root,
+                                           const LimitParameters& parameters,
+                                           const LimitModel& model, double alpha,
+                                           const RootResult& root,
                                            const std::optional<ZeroOneStart>& start) {
-  const bool all = question.method == LimitMethod::all;
-  auto mixed = bounded_program(question, model, alpha, root);
+  const bool all = parameters.method == LimitMethod::all;
+  auto mixed = bounded_program(parameters, model, alpha, root);
   if (!mixed) return std::nullopt;
-  ZeroOneRootOptions options{.cuts = cuts_of(question.method),
-                             .tighten = all || question.method == LimitMethod::tightened,
+  ZeroOneRootOptions options{.cuts = cuts_of(parameters.method),
+                             .tighten = all || parameters.method == LimitMethod::tightened,
                              .dive = false};
   const auto& known = root.worst->collapse;
   if (all) {
@@ -199,11 +201,11 @@ std::optional<ZeroOneWorst> zero_one_worst(engine::Analysis& analysis,
     options.start = problems::worst_case_point(model, known.motion);
     options.incumbent = zero_one::ZeroOnePoint{known.factor, options.start};
   }
-  if (question.of_the_paper()) start_from(model, start, options);
-  auto result = search(analysis, model, *mixed, options, question,
+  if (parameters.of_the_paper()) start_from(model, start, options);
+  auto result = search(analysis, model, *mixed, options, parameters,
                        {model.factor_unit, known.factor, root.lower});
-  result.found.big_m = question.big_m;
-  if (start && question.of_the_paper()) result.found.start = start->factor;
+  result.found.big_m = parameters.big_m;
+  if (start && parameters.of_the_paper()) result.found.start = start->factor;
   return result;
 }
 

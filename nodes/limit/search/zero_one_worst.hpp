@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 #include "problems/limit/limit_analysis.hpp"
@@ -35,7 +35,7 @@ struct ZeroOneWorst {
 /// with the given M, u and gamma free, and no other information but `start`. docs/theory/limit.md
 /// lists the differences.
 /// @pre question.as_printed()
-ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitQuestion& question,
+ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitParameters& parameters,
                            const problems::LimitProblem& problem,
                            const std::optional<ZeroOneStart>& start);
 
@@ -46,7 +46,7 @@ ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitQuestion& ques
 /// @return nothing if no safe M is found
 /// @throws BigMTooSmall on every rank if the given M leaves no point
 std::optional<ZeroOneWorst> zero_one_worst(engine::Analysis& analysis,
-                                           const LimitQuestion& question,
+                                           const LimitParameters& parameters,
                                            const problems::LimitModel& model, double alpha,
                                            const RootResult& root,
                                            const std::optional<ZeroOneStart>& start);

@@ -130,8 +130,8 @@ class CriticalDescent {
   }
 
   bool stopped(CriticalPhase phase) {
-    findings_.status =
-        engine::from_first_rank(analysis_.transport(), [&] { return analysis_.budget().why(); });
+    findings_.status = engine::from_first_rank(analysis_.transport(),
+                                               [&] { return analysis_.budget().stop_reason(); });
     findings_.stopped_in = phase;
     return false;
   }

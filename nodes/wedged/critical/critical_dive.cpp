@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/preparation.hpp"
@@ -28,7 +28,7 @@ SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
                         const CriticalGrid& grid, const BlockBounds& bounds) {
   SignPatternTree tree(problem, candidate_friction(problem, factor),
                        {.tolerances = CriticalFriction::tolerances, .precision = grid.precision});
-  inform(tree, problem, bounds);
+  configure(tree, problem, bounds);
   return tree;
 }
 
@@ -62,18 +62,18 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
     while (!open.empty() && result.opened < most && !support::asked(stop)) {
       const auto node = open.back();
       open.pop_back();
-      auto fate = tree.decide(node);
+      auto decision = tree.decide(node);
       ++result.opened;
       analysis.say_now_and_then([&] {
         return fmt::format("looking for a pattern at friction coefficient {:.6g}: {} nodes",
                            FrictionGrid(grid.width).at(multiple), result.opened);
       });
-      if (fate.leaf) {
-        if (fate.leaf->is_cone()) locate(problem, *fate.leaf, multiple, grid, stop, result);
+      if (decision.leaf) {
+        if (decision.leaf->is_cone()) locate(problem, *decision.leaf, multiple, grid, stop, result);
         if (std::isfinite(result.feasible)) return;
         doubtful = true;
       }
-      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
+      open.insert(open.end(), decision.children.rbegin(), decision.children.rend());
     }
   } catch (const support::Stopped&) {
     return;
@@ -89,7 +89,7 @@ BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem&
   BlockBounds result;
   result.blocks.resize(blocks.size());
   if (tightening == Tightening::never) return result;
-  const int fewest = tightening == Tightening::always ? 1 : fewest_to_bound;
+  const int fewest = tightening == Tightening::always ? 1 : min_candidates_to_bound;
   const auto friction = candidate_friction(problem, factor);
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     if (blocks[block].size() < fewest) continue;

@@ -32,7 +32,7 @@ BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem&
 
 /// Passes the bounds and branching rules to a tree at that coefficient or a smaller one.
 template <class Tree>
-void inform(Tree& tree, const problems::WedgedProblem& problem, const BlockBounds& bounds) {
+void configure(Tree& tree, const problems::WedgedProblem& problem, const BlockBounds& bounds) {
   const auto blocks = problems::blocks_of(problem);
   for (std::size_t block = 0; block < blocks.size(); ++block) {
     const bool bounded = block < bounds.blocks.size() && !bounds.blocks[block].empty();

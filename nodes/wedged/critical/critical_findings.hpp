@@ -8,13 +8,13 @@
 
 #include "engine/outcome.hpp"
 #include "nodes/wedged/critical/critical_tree.hpp"
-#include "nodes/wedged/friction/bisection.hpp"
+#include "nodes/wedged/friction/critical_pattern_tree.hpp"
 #include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
 
 namespace kusabi::wedged {
 
-enum class CriticalWay {
+enum class CriticalStrategy {
   automatic,  ///< global within a limit of nodes, then descent for larger trees
   descent,    ///< depth-first search for the smallest coefficient, from the largest one down
   global,     ///< best-first search for the smallest coefficient, from small ones up
@@ -23,28 +23,29 @@ enum class CriticalWay {
 };
 
 /// True if the search is for the smallest coefficient only, instead of one for each pattern.
-constexpr bool looks_for_smallest(CriticalWay way) {
-  return way == CriticalWay::automatic || way == CriticalWay::descent || way == CriticalWay::global;
+constexpr bool finds_smallest_only(CriticalStrategy way) {
+  return way == CriticalStrategy::automatic || way == CriticalStrategy::descent ||
+         way == CriticalStrategy::global;
 }
 
 /// Default upper limit of the search; physical obstacles have smaller coefficients.
-inline constexpr double usual_most = 1000;
+inline constexpr double default_max_friction = 1000;
 
 /// Maximum multiple of the width that is represented exactly by a double.
-inline constexpr double most_multiples = 1e15;
+inline constexpr double max_multiples = 1e15;
 
 /// Blocks with at least this many candidates are solved in doubles only, with wider brackets by
 /// default, since higher precision levels take minutes for each program.
 inline constexpr int fewest_for_doubles = 101;
-inline constexpr double usual_width = 1e-8;
-inline constexpr double usual_width_in_doubles = 1e-6;
+inline constexpr double default_width = 1e-8;
+inline constexpr double default_width_in_doubles = 1e-6;
 
-struct CriticalQuestion {
-  CriticalWay way = CriticalWay::automatic;
+struct CriticalParameters {
+  CriticalStrategy way = CriticalStrategy::automatic;
   /// Upper limit of the search, mu^0 of the paper; methods that treat each pattern require it.
-  /// Nothing: usual_most, or the largest possible coefficient.
+  /// Nothing: default_max_friction, or the largest possible coefficient.
   std::optional<double> most{};
-  /// Width of the brackets. Nothing: usual_width, or usual_width_in_doubles.
+  /// Width of the brackets. Nothing: default_width, or default_width_in_doubles.
   std::optional<double> width{};
   /// Bounding of candidates during the descent and for the verification of the bracket.
   Tightening tightening = Tightening::automatic;
@@ -58,13 +59,13 @@ struct CriticalQuestion {
 
 /// Parameters of the computation.
 struct CriticalGrid {
-  double width = usual_width;
-  double most = usual_most;
+  double width = default_width;
+  double most = default_max_friction;
   Precision precision = Precision::escalating;
 };
 
 /// @throws std::invalid_argument if a coefficient or the width is out of range
-CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuestion& question);
+CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalParameters& parameters);
 
 /// A pattern that becomes feasible within a bracket of the friction coefficient.
 struct CriticalEntry {
@@ -78,7 +79,7 @@ struct CriticalEntry {
 
 /// Reasons why a bracket is incomplete.
 enum class CriticalDoubt {
-  no_upper_end,       ///< above the lower bound it is undecided whether a configuration is wedged
+  no_upper_bound,     ///< above the lower bound it is undecided whether a configuration is wedged
   wide_bracket,       ///< feasibility is numerically undecided within the bracket
   lower_not_proved,   ///< infeasibility at the lower bound is not proved in exact arithmetic
   list_not_complete,  ///< the patterns were requested and not all are found
@@ -95,8 +96,8 @@ enum class CriticalPhase {
   fine,          ///< search for the smallest coefficient, to full accuracy
   patterns,      ///< patterns that are feasible at the largest coefficient
   coefficients,  ///< critical coefficients of these patterns
-  lower_end,     ///< proof of infeasibility at the lower bound
-  upper_end,     ///< proof of feasibility at the upper bound
+  lower_bound,   ///< proof of infeasibility at the lower bound
+  upper_bound,   ///< proof of feasibility at the upper bound
   list,          ///< all patterns that are feasible at the upper bound
 };
 
@@ -122,18 +123,18 @@ struct CriticalFindings {
   bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
   bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
   bool exact = false;         ///< proved in exact arithmetic; otherwise by the solver's bounds
-  std::vector<CriticalDoubt> open;
+  std::vector<CriticalDoubt> doubts;
   std::vector<CriticalCost> costs;  ///< of all phases, in their order
   /// Costs of the last search for the bracket by ranks: of the global search, or of that for each
   /// pattern.
   std::vector<engine::RankReport<CriticalTree>> global_ranks;
-  std::vector<engine::RankReport<PatternBisection>> bisection_ranks;
+  std::vector<engine::RankReport<CriticalPatternTree>> bisection_ranks;
 
   /// Sorts the patterns and derives the bracket from them.
   /// @param infeasible bound below which all other patterns are infeasible
   void conclude(double infeasible);
 
-  [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }
+  [[nodiscard]] bool answered() const { return status == engine::Status::solved && doubts.empty(); }
 };
 
 }  // namespace kusabi::wedged

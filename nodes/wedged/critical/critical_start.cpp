@@ -72,7 +72,7 @@ void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
 SignPattern leaf_with(const support::IndexSet& contact, int candidates) {
   return {.contact = contact,
           .separated = support::IndexSet::below(candidates) - contact,
-          .at_rest = {}};
+          .inactive = {}};
 }
 
 // With r_i = (1, r_t), u_ni = F_nn,ii + F_nt,ii'r_t is zero for the smallest r_t opposite to
@@ -118,7 +118,7 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
     if (std::isfinite(start.feasible)) bracket.reduce_upper(start.feasible, {number, start.leaf});
     if (analysis.ended()) return programs;  // the other blocks have no bounds
   }
-  Smallest found;
+  SmallestCoefficient found;
   found.lower = infeasible;
   found.narrow(bracket, grid.width);
   return programs;

@@ -11,7 +11,7 @@
 namespace kusabi::wedged {
 
 /// Trees of smaller problems take no longer than the initial bracket.
-inline constexpr int fewest_to_start = 24;
+inline constexpr int min_candidates_for_start = 24;
 
 /// Narrows the bracket for each block by the root, the leaf with all candidates in contact, and the
 /// leaves with a single candidate in contact, whose coefficients have a closed form. Called on all

@@ -26,7 +26,7 @@ CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width,
     : grid_(width), most_(most), direction_(direction), known_(known) {
   for (const auto& candidates : problems::blocks_of(problem)) {
     blocks_.emplace_back(problems::block_problem(problem, candidates), width, precision);
-    blocks_.back().critical.end_when(pollable_.stop());
+    blocks_.back().critical.end_when(interruption_.stop());
   }
 }
 
@@ -42,7 +42,7 @@ CriticalTree::Node CriticalTree::root() const {
 }
 
 void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
-  pollable_.within(out, node, [&] {
+  interruption_.within(out, node, [&] {
     open(node, out);
     return true;
   });
@@ -55,7 +55,7 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
     return;
   }
   Block& block = blocks_[node.place.block];
-  const auto& [contact, separated, at_rest] = node.place.pattern;
+  const auto& [contact, separated, inactive] = node.place.pattern;
   if (separated == block.candidates) {  // no reaction at all
     ++tally_.infeasible;
     return;
@@ -63,7 +63,7 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
   const auto free = block.candidates - (contact | separated);
   const auto& bounds = block.critical.bounds();
   if (!bounds.empty()) {
-    if (leaves_nothing(bounds, contact, separated)) {
+    if (excludes_all(bounds, contact, separated)) {
       ++tally_.infeasible;
       return;
     }
@@ -82,7 +82,7 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
 void CriticalTree::split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out) {
   ++tally_.branched;
   const auto own = support::IndexSet::single(candidate);
-  const auto& [contact, separated, at_rest] = node.place.pattern;
+  const auto& [contact, separated, inactive] = node.place.pattern;
   out.branch({{node.place.block, {contact | own, separated, {}}}, node.bound});
   out.branch({{node.place.block, {contact, separated | own, {}}}, node.bound});
 }

@@ -21,7 +21,7 @@
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/relaxation/branching.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
-#include "nodes/wedged/tree/pollable.hpp"
+#include "nodes/wedged/tree/node_interruption.hpp"
 
 namespace kusabi::wedged {
 
@@ -117,7 +117,7 @@ class CriticalTree {
   std::int64_t most_;
   CriticalDirection direction_;
   double known_;
-  Pollable pollable_;
+  NodeInterruption interruption_;
   std::vector<Block> blocks_;
   Tally tally_;
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 
 namespace kusabi::wedged {
 
@@ -14,7 +14,7 @@ std::int64_t multiples(double most, double width) {
 
 // If the tree is infeasible up to the upper bound of the known leaf, the lower bound is the grid
 // point before it. The bound of a stopped search lies between two points.
-void Smallest::narrow(NarrowingBracket& bracket, double width) const {
+void SmallestCoefficient::narrow(NarrowingBracket& bracket, double width) const {
   if (std::isfinite(upper)) bracket.reduce_upper(upper, leaf);
   const FrictionGrid grid(width);
   double known = lower;
@@ -26,9 +26,9 @@ void Smallest::narrow(NarrowingBracket& bracket, double width) const {
   bracket.raise_lower(known < above ? known : grid.at(multiples(above, width) - 1));
 }
 
-Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const CriticalGrid& grid,
-                     double known) {
-  Smallest smallest;
+SmallestCoefficient smallest_coefficient(const engine::OutcomeOf<CriticalTree>& outcome,
+                                         const CriticalGrid& grid, double known) {
+  SmallestCoefficient smallest;
   smallest.status = outcome.status;
   const bool whole = outcome.status == engine::Status::solved;
   smallest.lower = whole ? grid.most : std::min(grid.most, std::max(known, outcome.bound));
@@ -44,13 +44,15 @@ Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const Criti
   return smallest;
 }
 
-Smallest find_smallest(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                       const SmallestQuestion& question, std::vector<CriticalCost>& costs,
-                       std::vector<engine::RankReport<CriticalTree>>& ranks) {
-  const auto& [direction, phase, grid, known, bounds] = question;
+SmallestCoefficient find_smallest(engine::Analysis& analysis,
+                                  const problems::WedgedProblem& problem,
+                                  const SmallestParameters& parameters,
+                                  std::vector<CriticalCost>& costs,
+                                  std::vector<engine::RankReport<CriticalTree>>& ranks) {
+  const auto& [direction, phase, grid, known, bounds] = parameters;
   CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), direction, known,
                     grid.precision);
-  if (direction == CriticalDirection::down) inform(tree, problem, bounds);
+  if (direction == CriticalDirection::down) configure(tree, problem, bounds);
   engine::Options options;
   options.goal = engine::Goal::best;
   options.order =
@@ -58,8 +60,9 @@ Smallest find_smallest(engine::Analysis& analysis, const problems::WedgedProblem
   auto outcome = analysis.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : grid.most, outcome.opened(),
                    bounds.programs + outcome.tally().programs});
-  const auto result = engine::from_first_rank(
-      analysis.transport(), [&] { return smallest_of(outcome, question.grid, question.known); });
+  const auto result = engine::from_first_rank(analysis.transport(), [&] {
+    return smallest_coefficient(outcome, parameters.grid, parameters.known);
+  });
   if (analysis.is_first()) ranks = std::move(outcome.ranks);
   return result;
 }

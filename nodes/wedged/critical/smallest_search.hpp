@@ -13,7 +13,7 @@
 namespace kusabi::wedged {
 
 /// Parameters of the search.
-struct SmallestQuestion {
+struct SmallestParameters {
   CriticalDirection direction;
   CriticalPhase phase;
   CriticalGrid grid;        ///< with the upper limit of the search
@@ -22,7 +22,7 @@ struct SmallestQuestion {
 };
 
 /// The result, on all ranks.
-struct Smallest {
+struct SmallestCoefficient {
   engine::Status status = engine::Status::solved;
   double lower = 0;
   double upper = std::numeric_limits<double>::infinity();  ///< the leaf is feasible here
@@ -40,12 +40,14 @@ struct Smallest {
 std::int64_t multiples(double most, double width);
 
 /// @param known no configuration is wedged below  @param most upper limit of the search
-Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const CriticalGrid& grid,
-                     double known);
+SmallestCoefficient smallest_coefficient(const engine::OutcomeOf<CriticalTree>& outcome,
+                                         const CriticalGrid& grid, double known);
 
 /// @param ranks receives on rank 0 the costs of each rank
-Smallest find_smallest(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                       const SmallestQuestion& question, std::vector<CriticalCost>& costs,
-                       std::vector<engine::RankReport<CriticalTree>>& ranks);
+SmallestCoefficient find_smallest(engine::Analysis& analysis,
+                                  const problems::WedgedProblem& problem,
+                                  const SmallestParameters& parameters,
+                                  std::vector<CriticalCost>& costs,
+                                  std::vector<engine::RankReport<CriticalTree>>& ranks);
 
 }  // namespace kusabi::wedged

@@ -35,7 +35,8 @@ bool CriticalFriction::feasible_alone(const support::IndexSet& contact,
 bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  return inside && feasible_at_rest(pattern, *inside) && lasts(pattern, factor, tolerances);
+  return inside && feasible_without_inactive(pattern, *inside) &&
+         lasts(pattern, factor, tolerances);
 }
 
 // At the end of its range, where it becomes solid, a flat cone is degenerate on one side only.
@@ -46,8 +47,8 @@ bool CriticalFriction::lasts(const SignPattern& leaf, double factor,
 }
 
 // True if some candidates of the leaf are inactive, and the others are feasible without them.
-bool CriticalFriction::feasible_at_rest(const SignPattern& leaf,
-                                        const conic::RelativeInterior& inside) {
+bool CriticalFriction::feasible_without_inactive(const SignPattern& leaf,
+                                                 const conic::RelativeInterior& inside) {
   const auto& [loaded, moved] = inside;
   if (loaded.empty() || loaded.meets(moved)) return false;
   return (loaded | moved) != (leaf.contact | leaf.separated) && feasible_alone(loaded, moved);
@@ -64,18 +65,18 @@ LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
   constexpr conic::Tolerances of_tree;  // the tolerances of the tree of sign patterns
   const double factor = at(point);
-  if (factor < range_.least) return {point == 0 ? Kind::infeasible : Kind::open, {}, {}};
+  if (factor < range_.least) return {point == 0 ? Kind::infeasible : Kind::unresolved, {}, {}};
   ++programs_;
   set_friction(factor);
   const auto answer = solver_.solve(leaf.contact, leaf.separated, sign_only);
   if (answer.sign == conic::Sign::infeasible) return {Kind::infeasible, {}, {}};
   if (answer.sign == conic::Sign::feasible) return {Kind::solid, {}, {}};
-  const LeafStage open{Kind::open, {}, {}};
+  const LeafStage open{Kind::unresolved, {}, {}};
   if (!conic::is_within_tolerance(answer, of_tree)) return open;
   const auto inside = solver_.relative_interior(leaf.contact, leaf.separated);
   if (!inside) return open;
   if (inside->loaded.empty()) return {Kind::infeasible, {}, {}};  // by less than the tolerance
-  return feasible_at_rest(leaf, *inside) && lasts(leaf, factor, of_tree)
+  return feasible_without_inactive(leaf, *inside) && lasts(leaf, factor, of_tree)
              ? LeafStage{Kind::flat, inside->loaded, inside->moved}
              : open;
 }

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "nodes/wedged/friction/level_curve.hpp"
+#include "nodes/wedged/friction/margin_curve.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -34,11 +34,11 @@ constexpr double bound_digits = 1e-3;
 }  // namespace
 
 CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& problem) {
-  Range range{.least = least_friction, .most = most_friction};
+  Range range{.least = min_friction, .most = max_friction};
   for (const double own : problem.friction) {
     if (own == 0) continue;  // at any coefficient
-    range.least = std::max(range.least, least_friction / own);
-    range.most = std::min(range.most, most_friction / own);
+    range.least = std::max(range.least, min_friction / own);
+    range.most = std::min(range.most, max_friction / own);
   }
   return range;
 }
@@ -96,7 +96,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
                       .infeasible_below = least_coefficient(pull_, node),
                       .feasible_from = 0,
                       .newton = infinity,
-                      .level = 0.5 * (answer.lower + answer.upper)};
+                      .margin = 0.5 * (answer.lower + answer.upper)};
 
   // The multipliers are normal forces y, and w their displacements. For every configuration of the
   // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: the node is
@@ -124,8 +124,8 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   }
   if (!carries) probe.feasible_from = infinity;
   if (answer.has_point && std::isfinite(answer.upper)) {
-    const double slope = (sigma * probe.level + weighted) / (sigma * factor);
-    if (slope > 0) probe.newton = factor - probe.level / slope;
+    const double slope = (sigma * probe.margin + weighted) / (sigma * factor);
+    if (slope > 0) probe.newton = factor - probe.margin / slope;
   }
   // The requested coefficient itself is decided by the sign.
   if (probe.sign == conic::Sign::infeasible)
@@ -265,9 +265,9 @@ class CriticalFriction::Approach {
     const auto said = critical_.probe(pattern_, factor);
     critical_.narrow(cell_, said, most_);
     if (said.degenerate)
-      curve_.take_degenerate(factor);
+      curve_.add_degenerate(factor);
     else
-      curve_.take(factor, said.level, said.newton);
+      curve_.add(factor, said.margin, said.newton);
     return said;
   }
 
@@ -305,7 +305,7 @@ class CriticalFriction::Approach {
   const SignPattern& pattern_;
   CriticalCell cell_;
   std::int64_t most_;
-  LevelCurve curve_;
+  MarginCurve curve_;
 };
 
 CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,

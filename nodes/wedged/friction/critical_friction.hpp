@@ -29,7 +29,7 @@ struct FrictionProbe {
       0;  ///< infeasible for every smaller coefficient, by the multipliers; 0: none
   double feasible_from = 0;  ///< feasible from here on, by the configuration; infinity: nowhere
   double newton = 0;         ///< zero of the tangent of t*; infinity if there is none
-  double level = 0;          ///< the middle of the bracket of t*
+  double margin = 0;         ///< the middle of the bracket of t*
 };
 
 /// A bracket of a critical coefficient on the grid of multiples of a width: infeasible at the lower
@@ -56,7 +56,7 @@ struct LeafStage {
     infeasible,  ///< no configuration
     flat,        ///< t* = 0 throughout a range of coefficients
     solid,       ///< t* > 0
-    open,        ///< numerically undecided
+    unresolved,  ///< numerically undecided
   };
   Kind kind = Kind::infeasible;
   support::IndexSet loaded;  ///< of a flat cone S, candidates with a reaction; otherwise empty
@@ -160,7 +160,7 @@ class CriticalFriction {
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
   // True if a degenerate leaf is a flat cone at this coefficient.
   bool is_flat(const SignPattern& pattern, double factor);
-  bool feasible_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
+  bool feasible_without_inactive(const SignPattern& leaf, const conic::RelativeInterior& inside);
   // True if a degenerate leaf is also degenerate at a coefficient beside this one.
   bool lasts(const SignPattern& leaf, double factor, const conic::Tolerances& zero);
   bool is_degenerate(const SignPattern& leaf, double factor, const conic::Tolerances& zero);

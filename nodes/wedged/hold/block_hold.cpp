@@ -32,7 +32,7 @@ constexpr double close_enough = 1e-7;
 
 /// The least friction factor that is not zero; infinite if there is none.
 double least_of_factors(const problems::WedgedProblem& problem) {
-  double least = no_end;
+  double least = unbounded_end;
   for (const double factor : problem.friction)
     if (factor > 0) least = std::min(least, factor);
   return least;
@@ -62,7 +62,7 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
 
 HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low,
                               double high) {
-  HoldTree tree(block_, shares, mu, question_.precision, grip_);
+  HoldTree tree(block_, shares, mu, parameters_.precision, grip_);
   TreeEvidence evidence{mu, {shares.begin(), shares.end()}, grip_};
   auto found = first_leaf(analysis_, tree, recorded_ ? &evidence : nullptr);
   costs_.push_back({mu, low, high, found.opened, found.tally.iterations});
@@ -73,21 +73,21 @@ HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, doub
   return found;
 }
 
-HoldSign BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
-                       Standard standard) const {
-  HoldNodes nodes(block_, std::array{share}, mu, question_.precision, grip_);
-  const HoldSign sign = nodes.sign(pattern);
+HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
+                         Standard standard) const {
+  HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
+  const HoldResult sign = nodes.sign(pattern);
   if (standard == Standard::proved) return sign;
-  if (sign == HoldSign::limit || sign == HoldSign::face) return HoldSign::feasible;
-  return sign == HoldSign::nothing ? HoldSign::infeasible : sign;
+  if (sign == HoldResult::at_limit || sign == HoldResult::face) return HoldResult::feasible;
+  return sign == HoldResult::unloaded ? HoldResult::infeasible : sign;
 }
 
 std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
                                           double factor, double mu) const {
   if (!pattern || !std::isfinite(factor)) return {};
-  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, question_.precision, grip_);
-  const HoldSign sign = nodes.sign(*pattern);
-  if (sign != HoldSign::feasible && sign != HoldSign::limit) return {};
+  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, parameters_.precision, grip_);
+  const HoldResult sign = nodes.sign(*pattern);
+  if (sign != HoldResult::feasible && sign != HoldResult::at_limit) return {};
   auto leaf = nodes.leaf(*pattern);
   const double amount = leaf.amounts.front();
   if (!(amount > 0)) return {};
@@ -104,12 +104,12 @@ double BlockHold::factor_scale() const {
 
 // Bisection. Undecided points divide the interval; both sides then approach them separately.
 BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
-                                  const std::function<HoldSign(double)>& sign) const {
-  auto [feasible, infeasible, endless, wide] = ends;
+                                  const std::function<HoldResult(double)>& sign) const {
+  auto [feasible, infeasible, unbounded, wide] = ends;
   double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
   const auto narrow = [&](double from, double to) {
     return std::abs(to - from) <=
-           std::max(question_.width * std::max(std::abs(from), std::abs(to)), floor);
+           std::max(parameters_.width * std::max(std::abs(from), std::abs(to)), floor);
   };
   bool met_open = false;
   bool stopped = false;
@@ -126,10 +126,10 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
       continue;
     }
     switch (sign(middle)) {
-      case HoldSign::feasible:
+      case HoldResult::feasible:
         feasible = middle;
         break;
-      case HoldSign::infeasible:
+      case HoldResult::infeasible:
         infeasible = middle;
         break;
       default:
@@ -141,26 +141,27 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
   wide = (met_open || stopped) &&
          std::abs(infeasible - feasible) >
              std::max(close_enough * std::max(std::abs(feasible), std::abs(infeasible)), floor);
-  return {feasible, infeasible, endless, wide};
+  return {feasible, infeasible, unbounded, wide};
 }
 
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
                                   double mu, Standard standard) const {
-  const double endless = direction * no_end;
+  const double unbounded = direction * unbounded_end;
   // Any multiple of a state of the reference load alone may be added to a state.
   const LoadShare reference{0, static_cast<double>(direction)};
-  if (at(pattern, reference, mu, Standard::proved) == HoldSign::feasible) return {endless, endless};
-  if (at(pattern, reference, mu, Standard::computed) == HoldSign::feasible)
-    return {endless, endless, true};
+  if (at(pattern, reference, mu, Standard::proved) == HoldResult::feasible)
+    return {unbounded, unbounded};
+  if (at(pattern, reference, mu, Standard::computed) == HoldResult::feasible)
+    return {unbounded, unbounded, true};
   const double scale = factor_scale();
   double feasible = from;
   double step = std::max(std::abs(from), scale);
-  double infeasible = endless;
+  double infeasible = unbounded;
   for (int doubling = 0; doubling < most_doublings && !ended(); ++doubling, step *= 2) {
     const double next = from + direction * step;
-    const HoldSign sign = at(pattern, {1, next}, mu, standard);
-    if (sign == HoldSign::feasible) feasible = next;
-    if (sign != HoldSign::infeasible) continue;
+    const HoldResult sign = at(pattern, {1, next}, mu, standard);
+    if (sign == HoldResult::feasible) feasible = next;
+    if (sign != HoldResult::infeasible) continue;
     infeasible = next;
     break;
   }
@@ -185,20 +186,21 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   HeldInterval all{0, 0, 0, 0};
   for (const int direction : {-1, 1}) {
     const LoadShare share{0, static_cast<double>(direction)};
-    const auto outcome =
-        search(std::array{share}, mu, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end);
+    const auto outcome = search(std::array{share}, mu, direction < 0 ? -unbounded_end : 0,
+                                direction < 0 ? 0 : unbounded_end);
     for (const auto& leaf : outcome.leaf)
-      pieces_.push_back({leaf.pattern, direction < 0 ? -no_end : 0, direction < 0 ? 0 : no_end, 0});
+      pieces_.push_back(
+          {leaf.pattern, direction < 0 ? -unbounded_end : 0, direction < 0 ? 0 : unbounded_end, 0});
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
     const bool held = !outcome.leaf.empty() || at_limit;
     if (at_limit) all.proved = false;
     if (!held && !outcome.is_infeasible()) found.proved = false;
-    if (!held && outcome.tally.open() != 0) found.open = true;
+    if (!held && outcome.tally.unresolved() != 0) found.unresolved = true;
     (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.is_infeasible();
     if (!held) continue;
-    (direction < 0 ? all.low : all.high) = direction * no_end;
-    (direction < 0 ? all.low_out : all.high_out) = direction * no_end;
+    (direction < 0 ? all.low : all.high) = direction * unbounded_end;
+    (direction < 0 ? all.low_out : all.high_out) = direction * unbounded_end;
     all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
   }
   found.intervals.push_back(all);
@@ -211,8 +213,9 @@ HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, doub
   const Ends down = extend(pattern, from, -1, mu, standard);
   HeldInterval held{down.infeasible, down.feasible, up.feasible, up.infeasible};
   held.pattern = pattern;
-  held.proved = standard == Standard::proved && !up.endless_by_limit && !down.endless_by_limit &&
-                at(pattern, {1, from}, mu, standard) == HoldSign::feasible;
+  held.proved = standard == Standard::proved && !up.unbounded_by_limit &&
+                !down.unbounded_by_limit &&
+                at(pattern, {1, from}, mu, standard) == HoldResult::feasible;
   held.high_proved = std::isinf(up.feasible) || (std::isfinite(up.infeasible) && !up.wide);
   held.low_proved = std::isinf(down.feasible) || (std::isfinite(down.infeasible) && !down.wide);
   return held;
@@ -223,7 +226,7 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
                      HeldFactors& found, std::vector<Gap>& unknown, double mu) {
   const double from = factor_in(leaf, range_of(low, high));
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
-  found.open = found.open || !held.high_proved || !held.low_proved;
+  found.unresolved = found.unresolved || !held.high_proved || !held.low_proved;
   std::vector<Gap> left;
   for (const Gap& each : unknown) {
     if (each.low < held.low_out)
@@ -245,13 +248,13 @@ bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, doub
     if (!std::isfinite(factor_in(leaf, shares))) continue;
     take(leaf, low, high, Standard::computed, found, unknown, mu);
     if (unknown.empty() || unknown.back().low != low || unknown.back().high != high) return true;
-    found.open = true;
+    found.unresolved = true;
   }
   return false;
 }
 
 void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
-  std::vector<Gap> unknown{{-no_end, 0, true}, {0, no_end, true}};
+  std::vector<Gap> unknown{{-unbounded_end, 0, true}, {0, unbounded_end, true}};
   while (!unknown.empty()) {
     const auto [low, high, proved] = unknown.back();
     const auto shares = range_of(low, high);
@@ -259,7 +262,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     if (found.status != engine::Status::solved ||
         static_cast<int>(found.intervals.size()) >= most_intervals) {
-      found.open = true;
+      found.unresolved = true;
       for (const Gap& each : unknown) gaps.push_back({each.low, each.high, false});
       return;
     }
@@ -270,7 +273,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     if (take_limits(outcome.tally.limits, low, high, found, unknown, mu)) continue;
     unknown.pop_back();
     gaps.push_back({low, high, outcome.is_infeasible()});
-    if (outcome.tally.open() != 0) found.open = true;
+    if (outcome.tally.unresolved() != 0) found.unresolved = true;
   }
 }
 
@@ -303,7 +306,7 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   HeldFactors found;
   if (!grip_ && wedges(mu)) {
     found.any_by_wedging = true;
-    found.intervals.push_back({-no_end, -no_end, no_end, no_end});
+    found.intervals.push_back({-unbounded_end, -unbounded_end, unbounded_end, unbounded_end});
     return found;
   }
   if (!with_dead && !grip_) return homogeneous_factors(mu);
@@ -333,11 +336,11 @@ HeldFactors BlockHold::dead_alone(double mu) {
   const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
   if (outcome.leaf.empty() && !at_limit) {
     found.proved = outcome.is_infeasible();
-    found.open = outcome.tally.open() != 0;
+    found.unresolved = outcome.tally.unresolved() != 0;
     return found;
   }
   if (!at_limit) pieces_.push_back({outcome.leaf.front().pattern, 0, 0, 0});
-  HeldInterval all{-no_end, -no_end, no_end, no_end};
+  HeldInterval all{-unbounded_end, -unbounded_end, unbounded_end, unbounded_end};
   all.proved = !at_limit;
   all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
   all.state = state(all.pattern, 0, mu);
@@ -392,7 +395,7 @@ void BlockHold::narrow(HoldingFriction& found) {
   for (int step = 0; found.upper && step < most_halvings; ++step) {
     if (*found.upper - found.lower <= close_enough * *found.upper) return;
     const double mu = found.lower + (*found.upper - found.lower) / 2;
-    if (mu * least_of_factors(block_.problem) < least_friction) return;
+    if (mu * least_of_factors(block_.problem) < min_friction) return;
     const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return;
@@ -412,10 +415,10 @@ HoldingFriction BlockHold::friction() {
   const auto& factors = block_.problem.friction;
   double least = 0, most = 0;
   for (const double factor : factors) {
-    if (factor > 0) least = std::max(least, least_friction / factor);
+    if (factor > 0) least = std::max(least, min_friction / factor);
     most = std::max(most, factor);
   }
-  found.most = most == 0 ? 0 : std::min(question_.most, most_friction / most);
+  found.most = most == 0 ? 0 : std::min(parameters_.most, max_friction / most);
   if (!first_bracket(found)) return found;
   follow(found, least);
   if (ended_ && found.status == engine::Status::solved) found.status = why_ended();
@@ -460,13 +463,13 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
 // @param least coefficient that is not zero
 void BlockHold::follow(HoldingFriction& found, double least) {
   while (*found.upper > least) {
-    HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, question_.precision);
+    HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, parameters_.precision);
     const double start = std::max(found.lower, least);
     const auto sign = [&](double mu) {
       nodes.set_friction(mu);
       return nodes.sign(*found.pattern);
     };
-    if (start == least && sign(least) == HoldSign::feasible) {
+    if (start == least && sign(least) == HoldResult::feasible) {
       found.upper = least;
       return;
     }

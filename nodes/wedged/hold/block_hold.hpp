@@ -15,14 +15,14 @@ namespace kusabi::wedged {
 class BlockHold {
  public:
   /// @pre arguments outlive this object  @param recorded true: for record()
-  BlockHold(engine::Analysis& analysis, const LoadedProblem& block, const HoldQuestion& question,
-            std::vector<HoldCost>& costs, bool recorded = false)
+  BlockHold(engine::Analysis& analysis, const LoadedProblem& block,
+            const HoldParameters& parameters, std::vector<HoldCost>& costs, bool recorded = false)
       : analysis_(analysis),
         block_(block),
-        question_(question),
+        parameters_(parameters),
         costs_(costs),
         recorded_(recorded) {
-    if (question.total) grip_ = GripRestriction{GripRestriction::Kind::equal, *question.total};
+    if (parameters.total) grip_ = GripRestriction{GripRestriction::Kind::equal, *parameters.total};
   }
 
   /// Factors of the reference load that are held with the dead load; without a dead part, alone.
@@ -61,8 +61,8 @@ class BlockHold {
   /// is feasible, to `infeasible`.
   struct Ends {
     double feasible, infeasible;
-    bool endless_by_limit = false;  ///< infinite, by a state of the reference load at a limit
-    bool wide = false;              ///< undecided between them, over more than the usual width
+    bool unbounded_by_limit = false;  ///< infinite, by a state of the reference load at a limit
+    bool wide = false;                ///< undecided between them, over more than the usual width
   };
   struct Gap {
     double low, high;
@@ -78,8 +78,8 @@ class BlockHold {
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
 
-  [[nodiscard]] HoldSign at(const LoadedPattern& pattern, LoadShare share, double mu,
-                            Standard standard) const;
+  [[nodiscard]] HoldResult at(const LoadedPattern& pattern, LoadShare share, double mu,
+                              Standard standard) const;
   HeldFactors homogeneous_factors(double mu);
   bool wedges(double mu);
   /// The interval of a pattern that contains `from`.
@@ -87,7 +87,7 @@ class BlockHold {
                                       Standard standard) const;
   Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
               Standard standard) const;
-  Ends bisect(Ends ends, double floor, const std::function<HoldSign(double)>& sign) const;
+  Ends bisect(Ends ends, double floor, const std::function<HoldResult(double)>& sign) const;
   void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu);
@@ -105,12 +105,13 @@ class BlockHold {
   }
   // Status of an answer that such an end has left open.
   [[nodiscard]] engine::Status why_ended() const {
-    return engine::from_first_rank(analysis_.transport(), [&] { return analysis_.budget().why(); });
+    return engine::from_first_rank(analysis_.transport(),
+                                   [&] { return analysis_.budget().stop_reason(); });
   }
 
   engine::Analysis& analysis_;
   const LoadedProblem& block_;
-  const HoldQuestion& question_;
+  const HoldParameters& parameters_;
   std::vector<HoldCost>& costs_;
   std::optional<GripRestriction> grip_{};
   bool recorded_;

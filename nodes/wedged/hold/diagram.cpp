@@ -45,22 +45,22 @@ class PieceSearch {
 
  private:
   struct Shot {
-    bool endless = false;
+    bool unbounded = false;
     double held = 0;  ///< distance from the point inside
   };
 
   [[nodiscard]] LoadShare share(double dead, const Eigen::Vector2d& at) const {
     return {dead, at.x() * unit_.x(), at.y() * unit_.y()};
   }
-  HoldSign sign(LoadShare share);
-  bool is_endless(const Eigen::Vector2d& along);
+  HoldResult sign(LoadShare share);
+  bool is_unbounded(const Eigen::Vector2d& along);
   Shot shoot(const Eigen::Vector2d& along);
   Shot shot_at(const Eigen::Vector2d& along);
   Polygon sampled();
   Polygon held_part(const Polygon& sample, bool& fine);
   void approach_origin();
-  std::optional<Eigen::Vector2d> nearest_endless(const Eigen::Vector2d& ray,
-                                                 const std::vector<Eigen::Vector2d>& endless);
+  std::optional<Eigen::Vector2d> nearest_unbounded(const Eigen::Vector2d& ray,
+                                                   const std::vector<Eigen::Vector2d>& unbounded);
   void enclose();
 
   const LoadedProblem& block_;
@@ -74,28 +74,28 @@ class PieceSearch {
   std::vector<std::pair<Eigen::Vector2d, Shot>> shots_;
 };
 
-HoldSign PieceSearch::sign(LoadShare share) {
+HoldResult PieceSearch::sign(LoadShare share) {
   HoldNodes nodes(block_, std::array{share}, mu_, precision_);
-  const HoldSign sign = nodes.sign(pattern_);
-  if (sign == HoldSign::infeasible) works_ = nodes.works();
+  const HoldResult sign = nodes.sign(pattern_);
+  if (sign == HoldResult::infeasible) works_ = nodes.works();
   return sign;
 }
 
 // A direction at a limit counts if directions beside it on one side have no end.
-bool PieceSearch::is_endless(const Eigen::Vector2d& along) {
+bool PieceSearch::is_unbounded(const Eigen::Vector2d& along) {
   const auto at = sign(share(0, along));
-  if (at == HoldSign::feasible) return true;
-  if (at == HoldSign::infeasible) return false;
+  if (at == HoldResult::feasible) return true;
+  if (at == HoldResult::infeasible) return false;
   const Eigen::Vector2d across(-along.y(), along.x());
-  return sign(share(0, along + small_turn * across)) == HoldSign::feasible ||
-         sign(share(0, along - small_turn * across)) == HoldSign::feasible ||
-         at == HoldSign::limit || at == HoldSign::face;
+  return sign(share(0, along + small_turn * across)) == HoldResult::feasible ||
+         sign(share(0, along - small_turn * across)) == HoldResult::feasible ||
+         at == HoldResult::at_limit || at == HoldResult::face;
 }
 
 PieceSearch::Shot PieceSearch::shoot(const Eigen::Vector2d& along) {
-  if (is_endless(along)) return {.endless = true};
+  if (is_unbounded(along)) return {.unbounded = true};
   const auto feasible = [&](double distance) {
-    return sign(share(1, inside_ + distance * along)) == HoldSign::feasible;
+    return sign(share(1, inside_ + distance * along)) == HoldResult::feasible;
   };
   double held = 0;
   double out = std::max(1.0, inside_.norm());
@@ -104,19 +104,19 @@ PieceSearch::Shot PieceSearch::shoot(const Eigen::Vector2d& along) {
     held = out;
     out *= 2;
   }
-  if (doubling == most_extensions) return {.endless = true};
+  if (doubling == most_extensions) return {.unbounded = true};
   for (int step = 0; step < most_extensions && out - held > diagram_width / 8 * out; ++step) {
     const double middle = held + (out - held) / 2;
     (feasible(middle) ? held : out) = middle;
   }
   for (double beyond = diagram_width / 8; beyond < 1; beyond *= 4) {  // degenerate at the boundary
-    if (sign(share(1, inside_ + out * along)) == HoldSign::infeasible) {
+    if (sign(share(1, inside_ + out * along)) == HoldResult::infeasible) {
       enclose();
       break;
     }
     out *= 1 + beyond;
   }
-  return {.endless = false, .held = held};
+  return {.unbounded = false, .held = held};
 }
 
 // works_ . (1, factors) >= 0 for all states of the pattern.
@@ -132,25 +132,25 @@ void PieceSearch::enclose() {
 void PieceSearch::approach_origin() {
   const double size = inside_.norm();
   if (size <= 1) return;
-  const auto [endless, held] = shoot(-inside_ / size);
+  const auto [unbounded, held] = shoot(-inside_ / size);
   planes_.clear();
-  const double there = endless ? size : std::min(held, size);
+  const double there = unbounded ? size : std::min(held, size);
   const double apart = std::min(there, size - there + 1) / 2;
   inside_ *= (size - there + apart) / size;
 }
 
 // The last direction without end between a given one and one with an end; nothing if none is given
 // within a right angle.
-std::optional<Eigen::Vector2d> PieceSearch::nearest_endless(
-    const Eigen::Vector2d& ray, const std::vector<Eigen::Vector2d>& endless) {
-  if (endless.empty()) return {};
+std::optional<Eigen::Vector2d> PieceSearch::nearest_unbounded(
+    const Eigen::Vector2d& ray, const std::vector<Eigen::Vector2d>& unbounded) {
+  if (unbounded.empty()) return {};
   Eigen::Vector2d inner =
-      *std::ranges::max_element(endless, {}, [&](const auto& along) { return along.dot(ray); });
+      *std::ranges::max_element(unbounded, {}, [&](const auto& along) { return along.dot(ray); });
   if (inner.dot(ray) <= 0) return {};
   Eigen::Vector2d outer = ray;
   while ((outer - inner).norm() > diagram_width) {
     const Eigen::Vector2d middle = (outer + inner).normalized();
-    (sign(share(0, middle)) == HoldSign::feasible ? inner : outer) = middle;
+    (sign(share(0, middle)) == HoldResult::feasible ? inner : outer) = middle;
   }
   return inner;
 }
@@ -169,7 +169,7 @@ Polygon PieceSearch::sampled() {
     const double angle = 2 * std::numbers::pi * (k + 0.3) / first_directions;
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     const auto shot = shot_at(along);
-    if (shot.endless)
+    if (shot.unbounded)
       hull.rays.push_back(along);
     else
       hull.vertices.emplace_back(inside_ + shot.held * along);
@@ -186,19 +186,19 @@ Polygon PieceSearch::held_part(const Polygon& sample, bool& fine) {
   const bool pointed = !outer.vertices.empty();  // otherwise a half-plane or a strip
   Polygon hull = pointed ? Polygon{} : sample;
   for (const auto& vertex : outer.vertices) {
-    const auto [endless, held] = shot_at(vertex.normalized());
-    const double distance = endless ? vertex.norm() : std::min(held, vertex.norm());
+    const auto [unbounded, held] = shot_at(vertex.normalized());
+    const double distance = unbounded ? vertex.norm() : std::min(held, vertex.norm());
     hull.vertices.emplace_back(inside_ + distance * vertex.normalized());
     fine = fine && vertex.norm() - distance <= piece_width * vertex.norm();
   }
-  auto endless = sample.rays;
+  auto unbounded = sample.rays;
   if (pointed && outer.rays.size() == 2) {
     const Eigen::Vector2d middle = (outer.rays[0] + outer.rays[1]).normalized();
-    if (is_endless(middle)) endless.push_back(middle);
+    if (is_unbounded(middle)) unbounded.push_back(middle);
   }
   for (const auto& ray : outer.rays) {
-    const auto inner = nearest_endless(ray, endless);
-    if (shot_at(ray).endless)
+    const auto inner = nearest_unbounded(ray, unbounded);
+    if (shot_at(ray).unbounded)
       hull.rays.push_back(ray);
     else if (inner)
       hull.rays.push_back(*inner);
@@ -214,8 +214,8 @@ DiagramPiece PieceSearch::around(const Eigen::Vector2d& from) {
   approach_origin();
   const Polygon sample = sampled();
   piece.hull = sample;
-  piece.endless_all = sample.vertices.empty();
-  piece.fine = piece.endless_all;
+  piece.is_whole_plane = sample.vertices.empty();
+  piece.fine = piece.is_whole_plane;
   for (std::size_t before = 0; planes_.size() > before && planes_.size() < most_planes;) {
     before = planes_.size();
     piece.hull = held_part(sample, piece.fine);
@@ -256,7 +256,7 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
         found.status = outcome.status;
         return all;
       }
-      found.open = found.open || outcome.tally.undecided > 0;
+      found.unresolved = found.unresolved || outcome.tally.undecided > 0;
       found.proved = found.proved && outcome.tally.undecided + outcome.tally.computed == 0 &&
                      outcome.tally.limits.empty();
       for (const auto& leaf : outcome.leaf) {
@@ -277,11 +277,11 @@ std::vector<DiagramPiece> common_pieces(const std::vector<DiagramPiece>& one,
   std::vector<DiagramPiece> result;
   for (const auto& a : one) {
     for (const auto& b : other) {
-      DiagramPiece both = a.endless_all ? b : a;
+      DiagramPiece both = a.is_whole_plane ? b : a;
       both.pattern = {a.pattern.contact | b.pattern.contact,
                       a.pattern.separated | b.pattern.separated};
       both.fine = a.fine && b.fine;
-      if (!a.endless_all && !b.endless_all) {
+      if (!a.is_whole_plane && !b.is_whole_plane) {
         auto part = common_part(a.hull, b.hull);
         if (!part) continue;
         both.hull = std::move(*part);
@@ -297,7 +297,7 @@ std::vector<DiagramPiece> common_pieces(const std::vector<DiagramPiece>& one,
 Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                    Precision precision) {
   Diagram found;
-  found.pieces.push_back({.pattern = {}, .endless_all = true});
+  found.pieces.push_back({.pattern = {}, .is_whole_plane = true});
   const auto unit = units_of(loaded);
   for (const auto& candidates : problems::blocks_of(loaded.problem)) {
     const LoadedProblem block = loaded_block(loaded, candidates);
@@ -306,8 +306,8 @@ Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, doub
     std::vector<DiagramPiece> own;
     for (const auto& [pattern, point] : begins) {
       if (found.status == engine::Status::solved && analysis.ended()) {
-        found.status =
-            engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().why(); });
+        found.status = engine::from_first_rank(analysis.transport(),
+                                               [&] { return analysis.budget().stop_reason(); });
       }
       if (found.status != engine::Status::solved) break;
       own.push_back(PieceSearch(block, mu, precision, pattern, unit).around(point));

@@ -14,10 +14,10 @@ namespace kusabi::wedged {
 
 /// The factors of one sign pattern.
 struct DiagramPiece {
-  LoadedPattern pattern;     ///< of the candidates of the whole problem
-  Polygon hull{};            ///< each vertex has a state, proved
-  bool endless_all = false;  ///< every pair of factors
-  bool fine = true;          ///< the hull is the whole piece, up to 1e-5 of its distances
+  LoadedPattern pattern;        ///< of the candidates of the whole problem
+  Polygon hull{};               ///< each vertex has a state, proved
+  bool is_whole_plane = false;  ///< every pair of factors
+  bool fine = true;             ///< the hull is the whole piece, up to 1e-5 of its distances
 };
 
 struct Diagram {
@@ -25,7 +25,7 @@ struct Diagram {
   /// True if it is proved that no other sign pattern holds a pair of factors, except for pairs on
   /// lines; otherwise this is computed.
   bool proved = true;
-  bool open = false;  ///< patterns are undecided: pieces may be missing
+  bool unresolved = false;  ///< patterns are undecided: pieces may be missing
   std::vector<DiagramPiece> pieces{};
   std::vector<HoldCost> costs{};
 };

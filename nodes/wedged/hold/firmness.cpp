@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/hold/block_hold.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -23,7 +23,7 @@ LoadedProblem without_dead(LoadedProblem loaded) {
   loads.displacements = numbers::PreciseMatrix(loads.displacements.rightCols(1));
   loads.work = numbers::PreciseMatrix(loads.work.bottomRightCorner(1, 1));
   loads.motions = numbers::PreciseMatrix(loads.motions.bottomRows(1));
-  loads.unseen_motions = numbers::PreciseMatrix(loads.unseen_motions.bottomRows(1));
+  loads.other_modes = numbers::PreciseMatrix(loads.other_modes.bottomRows(1));
   loads.sizes = Eigen::VectorXd(loads.sizes.tail(1));
   return loaded;
 }
@@ -33,10 +33,10 @@ LoadedProblem without_dead(LoadedProblem loaded) {
 PatternFirmness::PatternFirmness(engine::Analysis& analysis, const LoadedProblem& loaded, double mu)
     : analysis_(analysis),
       mu_(mu),
-      out_of_equilibrium_(unseen_work(loaded, {0, 1}) > negligible_work),
+      out_of_equilibrium_(work_on_other_modes(loaded, {0, 1}) > negligible_work),
       candidates_(problems::blocks_of(loaded.problem)) {
-  question_.width = firmness_width;
-  question_.total = 1;
+  parameters_.width = firmness_width;
+  parameters_.total = 1;
   const LoadedProblem alone = without_dead(loaded);
   for (const auto& candidates : candidates_) blocks_.push_back(loaded_block(alone, candidates));
 }
@@ -48,7 +48,7 @@ std::optional<Firmness> PatternFirmness::of(const Configuration& leaf) const {
   if (!acts(block, 0)) return {};
   const SignPattern own = own_leaf(leaf, candidates_[leaf.block]);
   std::vector<HoldCost> costs;
-  BlockHold hold(analysis_, block, question_, costs);
+  BlockHold hold(analysis_, block, parameters_, costs);
   const auto found = hold.ends_of({own.contact, own.separated}, mu_);
   return Firmness{found.low_out, found.low, found.high, found.high_out};
 }

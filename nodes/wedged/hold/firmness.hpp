@@ -34,7 +34,7 @@ class PatternFirmness {
   engine::Analysis& analysis_;
   double mu_;
   bool out_of_equilibrium_;
-  HoldQuestion question_;
+  HoldParameters parameters_;
   std::vector<support::IndexSet> candidates_;  // of each block
   std::vector<LoadedProblem> blocks_;
 };

@@ -30,11 +30,11 @@ using Kind = GripRestriction::Kind;
 class BlockGrip {
  public:
   BlockGrip(engine::Analysis& analysis, const LoadedProblem& block, double mu,
-            const HoldQuestion& question, std::vector<HoldCost>& costs, bool recorded)
+            const HoldParameters& parameters, std::vector<HoldCost>& costs, bool recorded)
       : analysis_(analysis),
         block_(block),
         mu_(mu),
-        question_(question),
+        parameters_(parameters),
         costs_(costs),
         recorded_(recorded) {}
 
@@ -56,7 +56,7 @@ class BlockGrip {
   engine::Analysis& analysis_;
   const LoadedProblem& block_;
   double mu_;
-  const HoldQuestion& question_;
+  const HoldParameters& parameters_;
   std::vector<HoldCost>& costs_;
   bool recorded_;
   std::vector<TreeEvidence> trees_;
@@ -65,7 +65,7 @@ class BlockGrip {
 
 HoldOutcome BlockGrip::search(std::span<const LoadShare> shares,
                               const std::optional<GripRestriction>& grip) {
-  HoldTree tree(block_, shares, mu_, question_.precision, grip);
+  HoldTree tree(block_, shares, mu_, parameters_.precision, grip);
   TreeEvidence evidence{mu_, {shares.begin(), shares.end()}, grip};
   auto found = first_leaf(analysis_, tree, recorded_ ? &evidence : nullptr);
   costs_.push_back({mu_, 0, 0, found.opened, found.tally.iterations});
@@ -85,8 +85,8 @@ double BlockGrip::sum_of(const LoadedLeaf& leaf) const {
 
 bool BlockGrip::reaches(const LoadedPattern& pattern,
                         const std::optional<GripRestriction>& grip) const {
-  HoldNodes nodes(block_, std::array{dead_load}, mu_, question_.precision, grip);
-  return nodes.sign(pattern) == HoldSign::feasible;
+  HoldNodes nodes(block_, std::array{dead_load}, mu_, parameters_.precision, grip);
+  return nodes.sign(pattern) == HoldResult::feasible;
 }
 
 // Moves `held` to the end of its pattern, and `out` beside it.
@@ -102,7 +102,7 @@ void BlockGrip::follow(GripEnd& end, Kind kind) const {
     }
   }
   for (int step = 0; step < most_steps && !analysis_.ended(); ++step) {
-    if (std::abs(out - end.held) <= std::max(floor, question_.width * std::max(out, end.held)))
+    if (std::abs(out - end.held) <= std::max(floor, parameters_.width * std::max(out, end.held)))
       break;
     const double middle = end.held + (out - end.held) / 2;
     if (middle == end.held || middle == out) break;
@@ -195,16 +195,16 @@ void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const G
 }  // namespace
 
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                     const HoldQuestion& question, HoldRecord* record) {
+                     const HoldParameters& parameters, HoldRecord* record) {
   GripRange found;
-  if (unseen_work(loaded, {1, 0}) > negligible_work) {
+  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.held = false;
     return found;
   }
   const auto blocks = problems::blocks_of(loaded.problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    BlockGrip grip(analysis, block, mu, question, found.costs, record != nullptr);
+    BlockGrip grip(analysis, block, mu, parameters, found.costs, record != nullptr);
     const auto range = grip.range();
     found.status = grip.status();
     if (found.status != engine::Status::solved) break;
@@ -214,7 +214,7 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     add(found.least, range->least);
     add(found.most, range->most);
     if (record != nullptr) {
-      record_grip(analysis, {block, blocks[number], number, mu, question.precision}, *range,
+      record_grip(analysis, {block, blocks[number], number, mu, parameters.precision}, *range,
                   grip.trees(), *record);
     }
     found.blocks.push_back(*range);

@@ -41,6 +41,6 @@ struct GripRange {
 
 /// Every rank makes the same call and gets the same result.
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                     const HoldQuestion& question = {}, HoldRecord* record = nullptr);
+                     const HoldParameters& parameters = {}, HoldRecord* record = nullptr);
 
 }  // namespace kusabi::wedged

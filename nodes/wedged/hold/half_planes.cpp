@@ -101,10 +101,10 @@ Polygon intersection(std::span<const HalfPlane> planes) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto& [a, c] = planes[i];
     for (const Vector2d& along : {Vector2d(-a.y(), a.x()), Vector2d(a.y(), -a.x())}) {
-      const bool endless = std::ranges::all_of(planes, [&](const HalfPlane& plane) {
+      const bool unbounded = std::ranges::all_of(planes, [&](const HalfPlane& plane) {
         return plane.normal.dot(along) <= same_direction;
       });
-      if (endless) add(polygon.rays, along, same_direction);
+      if (unbounded) add(polygon.rays, along, same_direction);
     }
     for (std::size_t j = 0; j < i; ++j) {
       const auto& [b, e] = planes[j];

@@ -48,7 +48,7 @@ HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree, TreeEvidence*
   engine::Options options;
   options.goal = engine::Goal::first;
   // A search with a journal may begin where an earlier run ended, whose evidence is lost.
-  if (evidence != nullptr && !analysis.is_kept()) report_nodes(tree, *evidence);
+  if (evidence != nullptr && !analysis.has_journal()) report_nodes(tree, *evidence);
   auto outcome = on_all_ranks(analysis, analysis.search(tree, options));
   if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;
   return outcome;
@@ -73,7 +73,7 @@ void record_state(engine::Analysis& analysis, const RecordedBlock& block,
   std::vector<LoadShare> shares;
   if (share) shares.push_back(*share);
   HoldNodes nodes(block.problem, shares, block.mu, block.precision, grip);
-  if (nodes.sign(pattern) == HoldSign::feasible) {
+  if (nodes.sign(pattern) == HoldResult::feasible) {
     record.state(block.number, share, in_whole(pattern, block.candidates),
                  nodes.state_numbers(pattern));
   } else if (grip && grip->kind != GripRestriction::Kind::equal) {

@@ -27,7 +27,7 @@ struct HoldOutcome {
   /// True if there is no state below the root, proved.
   [[nodiscard]] bool is_infeasible() const {
     return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
-           tally.open() == 0 && tally.limits.empty();
+           tally.unresolved() == 0 && tally.limits.empty();
   }
 
   template <class Archive>
@@ -63,7 +63,7 @@ HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree,
                        TreeEvidence* evidence = nullptr);
 
 /// Kind of a certificate: of a bound of the holding friction coefficient, or of all load factors.
-enum class HoldEnd { lower, upper, factors };
+enum class HoldClaim { lower, upper, factors };
 
 /// Receives the evidence of one certificate. Sets of candidates are those of the whole problem.
 class HoldRecord {
@@ -84,7 +84,7 @@ class HoldRecord {
 };
 
 /// Opens a certificate for a friction coefficient.
-using HoldRecorder = std::function<std::unique_ptr<HoldRecord>(HoldEnd end, double mu)>;
+using HoldRecorder = std::function<std::unique_ptr<HoldRecord>(HoldClaim end, double mu)>;
 
 /// A block whose evidence is recorded.
 struct RecordedBlock {

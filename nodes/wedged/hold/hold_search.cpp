@@ -41,20 +41,19 @@ std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
 // in equilibrium.
 std::optional<double> only_factor(const LoadedProblem& loaded) {
   const Eigen::Index reference = loaded.has_dead ? 1 : 0;
-  const Eigen::VectorXd work =
-      loaded.loads.unseen_motions.row(reference).transpose().cast<double>();
+  const Eigen::VectorXd work = loaded.loads.other_modes.row(reference).transpose().cast<double>();
   Eigen::Index mode = 0;
   work.cwiseAbs().maxCoeff(&mode);
   if (!loaded.has_dead) return 0;
-  const double dead = numbers::rounded(loaded.loads.unseen_motions(0, mode));
+  const double dead = numbers::rounded(loaded.loads.other_modes(0, mode));
   const double factor = -dead / work[mode];
-  if (unseen_work(loaded, {1, factor}) > negligible_work) return {};
+  if (work_on_other_modes(loaded, {1, factor}) > negligible_work) return {};
   return factor;
 }
 
 // States at that one factor.
 HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                          const HoldQuestion& question) {
+                          const HoldParameters& parameters) {
   HeldFactors found;
   found.not_in_equilibrium = true;
   const auto factor = only_factor(loaded);
@@ -76,9 +75,9 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   }
   fixed.loads.displacements = numbers::PreciseMatrix(fixed.loads.displacements.leftCols(kept));
   fixed.loads.motions = numbers::PreciseMatrix(fixed.loads.motions.topRows(kept));
-  fixed.loads.unseen_motions = numbers::PreciseMatrix(kept, 0);  // in equilibrium at this factor
+  fixed.loads.other_modes = numbers::PreciseMatrix(kept, 0);  // in equilibrium at this factor
   fixed.loads.sizes = Eigen::VectorXd(fixed.loads.sizes.head(kept));
-  auto at = held_factors(analysis, fixed, mu, question);
+  auto at = held_factors(analysis, fixed, mu, parameters);
   at.not_in_equilibrium = true;
   for (auto& each : at.intervals) each.low = each.low_out = each.high = each.high_out = *factor;
   return at;
@@ -86,19 +85,19 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
 
 // States whose normal reactions add up to a given sum, of the block on which the loads act.
 HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                       const HoldQuestion& question, HoldRecord* record) {
+                       const HoldParameters& parameters, HoldRecord* record) {
   HeldFactors found;
   const auto blocks = problems::blocks_of(loaded.problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     if (!is_under_reference(block) && !is_under_dead(block)) continue;
     std::vector<HoldCost> costs;
-    BlockHold hold(analysis, block, question, costs, record != nullptr);
+    BlockHold hold(analysis, block, parameters, costs, record != nullptr);
     found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
     found.costs = std::move(costs);
     for (auto& each : found.intervals) each.block = number;
     if (record != nullptr && found.status == engine::Status::solved)
-      hold.record({block, blocks[number], number, mu, question.precision}, *record);
+      hold.record({block, blocks[number], number, mu, parameters.precision}, *record);
   }
   return found;
 }
@@ -114,18 +113,18 @@ int loaded_blocks(const LoadedProblem& loaded) {
 }
 
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                         const HoldQuestion& question, HoldRecord* record) {
+                         const HoldParameters& parameters, HoldRecord* record) {
   HeldFactors found;
   found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
-  if (loaded.has_reference && unseen_work(loaded, {0, 1}) > negligible_work)
-    return at_one_factor(analysis, loaded, mu, question);
-  if (unseen_work(loaded, {1, 0}) > negligible_work) {
+  if (loaded.has_reference && work_on_other_modes(loaded, {0, 1}) > negligible_work)
+    return at_one_factor(analysis, loaded, mu, parameters);
+  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.any_by_supports = false;
     found.not_in_equilibrium = true;
     return found;
   }
-  if (question.total) return with_total(analysis, loaded, mu, question, record);
-  found.intervals.push_back({-no_end, -no_end, no_end, no_end});
+  if (parameters.total) return with_total(analysis, loaded, mu, parameters, record);
+  found.intervals.push_back({-unbounded_end, -unbounded_end, unbounded_end, unbounded_end});
   bool searched = false;
   bool wedged = true;
   const auto blocks = problems::blocks_of(loaded.problem);
@@ -134,18 +133,18 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     if (block.problem.modes.matrix.cols() == 0) continue;
     const bool reference = is_under_reference(block);
     if (!reference && !is_under_dead(block)) continue;
-    BlockHold hold(analysis, block, question, found.costs, record != nullptr);
+    BlockHold hold(analysis, block, parameters, found.costs, record != nullptr);
     auto own = reference ? hold.factors(mu, is_under_dead(block)) : hold.dead_alone(mu);
     searched = true;
     wedged = wedged && own.any_by_wedging;
     for (auto& each : own.intervals) each.block = number;
     if (own.status != engine::Status::solved) found.status = own.status;
     found.proved = found.proved && own.proved;
-    found.open = found.open || own.open;
+    found.unresolved = found.unresolved || own.unresolved;
     found.intervals = common(found.intervals, own.intervals);
     if (found.status != engine::Status::solved) break;
     if (record != nullptr)
-      hold.record({block, blocks[number], number, mu, question.precision}, *record);
+      hold.record({block, blocks[number], number, mu, parameters.precision}, *record);
   }
   found.any_by_wedging = searched && wedged;
   return found;
@@ -163,26 +162,26 @@ struct FrictionEvidence {
 
 void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                      const HoldingFriction& found, const FrictionEvidence& evidence,
-                     const HoldQuestion& question) {
+                     const HoldParameters& parameters) {
   constexpr LoadShare dead{1, 0};
   const auto blocks = problems::blocks_of(loaded.problem);
   if (found.lower_known) {
-    const auto record = question.recorder(HoldEnd::lower, found.lower);
+    const auto record = parameters.recorder(HoldClaim::lower, found.lower);
     if (evidence.tree) {
       const auto number = evidence.lower_block;
       const LoadedProblem block = loaded_block(loaded, blocks[number]);
-      record_tree(analysis, {block, blocks[number], number, found.lower, question.precision},
+      record_tree(analysis, {block, blocks[number], number, found.lower, parameters.precision},
                   *evidence.tree, *record);
     }
     record->finish();
   }
   if (!found.upper) return;
-  const auto record = question.recorder(HoldEnd::upper, *found.upper);
+  const auto record = parameters.recorder(HoldClaim::upper, *found.upper);
   for (std::uint32_t number = 0; number < evidence.patterns.size(); ++number) {
     const auto& pattern = evidence.patterns[number];
     if (!pattern) continue;
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    record_state(analysis, {block, blocks[number], number, *found.upper, question.precision},
+    record_state(analysis, {block, blocks[number], number, *found.upper, parameters.precision},
                  *pattern, dead, {}, *record);
   }
   record->finish();
@@ -191,16 +190,16 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
 }  // namespace
 
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
-                                 const HoldQuestion& question) {
+                                 const HoldParameters& parameters) {
   HoldingFriction found;
   found.upper = 0;
-  found.most = question.most;
+  found.most = parameters.most;
   found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
-  if (unseen_work(loaded, {1, 0}) > negligible_work) {
+  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.not_in_equilibrium = true;
     found.upper.reset();
     found.lower_known = true;
-    if (question.recorder) record_friction(analysis, loaded, found, {}, question);
+    if (parameters.recorder) record_friction(analysis, loaded, found, {}, parameters);
     return found;
   }
   const auto blocks = problems::blocks_of(loaded.problem);
@@ -209,7 +208,8 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
     if (block.problem.modes.matrix.cols() == 0 || !is_under_dead(block)) continue;
-    BlockHold hold(analysis, block, question, found.costs, static_cast<bool>(question.recorder));
+    BlockHold hold(analysis, block, parameters, found.costs,
+                   static_cast<bool>(parameters.recorder));
     auto own = hold.friction();
     if (own.upper) own.state = hold.state(own.pattern, 0, *own.upper);
     if (own.status != engine::Status::solved) found.status = own.status;
@@ -232,8 +232,8 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     if (!found.upper) found.most = own.most;
     if (found.status != engine::Status::solved || !found.upper) break;
   }
-  if (question.recorder && found.status == engine::Status::solved)
-    record_friction(analysis, loaded, found, evidence, question);
+  if (parameters.recorder && found.status == engine::Status::solved)
+    record_friction(analysis, loaded, found, evidence, parameters);
   return found;
 }
 

@@ -20,7 +20,7 @@
 namespace kusabi::wedged {
 
 /// End of an unbounded interval.
-inline constexpr double no_end = std::numeric_limits<double>::infinity();
+inline constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
 /// Reactions of a state that is held.
 struct HeldState {
@@ -51,7 +51,7 @@ struct HeldFactors {
   engine::Status status = engine::Status::solved;
   std::vector<HeldInterval> intervals{};  ///< in ascending order
   bool proved = true;                     ///< no state outside of the intervals; otherwise computed
-  bool open = false;                      ///< leaves are undecided: factors may be missing
+  bool unresolved = false;                ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
   bool not_in_equilibrium = false;        ///< the load moves a body where no candidate
@@ -76,7 +76,7 @@ struct HoldingFriction {
   std::vector<HoldCost> costs{};
 };
 
-struct HoldQuestion {
+struct HoldParameters {
   double most = 1000;   ///< upper limit of the search
   double width = 1e-9;  ///< of the brackets, relative
   Precision precision = Precision::escalating;
@@ -90,10 +90,10 @@ int loaded_blocks(const LoadedProblem& loaded);
 /// Every rank makes the same call and gets the same result.
 /// @param record of the certificate, or null
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                         const HoldQuestion& question = {}, HoldRecord* record = nullptr);
+                         const HoldParameters& parameters = {}, HoldRecord* record = nullptr);
 
 /// Every rank makes the same call and gets the same result.
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
-                                 const HoldQuestion& question = {});
+                                 const HoldParameters& parameters = {});
 
 }  // namespace kusabi::wedged

@@ -73,35 +73,36 @@ void HoldNodes::set_friction(double mu) {
   solver_.set_friction(friction_with_loads(loaded_->problem, mu, loads_));
 }
 
-HoldSign HoldNodes::sign(const LoadedPattern& node) {
+HoldResult HoldNodes::sign(const LoadedPattern& node) {
   ++programs_;
   const bool leaf = (node.contact | node.separated) == all_;
   if (scales_.empty() && node.separated == all_) {
     multipliers_ = Eigen::VectorXd::Zero(all_.size() + problem_.modes.matrix.cols());
-    return HoldSign::infeasible;
+    return HoldResult::infeasible;
   }
   const auto answer = solver_.solve(node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
   multipliers_ = solver_.multipliers();
-  if (answer.sign == conic::Sign::infeasible) return HoldSign::infeasible;
-  if (answer.sign == conic::Sign::feasible) return leaf ? HoldSign::feasible : HoldSign::open;
+  if (answer.sign == conic::Sign::infeasible) return HoldResult::infeasible;
+  if (answer.sign == conic::Sign::feasible)
+    return leaf ? HoldResult::feasible : HoldResult::unresolved;
   return conic::is_unresolvable(answer, hold_tolerances) ? degenerate(node, answer.upper)
-                                                         : HoldSign::open;
+                                                         : HoldResult::unresolved;
 }
 
 // Some candidate of U has no reaction: all states are also those of the node with it in R.
-HoldSign HoldNodes::degenerate(const LoadedPattern& node, double upper) {
+HoldResult HoldNodes::degenerate(const LoadedPattern& node, double upper) {
   const auto inside = solver_.relative_interior(node.contact, node.separated);
-  if (!inside) return HoldSign::open;
-  if (inside->loaded.empty() && upper < 0) return HoldSign::infeasible;
+  if (!inside) return HoldResult::unresolved;
+  if (inside->loaded.empty() && upper < 0) return HoldResult::infeasible;
   const bool acts = scales_.empty() ? !inside->loaded.empty() : inside->loaded.meets(acting_);
-  if (!acts) return HoldSign::nothing;
+  if (!acts) return HoldResult::unloaded;
   const IndexSet loaded = inside->loaded & all_;
   const bool leaf = (node.contact | node.separated) == all_;
-  if (leaf && !loaded.includes(node.contact)) return HoldSign::face;
-  if (!loaded.includes(node.contact) || loaded.meets(inside->moved)) return HoldSign::open;
+  if (leaf && !loaded.includes(node.contact)) return HoldResult::face;
+  if (!loaded.includes(node.contact) || loaded.meets(inside->moved)) return HoldResult::unresolved;
   limit_ = {loaded, all_ - loaded};
-  return HoldSign::limit;
+  return HoldResult::at_limit;
 }
 
 std::vector<double> HoldNodes::infeasible_numbers() const {
@@ -165,36 +166,36 @@ LoadedLeaf HoldNodes::leaf(const LoadedPattern& pattern) const {
 }
 
 void HoldTree::expand(Node&& node, engine::Expansion<HoldTree>& out) {
-  pollable_.within(out, node, [&] {
+  interruption_.within(out, node, [&] {
     open(node, out);
     return true;
   });
 }
 
 void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
-  const HoldSign sign = nodes_.sign(node);
+  const HoldResult sign = nodes_.sign(node);
   const IndexSet free = nodes_.all() - (node.contact | node.separated);
   switch (sign) {
-    case HoldSign::infeasible:
+    case HoldResult::infeasible:
       ++tally_.infeasible;
       if (reporter_) reporter_(node, nodes_.infeasible_numbers());
       return;
-    case HoldSign::feasible:
+    case HoldResult::feasible:
       out.solution(nodes_.leaf(node));
       return;
-    case HoldSign::limit:
+    case HoldResult::at_limit:
       tally_.limits.push_back(nodes_.leaf(nodes_.limit()));
       return;
-    case HoldSign::nothing:
-    case HoldSign::face:
+    case HoldResult::unloaded:
+    case HoldResult::face:
       ++tally_.computed;
       return;
-    case HoldSign::open:
+    case HoldResult::unresolved:
       break;
   }
   if (free.empty()) {
     ++(resists_all(nodes_.problem(), node.contact, nodes_.friction()) ? tally_.undecided
-                                                                      : tally_.thin);
+                                                                      : tally_.undecided_on_line);
     return;
   }
   ++tally_.branched;

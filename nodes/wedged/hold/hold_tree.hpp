@@ -27,7 +27,7 @@
 #include "nodes/wedged/relaxation/branching.hpp"
 #include "nodes/wedged/relaxation/contact_solver.hpp"
 #include "nodes/wedged/relaxation/mean_motion.hpp"
-#include "nodes/wedged/tree/pollable.hpp"
+#include "nodes/wedged/tree/node_interruption.hpp"
 #include "support/index_set.hpp"
 
 namespace kusabi::wedged {
@@ -65,11 +65,11 @@ struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t undecided = 0;   ///< leaves of unknown sign
   /// Leaves of unknown sign whose contacts do not resist every rigid-body mode. Of two load factors
   /// such a pattern holds at most the pairs on a line.
-  std::uint64_t thin = 0;
+  std::uint64_t undecided_on_line = 0;
   std::uint64_t iterations = 0;
   std::vector<LoadedLeaf> limits{};  ///< leaves with states at a limit, computed; not a count
 
-  [[nodiscard]] std::uint64_t open() const { return undecided + thin; }
+  [[nodiscard]] std::uint64_t unresolved() const { return undecided + undecided_on_line; }
 
   HoldTally& operator+=(const HoldTally& other) {
     Counts::operator+=(other);
@@ -85,9 +85,9 @@ struct HoldTally : engine::Counts<HoldTally> {
 
   static constexpr auto fields() {
     return std::tuple{
-        field("branched", &HoldTally::branched), field("dead", &HoldTally::infeasible),
-        field("computed", &HoldTally::computed), field("undecided", &HoldTally::undecided),
-        field("thin", &HoldTally::thin),         field("iterations", &HoldTally::iterations)};
+        field("branched", &HoldTally::branched),      field("dead", &HoldTally::infeasible),
+        field("computed", &HoldTally::computed),      field("undecided", &HoldTally::undecided),
+        field("thin", &HoldTally::undecided_on_line), field("iterations", &HoldTally::iterations)};
   }
 };
 
@@ -96,7 +96,7 @@ bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet
                  double mu);
 
 /// Answer for one node.
-enum class HoldSign { infeasible, feasible, limit, face, nothing, open };
+enum class HoldResult { infeasible, feasible, at_limit, face, unloaded, unresolved };
 
 /// The node programs of one block under given loads.
 class HoldNodes {
@@ -109,11 +109,11 @@ class HoldNodes {
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
   void set_friction(double mu);
 
-  /// `limit`: states at a limit, in which a load acts, all of the leaf limit(); `face`: a leaf with
-  /// such states, in all of which some candidate of U has no reaction, so that they are states of
-  /// other leaves; `nothing`: t* = 0 and no load acts; `open`: neither is known, or a candidate
-  /// remains to be decided.
-  HoldSign sign(const LoadedPattern& node);
+  /// `at_limit`: states at a limit, in which a load acts, all of the leaf limit(); `face`: a leaf
+  /// with such states, in all of which some candidate of U has no reaction, so that they are states
+  /// of other leaves; `unloaded`: t* = 0 and no load acts; `unresolved`: neither is known, or a
+  /// candidate remains to be decided.
+  HoldResult sign(const LoadedPattern& node);
 
   [[nodiscard]] const support::IndexSet& all() const { return all_; }
   [[nodiscard]] const problems::WedgedProblem& problem() const { return loaded_->problem; }
@@ -138,7 +138,7 @@ class HoldNodes {
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
-  HoldSign degenerate(const LoadedPattern& node, double upper);
+  HoldResult degenerate(const LoadedPattern& node, double upper);
 
   support::IndexSet all_;
   std::vector<double> scales_;  // of the loads
@@ -169,7 +169,7 @@ class HoldTree {
            Precision precision = Precision::escalating,
            const std::optional<GripRestriction>& grip = {})
       : nodes_(loaded, shares, mu, precision, grip) {
-    nodes_.end_when(pollable_.stop());
+    nodes_.end_when(interruption_.stop());
   }
 
   /// Receives the evidence of each infeasible node.
@@ -189,7 +189,7 @@ class HoldTree {
 
   HoldNodes nodes_;
   Reporter reporter_;
-  Pollable pollable_;
+  NodeInterruption interruption_;
   Tally tally_;
 };
 

@@ -143,14 +143,14 @@ LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& 
   return part;
 }
 
-double unseen_work(const LoadedProblem& loaded, LoadShare share) {
-  if (count(loaded) == 0 || loaded.loads.unseen_motions.cols() == 0) return 0;
+double work_on_other_modes(const LoadedProblem& loaded, LoadShare share) {
+  if (count(loaded) == 0 || loaded.loads.other_modes.cols() == 0) return 0;
   const PreciseVector amounts = coefficients(loaded, share);
   double size = 0;
   for (Eigen::Index l = 0; l < amounts.size(); ++l)
     size += std::abs(numbers::rounded(amounts[l])) * loaded.loads.sizes[l];
   if (size == 0) return 0;
-  const PreciseVector work = loaded.loads.unseen_motions.transpose() * amounts;
+  const PreciseVector work = loaded.loads.other_modes.transpose() * amounts;
   return work.cast<double>().cwiseAbs().maxCoeff() / size;
 }
 

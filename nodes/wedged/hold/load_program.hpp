@@ -75,7 +75,7 @@ bool is_loaded(const LoadedProblem& block);
 
 /// Work of a load on the modes that displace no candidate, relative to its size: the largest
 /// magnitude. Above `negligible_work` the load is not in equilibrium with any reactions.
-double unseen_work(const LoadedProblem& loaded, LoadShare share);
+double work_on_other_modes(const LoadedProblem& loaded, LoadShare share);
 
 /// Share of a load below which its work on a mode is the rounding of directions and positions,
 /// which the file writes with sixteen digits.

@@ -49,15 +49,15 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
   const auto block = problems::block_problem(problem, problems::blocks_of(problem)[number]);
   const int m = static_cast<int>(block.contact_names.size());
   const FrictionGrid points(grid.width);
-  PrimalQuestion question{.infeasible = bracket.lower(),
-                          .most = bracket.upper().value_or(grid.most),
-                          .enough = 0,
-                          .known = {},
-                          .part = part};
+  PrimalParameters parameters{.infeasible = bracket.lower(),
+                              .most = bracket.upper().value_or(grid.most),
+                              .enough = 0,
+                              .known = {},
+                              .part = part};
   if (bracket.leaf() && bracket.leaf()->block == number)
-    question.known = {*bracket.upper(), bracket.leaf()->pattern.contact};
+    parameters.known = {*bracket.upper(), bracket.leaf()->pattern.contact};
   bool better = false;
-  const auto found = search_primal(analysis, block, question, [&](const PrimalPattern& pattern) {
+  const auto found = search_primal(analysis, block, parameters, [&](const PrimalPattern& pattern) {
     const auto multiple = static_cast<std::int64_t>(std::ceil(pattern.factor / grid.width));
     bracket.reduce_upper(points.at(multiple), {number, leaf_with(pattern.contact, m)});
     bracket.show();

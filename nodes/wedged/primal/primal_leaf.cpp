@@ -22,7 +22,7 @@ std::optional<Configuration> leaf_without_tree(engine::Analysis& analysis,
   const auto blocks = problems::blocks_of(problem);
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const int m = blocks[number].size();
-    if (m < fewest_to_start) continue;
+    if (m < min_candidates_for_start) continue;
     auto block = problems::block_problem(problem, blocks[number]);
     block.friction.clear();
     for (const int i : blocks[number])

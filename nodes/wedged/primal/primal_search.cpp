@@ -68,30 +68,30 @@ struct TrialResult {
 };
 
 // Search with clusters, or with all candidates.
-class Level {
+class TrialRounds {
  public:
-  Level(engine::Analysis& analysis, const problems::WedgedProblem& block,
-        const PrimalQuestion& question, double reach,
-        const std::function<void(const PrimalPattern&)>& better)
+  TrialRounds(engine::Analysis& analysis, const problems::WedgedProblem& block,
+              const PrimalParameters& parameters, double reach,
+              const std::function<void(const PrimalPattern&)>& better)
       : analysis_(analysis),
-        question_(question),
+        parameters_(parameters),
         reach_(reach),
         better_(better),
         modes_(block),
         linearisation_(block),
         critical_(block, 1e-8, Precision::doubles),
-        best_(question.known) {
+        best_(parameters.known) {
     linearisation_.end_when(analysis.budget().stop());
     critical_.end_when(analysis.budget().stop());
   }
 
   // Rounds from modes, each followed by rounds from the best pattern, until none is successful.
   void run() {
-    double from = std::min(question_.from, question_.most);
+    double from = std::min(parameters_.from, parameters_.most);
     for (int idle = 0; idle < most_idle_rounds && !done(); ++idle) {
       if (round(mode_trials(from))) idle = -1;
       descend();
-      if (!best_.is_known()) from = std::min(next_factor * from, question_.most);
+      if (!best_.is_known()) from = std::min(next_factor * from, parameters_.most);
     }
   }
 
@@ -134,7 +134,7 @@ class Level {
   }
 
   [[nodiscard]] bool done() {
-    return best_.factor <= question_.enough || best_.factor <= above_infeasible(0) ||
+    return best_.factor <= parameters_.enough || best_.factor <= above_infeasible(0) ||
            analysis_.ended();
   }
 
@@ -166,7 +166,7 @@ class Level {
   }
 
   [[nodiscard]] double above_infeasible(double factor) const {
-    return std::max(factor, question_.infeasible * (1 + least_above));
+    return std::max(factor, parameters_.infeasible * (1 + least_above));
   }
 
   // Largest coefficient of a pattern worth keeping.
@@ -182,8 +182,8 @@ class Level {
       if (estimate) {
         const auto factor = pattern_coefficient(
             critical_, estimate->contact,
-            {.infeasible = question_.infeasible, .first = trial.factor, .limit = limit()});
-        if (factor && *factor <= question_.most) result.pattern = {*factor, estimate->contact};
+            {.infeasible = parameters_.infeasible, .first = trial.factor, .limit = limit()});
+        if (factor && *factor <= parameters_.most) result.pattern = {*factor, estimate->contact};
       }
     } catch (const support::Stopped&) {
     }
@@ -192,7 +192,7 @@ class Level {
   }
 
   engine::Analysis& analysis_;
-  PrimalQuestion question_;
+  PrimalParameters parameters_;
   double reach_;
   const std::function<void(const PrimalPattern&)>& better_;
   ModeStarts modes_;
@@ -205,12 +205,12 @@ class Level {
 
 // Trials for the whole block from the patterns of its clusters.
 std::vector<Trial> prolonged(engine::Analysis& analysis, const problems::WedgedProblem& block,
-                             const PrimalQuestion& question, std::uint64_t& programs) {
+                             const PrimalParameters& parameters, std::uint64_t& programs) {
   const auto clusters = clusters_of(block, cluster_count);
   const std::function<void(const PrimalPattern&)> nobody;
-  Level coarse(
+  TrialRounds coarse(
       analysis, clusters.problem,
-      {.infeasible = 0, .most = question.most, .enough = 0, .from = question.from, .known = {}},
+      {.infeasible = 0, .most = parameters.most, .enough = 0, .from = parameters.from, .known = {}},
       pool_reach, nobody);
   coarse.run();
   programs += coarse.programs();
@@ -219,7 +219,8 @@ std::vector<Trial> prolonged(engine::Analysis& analysis, const problems::WedgedP
     if (trials.size() == most_prolonged) break;
     trials.push_back(
         {clusters.members(pattern.contact),
-         std::max(room_to_prolong * pattern.factor, question.infeasible * (1 + least_above)), 0.5});
+         std::max(room_to_prolong * pattern.factor, parameters.infeasible * (1 + least_above)),
+         0.5});
   }
   return trials;
 }
@@ -227,27 +228,28 @@ std::vector<Trial> prolonged(engine::Analysis& analysis, const problems::WedgedP
 }  // namespace
 
 PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedProblem& block,
-                             const PrimalQuestion& question,
+                             const PrimalParameters& parameters,
                              const std::function<void(const PrimalPattern&)>& better) {
   PrimalFindings findings;
-  const bool with_clusters = static_cast<int>(block.contact_names.size()) >= fewest_to_cluster;
-  if (question.part == PrimalPart::later && !with_clusters) return findings;
-  Level level(analysis, block, question, 1, better);
-  if (with_clusters && question.part != PrimalPart::later && !level.done()) {
-    auto trials = prolonged(analysis, block, question, findings.programs);
-    if (level.best().is_known())
+  const bool with_clusters =
+      static_cast<int>(block.contact_names.size()) >= min_candidates_for_clusters;
+  if (parameters.part == PrimalPart::later && !with_clusters) return findings;
+  TrialRounds rounds(analysis, block, parameters, 1, better);
+  if (with_clusters && parameters.part != PrimalPart::later && !rounds.done()) {
+    auto trials = prolonged(analysis, block, parameters, findings.programs);
+    if (rounds.best().is_known())
       for (auto& trial : trials)
-        trial.factor = std::min(trial.factor, start_shares[0] * level.best().factor);
-    for (std::size_t first = 0; first < trials.size() && !level.done(); first += starts_a_round) {
+        trial.factor = std::min(trial.factor, start_shares[0] * rounds.best().factor);
+    for (std::size_t first = 0; first < trials.size() && !rounds.done(); first += starts_a_round) {
       const auto last = std::min<std::size_t>(first + starts_a_round, trials.size());
-      level.round({trials.begin() + static_cast<std::ptrdiff_t>(first),
-                   trials.begin() + static_cast<std::ptrdiff_t>(last)});
+      rounds.round({trials.begin() + static_cast<std::ptrdiff_t>(first),
+                    trials.begin() + static_cast<std::ptrdiff_t>(last)});
     }
-    level.descend();
+    rounds.descend();
   }
-  if (!with_clusters || question.part != PrimalPart::first) level.run();
-  findings.best = level.best();
-  findings.programs += level.programs();
+  if (!with_clusters || parameters.part != PrimalPart::first) rounds.run();
+  findings.best = rounds.best();
+  findings.programs += rounds.programs();
   return findings;
 }
 

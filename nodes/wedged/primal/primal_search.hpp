@@ -20,7 +20,7 @@
 namespace kusabi::wedged {
 
 /// Blocks with fewer candidates need no clusters.
-inline constexpr int fewest_to_cluster = 200;
+inline constexpr int min_candidates_for_clusters = 200;
 
 /// A pattern with these candidates in contact and all others separated.
 struct PrimalPattern {
@@ -39,7 +39,7 @@ struct PrimalPattern {
 /// `later` with modes of all candidates. Other blocks have a first part only.
 enum class PrimalPart { first, later, both };
 
-struct PrimalQuestion {
+struct PrimalParameters {
   double infeasible = 0;  ///< no pattern is feasible up to this coefficient
   double most = 0;        ///< no coefficient above is of interest
   double enough = 0;      ///< the search ends with a pattern that is feasible at this coefficient
@@ -56,7 +56,7 @@ struct PrimalFindings {
 /// Every rank makes the same call and gets the same result.
 /// @param block a problem of one block  @param better called for each better pattern, on all ranks
 PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedProblem& block,
-                             const PrimalQuestion& question,
+                             const PrimalParameters& parameters,
                              const std::function<void(const PrimalPattern&)>& better = {});
 
 }  // namespace kusabi::wedged

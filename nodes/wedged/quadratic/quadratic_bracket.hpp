@@ -13,7 +13,7 @@
 namespace kusabi::wedged {
 
 /// Trees of smaller problems need no other lower bound.
-inline constexpr int fewest_for_forms = 48;
+inline constexpr int min_candidates_for_forms = 48;
 
 /// Forms that hold at one coefficient.
 struct QuadraticForms {
@@ -24,7 +24,7 @@ struct QuadraticForms {
 
 /// Forms of all blocks at the least of their coefficients; none if that is not above the lower
 /// bound of the bracket. On all ranks.
-/// @param rounds of the optimisation: QuadraticQuestion::rounds
+/// @param rounds of the optimisation: QuadraticParameters::rounds
 QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                const CriticalGrid& grid, const NarrowingBracket& bracket,
                                int rounds);

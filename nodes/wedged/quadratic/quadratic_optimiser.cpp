@@ -228,31 +228,31 @@ std::unique_ptr<QuadraticForm> form_of(const problems::WedgedProblem& block) {
 }  // namespace
 
 QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
-                               const QuadraticQuestion& question) {
+                               const QuadraticParameters& parameters) {
   QuadraticBound bound;
   const auto form = form_of(block);
   if (!form) return bound;
-  Optimiser optimiser(*form, question.stop);
+  Optimiser optimiser(*form, parameters.stop);
   optimiser.start();
   double best = 0;
   double weight = std::max(least_first_weight,
                            first_weight_a_candidate * static_cast<double>(form->candidates()));
-  for (int round = 0; round < question.rounds && !optimiser.ended(); ++round, weight *= growth) {
+  for (int round = 0; round < parameters.rounds && !optimiser.ended(); ++round, weight *= growth) {
     optimiser.round(weight);
     const double reached = optimiser.factor();
     const bool worth = reached > best * (1 + worth_a_round);
     best = std::max(best, reached);
-    if (!worth || best >= question.most) break;
+    if (!worth || best >= parameters.most) break;
   }
   bound.evaluations = optimiser.evaluations();
   const double reached = optimiser.factor();
   for (const double room : block.modes.matrix.cols() > 0 ? room_with_motions : room_for_proof) {
-    const double factor = std::min(room * reached, question.most);
-    if (!(factor > question.enough)) break;
+    const double factor = std::min(room * reached, parameters.most);
+    if (!(factor > parameters.enough)) break;
     const auto multipliers = form->multipliers(optimiser.point(), factor);
     auto friction = candidate_friction(block, factor);
     if (friction.empty()) friction.assign(block.contact_names.size(), factor);
-    if (!quadratic_is_infeasible(block, friction, multipliers)) continue;
+    if (!form_proves_infeasible(block, friction, multipliers)) continue;
     bound.factor = factor;
     bound.numbers = multipliers.numbers();
     break;

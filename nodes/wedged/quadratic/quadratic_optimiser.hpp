@@ -24,16 +24,16 @@ struct QuadraticBound {
 /// Rounds of the optimisation, each with a larger weight; it usually ends before.
 inline constexpr int most_form_rounds = 22;
 
-struct QuadraticQuestion {
+struct QuadraticParameters {
   double enough = 0;              ///< smaller bounds are of no interest
   double most = 0;                ///< larger bounds are of no interest
   int rounds = most_form_rounds;  ///< 0: the first multipliers only
   support::Stop stop{};
 };
 
-/// The bound, found in doubles and held by quadratic_is_infeasible(); 0: none.
+/// The bound, found in doubles and held by form_proves_infeasible(); 0: none.
 /// @param block a problem of one block
 QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
-                               const QuadraticQuestion& question);
+                               const QuadraticParameters& parameters);
 
 }  // namespace kusabi::wedged

@@ -125,8 +125,8 @@ RoundedForm rounded_form(const problems::WedgedProblem& block, std::span<const d
 
 }  // namespace
 
-bool quadratic_is_infeasible(const problems::WedgedProblem& block, std::span<const double> friction,
-                             const QuadraticMultipliers& multipliers) {
+bool form_proves_infeasible(const problems::WedgedProblem& block, std::span<const double> friction,
+                            const QuadraticMultipliers& multipliers) {
   if (!multipliers.is_known() || !allowed(multipliers)) return false;
   auto [matrix, error] = rounded_form(block, friction, multipliers);
   if (!matrix.allFinite() || !std::isfinite(error)) return false;

@@ -12,7 +12,7 @@ namespace kusabi::wedged {
 /// True if it is proved that nothing is wedged with this friction or less.
 /// @param block a problem of one block  @param friction of its candidates
 /// @param multipliers any doubles; those that must not be negative are checked
-bool quadratic_is_infeasible(const problems::WedgedProblem& block, std::span<const double> friction,
-                             const QuadraticMultipliers& multipliers);
+bool form_proves_infeasible(const problems::WedgedProblem& block, std::span<const double> friction,
+                            const QuadraticMultipliers& multipliers);
 
 }  // namespace kusabi::wedged

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/shared_work.hpp"
-#include "engine/together.hpp"
-#include "nodes/wedged/rays/divided_rays.hpp"
+#include "engine/collectives.hpp"
+#include "nodes/wedged/rays/ray_list_tree.hpp"
 #include "nodes/wedged/rays/ray_trial.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 
@@ -21,7 +21,7 @@ namespace kusabi::wedged {
 namespace {
 
 /// Continuation after the common steps of all ranks.
-enum class Way { done, stopped, divided };
+enum class Continuation { done, stopped, divided };
 
 // Result on rank 0 from the outcome of either tree.
 template <class Tree>
@@ -87,7 +87,7 @@ RayFindings by_parts(engine::Analysis& analysis, SignPatternTree tree,
                      const rays::ReactionCone& cone, rays::RayList list,
                      const rays::Steps& before) {
   analysis.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
-  auto found = searched(analysis, DividedRays(std::move(tree), cone, std::move(list)));
+  auto found = searched(analysis, RayListTree(std::move(tree), cone, std::move(list)));
   if (!analysis.is_first()) return found;
   found.health += before.health;
   found.tree->ranks.front().tally.effort += before.effort;
@@ -104,18 +104,19 @@ RayFindings by_double_description(engine::Analysis& analysis,
   RayTrial trial([&] { return whole_tree(problem, friction); }, cone, analysis.budget().stop());
   auto list = rays::first_list(cone);
   const auto steps = steps_of_all(analysis, cone, list, most, either ? &trial : nullptr);
-  const Way way = engine::from_first_rank(analysis.transport(), [&] {
-    return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone)) ? Way::done
-           : steps.stopped                                                          ? Way::stopped
-                                                                                    : Way::divided;
+  const Continuation way = engine::from_first_rank(analysis.transport(), [&] {
+    return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone))
+               ? Continuation::done
+           : steps.stopped ? Continuation::stopped
+                           : Continuation::divided;
   });
-  if (way == Way::divided)
+  if (way == Continuation::divided)
     return by_parts(analysis, whole_tree(problem, friction), cone, std::move(list), steps);
   RayFindings found;
   if (!analysis.is_first()) return found;
   if (trial.has_succeeded()) return std::move(trial).found();
-  if (way == Way::stopped) {
-    found.status = analysis.budget().why();
+  if (way == Continuation::stopped) {
+    found.status = analysis.budget().stop_reason();
     return found;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -145,7 +146,7 @@ void find_cones(RayFindings& found, const rays::ReactionCone& cone, const engine
   all.insert(all.end(), found.motions.begin(), found.motions.end());
   auto cones = rays::maximal_cones(all, cone.all(), budget.stop());
   if (!cones) {
-    found.status = budget.why();
+    found.status = budget.stop_reason();
     return;
   }
   found.cones = *std::move(cones);

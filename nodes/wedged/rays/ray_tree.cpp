@@ -15,9 +15,9 @@ RayTally& RayTally::operator+=(const RayTally& other) {
   return *this;
 }
 
-RayLeaf RayLeaf::of(const PatternNode& node, const SignPatternTree::Fate& fate) {
-  const bool flat = fate.leaf->state == LeafState::flat;
-  return {node.pattern, (flat ? fate.leaf->pattern.contact : node.pattern.contact).word(0)};
+RayLeaf RayLeaf::of(const PatternNode& node, const SignPatternTree::NodeResult& decision) {
+  const bool flat = decision.leaf->state == LeafState::flat;
+  return {node.pattern, (flat ? decision.leaf->pattern.contact : node.pattern.contact).word(0)};
 }
 
 std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
@@ -34,7 +34,7 @@ std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
 
 RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone)
     : tree_(std::move(tree)), cone_(std::move(cone)) {
-  tree_.end_when(pollable_.stop());
+  tree_.end_when(interruption_.stop());
 }
 
 RayTally RayTree::tally() const {
@@ -45,18 +45,18 @@ RayTally RayTree::tally() const {
 
 void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
   patterns_before_ = tree_.tally();
-  auto opened = pollable_.within(out, node, [&] { return open(node); });
+  auto opened = interruption_.within(out, node, [&] { return open(node); });
   if (!opened) return;
   patterns_before_.reset();
-  for (const Node& child : opened->fate.children) out.branch(child);
+  for (const Node& child : opened->decision.children) out.branch(child);
   if (!opened->own.rays.empty()) out.solution(std::move(opened->own));
 }
 
 RayTree::Opened RayTree::open(const Node& node) {
   Opened opened{tree_.decide(node), {}};
-  if (!opened.fate.leaf) return opened;
-  const auto leaf = RayLeaf::of(node, opened.fate);
-  const auto found = rays::rays_of_pattern(cone_, leaf.in_contact, pollable_.stop());
+  if (!opened.decision.leaf) return opened;
+  const auto leaf = RayLeaf::of(node, opened.decision);
+  const auto found = rays::rays_of_pattern(cone_, leaf.in_contact, interruption_.stop());
   if (!found) throw support::Stopped();
   tally_.effort += found->effort;
   tally_.health += found->health;

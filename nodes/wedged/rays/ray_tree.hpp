@@ -17,7 +17,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/search_declaration.hpp"
-#include "nodes/wedged/tree/pollable.hpp"
+#include "nodes/wedged/tree/node_interruption.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
@@ -59,8 +59,8 @@ struct RayLeaf {
   SignPattern pattern;          ///< of the node; it stands for all leaves with the undecided signs
   rays::Candidates in_contact;  ///< in contact throughout the cone D(Y)
 
-  /// @param fate of a node that is a leaf
-  static RayLeaf of(const PatternNode& node, const SignPatternTree::Fate& fate);
+  /// @param decision of a node that is a leaf
+  static RayLeaf of(const PatternNode& node, const SignPatternTree::NodeResult& decision);
 
   /// The rays of D(Y) that this leaf reports, and no other leaf.
   [[nodiscard]] std::vector<rays::ZeroSet> own(const std::vector<rays::ZeroSet>& rays,
@@ -92,7 +92,7 @@ class RayTree {
  private:
   // Result of a node.
   struct Opened {
-    SignPatternTree::Fate fate;
+    SignPatternTree::NodeResult decision;
     PatternRays own;  // of its leaf
   };
 
@@ -102,7 +102,7 @@ class RayTree {
   SignPatternTree tree_;
   rays::ReactionCone cone_;
   RayTally tally_;
-  Pollable pollable_;
+  NodeInterruption interruption_;
   std::optional<SignPatternTally> patterns_before_;  // of an interrupted node, which is not counted
 };
 

@@ -58,10 +58,10 @@ class LeafTree {
     gave_up_ = gave_up_ || is_too_dear(out);
     if (gave_up_) return;
     ++opened_;
-    const auto fate = tree_.decide(node, out);
-    if (!fate) return;
-    for (const Node& child : fate->children) out.branch(child);
-    if (fate->leaf) out.solution(RayLeaf::of(node, *fate));
+    const auto decision = tree_.decide(node, out);
+    if (!decision) return;
+    for (const Node& child : decision->children) out.branch(child);
+    if (decision->leaf) out.solution(RayLeaf::of(node, *decision));
   }
 
   /// True if nodes were discarded.

@@ -24,7 +24,7 @@ BlockRelaxation::BlockRelaxation(const problems::WedgedProblem& problem,
 SignPattern BlockRelaxation::in_whole(const SignPattern& own) const {
   return {.contact = problems::in_whole(own.contact, candidates),
           .separated = problems::in_whole(own.separated, candidates),
-          .at_rest = problems::in_whole(own.at_rest, candidates)};
+          .inactive = problems::in_whole(own.inactive, candidates)};
 }
 
 Configuration BlockRelaxation::configuration(const PatternNode& node, LeafState state,

@@ -27,11 +27,11 @@ BranchingRule::BranchingRule(const problems::WedgedProblem& problem,
                              std::span<const double> friction, Branching branching)
     : branching_(branching), weight_(weights(problem, friction)) {}
 
-std::vector<int> BranchingRule::best(const support::IndexSet& open, ContactSolver& solver,
+std::vector<int> BranchingRule::best(const support::IndexSet& undecided, ContactSolver& solver,
                                      int count) const {
   const auto ranked = [&](const auto& score) {
     std::vector<int> first;
-    for (auto left = open; !left.empty() && std::ssize(first) < count;) {
+    for (auto left = undecided; !left.empty() && std::ssize(first) < count;) {
       first.push_back(largest(left, score));
       left = left - support::IndexSet::single(first.back());
     }

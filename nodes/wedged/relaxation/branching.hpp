@@ -43,20 +43,20 @@ class BranchingRule {
 
   /// The candidate by which a node is split; the first of equal ones, such that the tree is the
   /// same everywhere.
-  /// @param open undecided candidates, not empty  @param solver with the solution of the node
-  [[nodiscard]] int candidate(const support::IndexSet& open, ContactSolver& solver) const {
-    return best(open, solver, 1).front();
+  /// @param undecided undecided candidates, not empty  @param solver with the solution of the node
+  [[nodiscard]] int candidate(const support::IndexSet& undecided, ContactSolver& solver) const {
+    return best(undecided, solver, 1).front();
   }
 
   /// The best `count` candidates in order, or all if there are fewer.
-  [[nodiscard]] std::vector<int> best(const support::IndexSet& open, ContactSolver& solver,
+  [[nodiscard]] std::vector<int> best(const support::IndexSet& undecided, ContactSolver& solver,
                                       int count) const;
 
   /// The candidate with the largest violation of complementarity, in the rule's units.
   /// @param violation gives u_n r_n of a candidate
   template <class Violation>
-  [[nodiscard]] int most_violated(const support::IndexSet& open, Violation violation) const {
-    return largest(open, [&](int i) { return violation(i) * weight(i); });
+  [[nodiscard]] int most_violated(const support::IndexSet& undecided, Violation violation) const {
+    return largest(undecided, [&](int i) { return violation(i) * weight(i); });
   }
 
  private:
@@ -65,10 +65,10 @@ class BranchingRule {
   }
 
   template <class Score>
-  static int largest(const support::IndexSet& open, Score score) {
-    int best = open.lowest();
+  static int largest(const support::IndexSet& undecided, Score score) {
+    int best = undecided.lowest();
     double most = -1;
-    for (const int i : open) {
+    for (const int i : undecided) {
       const double own = score(i);
       if (own > most) {
         most = own;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/shared_work.hpp"
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -60,8 +60,8 @@ conic::StopEarly once_known(double bound) {
 
 }  // namespace
 
-bool leaves_nothing(std::span<const CandidateBounds> bounds, const IndexSet& contact,
-                    const IndexSet& separated) {
+bool excludes_all(std::span<const CandidateBounds> bounds, const IndexSet& contact,
+                  const IndexSet& separated) {
   const auto of = [&](int i) -> const CandidateBounds& {
     return bounds[static_cast<std::size_t>(i)];
   };
@@ -190,7 +190,7 @@ std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side)
   }
   result.most = in_units(result.most, side);
   result.numbers = evidence(cuts, side);
-  if (result.never()) result.numbers.pop_back();
+  if (result.excludes_side()) result.numbers.pop_back();
   return result;
 }
 

@@ -58,7 +58,7 @@ struct ProvedBound {
   /// those of the cuts of all candidates, m, and of the bound itself unless `most` is negative.
   std::vector<double> numbers;
 
-  [[nodiscard]] bool never() const { return most < 0; }
+  [[nodiscard]] bool excludes_side() const { return most < 0; }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -67,8 +67,8 @@ struct ProvedBound {
 };
 
 /// True if the bounds exclude the side of one of these candidates.
-bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::IndexSet& contact,
-                    const support::IndexSet& separated);
+bool excludes_all(std::span<const CandidateBounds> bounds, const support::IndexSet& contact,
+                  const support::IndexSet& separated);
 
 /// The first of these candidates that has configurations on one side only.
 std::optional<int> one_sided(const support::IndexSet& free,

@@ -172,7 +172,7 @@ bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarl
   return answer.sign == conic::Sign::feasible && stop.when_feasible && motions_.count() == 0;
 }
 
-bool ContactSolver::is_open(const conic::ConicResult& answer, conic::StopEarly stop) const {
+bool ContactSolver::is_unresolved(const conic::ConicResult& answer, conic::StopEarly stop) const {
   if (precision_ == Precision::doubles) return false;
   if (answer.sign == conic::Sign::marginal) return !conic::is_unresolvable(answer, tolerances_);
   return answer.sign == conic::Sign::feasible && !stop.when_feasible &&
@@ -224,8 +224,10 @@ conic::ConicResult ContactSolver::solve(const IndexSet& contact, const IndexSet&
       },
       solver_);
   has_centre_ = has_centre(answer, stop);
-  if (is_open(answer, stop)) escalate(long_level_, 1, contact, separated, ignored, stop, answer);
-  if (is_open(answer, stop)) escalate(precise_level_, 2, contact, separated, ignored, stop, answer);
+  if (is_unresolved(answer, stop))
+    escalate(long_level_, 1, contact, separated, ignored, stop, answer);
+  if (is_unresolved(answer, stop))
+    escalate(precise_level_, 2, contact, separated, ignored, stop, answer);
   return answer;
 }
 

@@ -24,8 +24,8 @@ namespace kusabi::wedged {
 
 /// Positive friction: below this a friction cone is extremely narrow, above the maximum it is
 /// almost a half-space.
-inline constexpr double least_friction = 1e-6;
-inline constexpr double most_friction = 1e6;
+inline constexpr double min_friction = 1e-6;
+inline constexpr double max_friction = 1e6;
 
 /// Escalation of programs undecided in doubles to higher precision levels, which take minutes
 /// for hundreds of candidates.
@@ -149,7 +149,7 @@ class ContactSolver {
                 conic::StopEarly stop, conic::ConicResult& answer);
   /// The candidates displaced by the reactions of these.
   [[nodiscard]] support::IndexSet moved_by(const support::IndexSet& loaded) const;
-  [[nodiscard]] bool is_open(const conic::ConicResult& answer, conic::StopEarly stop) const;
+  [[nodiscard]] bool is_unresolved(const conic::ConicResult& answer, conic::StopEarly stop) const;
   [[nodiscard]] bool has_centre(const conic::ConicResult& answer, conic::StopEarly stop) const;
 
   int dimension_;

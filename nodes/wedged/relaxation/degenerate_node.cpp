@@ -31,24 +31,26 @@ DegenerateNode DegenerateClassifier::classify(BlockRelaxation& block, const Patt
   const bool redundant = !loaded.includes(node.pattern.contact);
   if (redundant && (!thorough_ || free.empty())) return {.kind = Kind::redundant};
   const IndexSet both = loaded & moved;
-  if (redundant || !both.empty()) return {.kind = Kind::split, .open = both.empty() ? free : both};
+  if (redundant || !both.empty())
+    return {.kind = Kind::split, .undecided = both.empty() ? free : both};
   const PatternNode cone{
-      node.block, {.contact = loaded, .separated = moved, .at_rest = block.all - (loaded | moved)}};
-  const IndexSet& inactive = cone.pattern.at_rest;
+      node.block,
+      {.contact = loaded, .separated = moved, .inactive = block.all - (loaded | moved)}};
+  const IndexSet& inactive = cone.pattern.inactive;
   // If equilibrium makes all reactions of the free candidates zero, the node is degenerate, but the
   // single leaf below it with configurations may be solid.
   if (inactive.empty() && !free.empty()) {
-    if (thorough_ || recorded_) return {.kind = Kind::split, .open = free};
+    if (thorough_ || recorded_) return {.kind = Kind::split, .undecided = free};
     const auto own = solved(cone.pattern, {.when_infeasible = true, .when_feasible = false});
     if (own.sign == conic::Sign::feasible)
       return {.kind = Kind::leaf, .leaf = block.configuration(cone, LeafState::feasible, own)};
-    if (!is_degenerate(own)) return {.kind = Kind::split, .open = free};
+    if (!is_degenerate(own)) return {.kind = Kind::split, .undecided = free};
   }
   DegenerateNode flat{.kind = Kind::leaf,
                       .leaf = block.configuration(cone, LeafState::flat, answer)};
   // Inactive candidates have negligible reactions and gaps. The gaps may be positive nevertheless.
   if (inactive.meets(free) && solved(cone.pattern, {}).sign == conic::Sign::feasible)
-    return {.kind = Kind::split, .open = inactive & free};
+    return {.kind = Kind::split, .undecided = inactive & free};
   return flat;
 }
 

@@ -16,11 +16,11 @@ struct DegenerateNode {
     infeasible,  ///< no reaction: no configuration, by less than the tolerance
     redundant,   ///< another node has all configurations
     leaf,        ///< all configurations are those of `leaf`
-    split,       ///< to be branched at one of `open`
+    split,       ///< to be branched at one of `undecided`
     unknown,     ///< the zeros are numerically undecided
   };
   Kind kind = Kind::unknown;
-  support::IndexSet open{};
+  support::IndexSet undecided{};
   std::optional<Configuration> leaf{};
   Eigen::VectorXd multipliers{};  ///< of the solution before
 };

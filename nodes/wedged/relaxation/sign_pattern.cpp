@@ -11,7 +11,7 @@ SignPattern own_leaf(const Configuration& found, const IndexSet& block) {
   const auto& contact = found.pattern.contact;
   return {.contact = problems::in_block(contact, block),
           .separated = problems::in_block(block - contact, block),
-          .at_rest = {}};
+          .inactive = {}};
 }
 
 }  // namespace kusabi::wedged

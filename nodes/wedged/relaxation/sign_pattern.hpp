@@ -15,13 +15,13 @@ namespace kusabi::wedged {
 struct SignPattern {
   support::IndexSet contact;    ///< U: u_n = 0
   support::IndexSet separated;  ///< R: r = 0
-  support::IndexSet at_rest;    ///< both, throughout a flat cone; empty at the nodes of a tree
+  support::IndexSet inactive;   ///< both, throughout a flat cone; empty at the nodes of a tree
 
   friend bool operator==(const SignPattern&, const SignPattern&) = default;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& contact& separated& at_rest;
+    archive& contact& separated& inactive;
   }
 };
 
@@ -84,7 +84,7 @@ SignPattern own_leaf(const Configuration& found, const support::IndexSet& block)
 
 /// A leaf feasible with polyhedral friction cones: one of Y_1, ..., Y_k of Algorithm 5.8, with the
 /// result of its step 2.
-struct PolyhedralCandidate {
+struct PolyhedralLeaf {
   std::uint32_t block = 0;
   SignPattern pattern;    ///< of the whole problem's candidates
   double polyhedral = 0;  ///< t of their program, of which only the sign is used

@@ -18,7 +18,7 @@ struct Station {
   std::int64_t point = 0;
   LeafStage stage;
 
-  [[nodiscard]] bool open() const { return stage.kind == Kind::open; }
+  [[nodiscard]] bool unresolved() const { return stage.kind == Kind::unresolved; }
 };
 
 class Bisection {
@@ -32,15 +32,15 @@ class Bisection {
   void between(const Station& low, const Station& high) {
     if (low.stage == high.stage) return;
     const auto middle = at(std::midpoint(low.point, high.point));
-    const auto below = middle.open() ? decided(middle.point, low, -1) : middle;
-    const auto above = middle.open() ? decided(middle.point, high, 1) : middle;
+    const auto below = middle.unresolved() ? decided(middle.point, low, -1) : middle;
+    const auto above = middle.unresolved() ? decided(middle.point, high, 1) : middle;
     const bool found = below.point > low.point || above.point < high.point;
     if (high.point - low.point == 1 || !found) {
       changes_.push_back({low.point, high.point, high.stage});
       return;
     }
     between(low, below);
-    if (middle.open() && below.stage != above.stage)
+    if (middle.unresolved() && below.stage != above.stage)
       changes_.push_back({below.point, above.point, above.stage});
     between(above, high);
   }
@@ -52,7 +52,7 @@ class Bisection {
   Station decided(std::int64_t from, const Station& end, int direction) {
     for (std::int64_t step = 1; step < (end.point - from) * direction; step *= 2) {
       auto station = at(from + direction * step);
-      if (!station.open()) return station;
+      if (!station.unresolved()) return station;
     }
     return end;
   }
@@ -83,30 +83,31 @@ const LeafChange* LeafHistory::change_to(const LeafStage& stage) const {
 LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
                          std::int64_t most) {
   const Station at_most{most, last};
-  const CriticalCell known{0, at_most.open() ? CriticalCell::nowhere : most};
+  const CriticalCell known{0, at_most.unresolved() ? CriticalCell::nowhere : most};
   const auto cell = critical.locate(leaf, known, CriticalMethod::newton, most);
   if (cell.feasible == CriticalCell::nowhere) return {.changes = {}, .open_above = cell.infeasible};
   Bisection bisection(critical, leaf);
   const Station infeasible{cell.infeasible, {}};
   const auto first = cell.feasible == most ? at_most : bisection.at(cell.feasible);
-  if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.infeasible};
+  if (first.unresolved() && at_most.unresolved())
+    return {.changes = {}, .open_above = cell.infeasible};
   // A wide cell contains degenerate points, which may be flat cones that Newton's method does not
   // detect.
   // Near its own coefficient a degenerate leaf may be feasible to Newton's method and infeasible by
   // its relative interior, which decides the state.
   if (first.stage.kind == Kind::infeasible) {
-    if (at_most.open()) return {.changes = {}, .open_above = cell.infeasible};
+    if (at_most.unresolved()) return {.changes = {}, .open_above = cell.infeasible};
     bisection.between(first, at_most);
     return closed(std::move(bisection.changes()));
   }
-  if (first.open())
+  if (first.unresolved())
     bisection.between(infeasible, at_most);
   else if (cell.feasible - cell.infeasible > narrow)
     bisection.between(infeasible, first);
   else
     bisection.changes().push_back({cell.infeasible, cell.feasible, first.stage});
   const bool grows = first.stage.kind == Kind::flat;
-  if (grows && at_most.open()) return {std::move(bisection.changes()), cell.feasible};
+  if (grows && at_most.unresolved()) return {std::move(bisection.changes()), cell.feasible};
   if (grows) bisection.between(first, at_most);
   return closed(std::move(bisection.changes()));
 }

@@ -6,7 +6,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/sweep/sweep_tree.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -16,26 +16,26 @@ namespace {
 /// Cells from zero to the coefficient at which patterns are known.
 constexpr std::int64_t cells_to_known = 100'000'000;
 
-PatternBisection::Pattern pattern_of(const Configuration& leaf,
-                                     const std::vector<support::IndexSet>& blocks) {
+CriticalPatternTree::Pattern pattern_of(const Configuration& leaf,
+                                        const std::vector<support::IndexSet>& blocks) {
   return {.leaf = {.block = leaf.block, .pattern = own_leaf(leaf, blocks[leaf.block])},
           .feasible = leaf.state == LeafState::feasible || leaf.state == LeafState::flat};
 }
 
 }  // namespace
 
-engine::Outcome<PatternBisection> bracket_patterns(engine::Analysis& analysis,
-                                                   const problems::WedgedProblem& problem,
-                                                   const std::vector<Configuration>& leaves,
-                                                   CriticalMethod method, double width,
-                                                   std::int64_t start) {
+engine::Outcome<CriticalPatternTree> bracket_patterns(engine::Analysis& analysis,
+                                                      const problems::WedgedProblem& problem,
+                                                      const std::vector<Configuration>& leaves,
+                                                      CriticalMethod method, double width,
+                                                      std::int64_t start) {
   const auto blocks = problems::blocks_of(problem);
-  std::vector<PatternBisection::Pattern> patterns;
+  std::vector<CriticalPatternTree::Pattern> patterns;
   patterns.reserve(leaves.size());
   for (const auto& leaf : leaves) patterns.push_back(pattern_of(leaf, blocks));
   const auto count = static_cast<std::int64_t>(patterns.size());
   const auto sections = count == 0 ? 1 : analysis.transport().size() / count;
-  PatternBisection tree(problem, width, patterns, start, method, sections);
+  CriticalPatternTree tree(problem, width, patterns, start, method, sections);
   return analysis.search(tree, {});
 }
 

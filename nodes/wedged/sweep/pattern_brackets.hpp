@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/friction/bisection.hpp"
+#include "nodes/wedged/friction/critical_pattern_tree.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -16,11 +16,11 @@ namespace kusabi::wedged {
 /// Finds the cells of all patterns. Every rank makes the same call.
 /// @param leaves maximal cones and undecided leaves, the same on all ranks
 /// @param start x width: the coefficient at which they were found
-engine::Outcome<PatternBisection> bracket_patterns(engine::Analysis& analysis,
-                                                   const problems::WedgedProblem& problem,
-                                                   const std::vector<Configuration>& leaves,
-                                                   CriticalMethod method, double width,
-                                                   std::int64_t start);
+engine::Outcome<CriticalPatternTree> bracket_patterns(engine::Analysis& analysis,
+                                                      const problems::WedgedProblem& problem,
+                                                      const std::vector<Configuration>& leaves,
+                                                      CriticalMethod method, double width,
+                                                      std::int64_t start);
 
 /// The least coefficient at which a pattern is feasible as it is: a configuration loads exactly its
 /// candidates in contact and opens exactly those separated. At a smaller one its leaf may be

@@ -12,19 +12,19 @@ namespace kusabi::wedged {
 namespace {
 
 /// The range of a cone that begins with a change of its leaf, in terms of the whole problem.
-ConeRange range_of(const LeafOfSweep& leaf, const LeafChange& change,
+ConeRange range_of(const SweptLeaf& leaf, const LeafChange& change,
                    const support::IndexSet& candidates, const FrictionGrid& grid) {
   ConeRange range{.block = leaf.block,
                   .pattern = {.contact = leaf.pattern.contact,
                               .separated = candidates - leaf.pattern.contact,
-                              .at_rest = {}},
+                              .inactive = {}},
                   .begins = {grid.at(change.before), grid.at(change.after)},
                   .absorbed = {}};
   if (change.to.kind == LeafStage::Kind::flat) {
     const auto& [kind, loaded, moved] = change.to;
     range.pattern.contact = problems::in_whole(loaded, candidates);
     range.pattern.separated = problems::in_whole(moved, candidates);
-    range.pattern.at_rest = candidates - (range.pattern.contact | range.pattern.separated);
+    range.pattern.inactive = candidates - (range.pattern.contact | range.pattern.separated);
   }
   return range;
 }
@@ -97,7 +97,7 @@ class IncreasingCounts {
       begins_.push_back({cone.begins.upper, cone.block});
       if (cone.absorbed) ends_.push_back({cone.absorbed->lower, cone.block});
     }
-    for (const auto& leaf : findings.open) opens_.push_back({leaf.lower, leaf.block});
+    for (const auto& leaf : findings.unresolved) opens_.push_back({leaf.lower, leaf.block});
     for (auto* const events : {&begins_, &ends_, &opens_})
       std::ranges::sort(*events, {}, &Event::at);
   }
@@ -126,14 +126,14 @@ class IncreasingCounts {
 
 }  // namespace
 
-void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
-                    const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid) {
+void add_histories(SweepFindings& findings, const std::vector<SweptLeaf>& leaves,
+                   const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid) {
   std::vector<ConeRange> ranges;
   for (const auto& leaf : leaves) {
     const auto& own = candidates[leaf.block];
     if (!leaf.history || leaf.history->open_above != LeafHistory::never) {
       const auto from = leaf.history ? leaf.history->open_above : 0;
-      findings.open.push_back({leaf.block, leaf.pattern, grid.at(from)});
+      findings.unresolved.push_back({leaf.block, leaf.pattern, grid.at(from)});
     }
     if (!leaf.history) continue;
     for (const auto& change : leaf.history->changes)
@@ -152,13 +152,13 @@ ConeCount SweepFindings::count_at(double friction) const {
   std::vector<std::uint64_t> of_block(blocks, 0);
   for (const auto& cone : cones) {
     const bool changes =
-        cone.begins.has_within(friction) || (cone.absorbed && cone.absorbed->has_within(friction));
-    if (changes) ++count.open;
+        cone.begins.contains(friction) || (cone.absorbed && cone.absorbed->contains(friction));
+    if (changes) ++count.unresolved;
     const bool begun = cone.begins.upper <= friction;
     if (begun && (!cone.absorbed || friction <= cone.absorbed->lower)) ++of_block[cone.block];
   }
-  for (const auto& leaf : open) {
-    if (friction > leaf.lower) ++count.open;
+  for (const auto& leaf : unresolved) {
+    if (friction > leaf.lower) ++count.unresolved;
   }
   count.known = combinations(of_block);
   return count;
@@ -170,7 +170,7 @@ std::vector<CountRange> SweepFindings::staircase() const {
     brackets.push_back(cone.begins);
     if (cone.absorbed) brackets.push_back(*cone.absorbed);
   }
-  for (const auto& leaf : open) brackets.push_back({leaf.lower, leaf.lower});
+  for (const auto& leaf : unresolved) brackets.push_back({leaf.lower, leaf.lower});
   std::vector<CountRange> ranges;
   IncreasingCounts counts(*this);
   const auto add = [&](double from, double to) {

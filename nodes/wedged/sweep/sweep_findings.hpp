@@ -24,7 +24,7 @@ namespace kusabi::wedged {
 struct FrictionBracket {
   double lower = 0, upper = 0;
 
-  [[nodiscard]] bool has_within(double friction) const {
+  [[nodiscard]] bool contains(double friction) const {
     return lower < friction && friction < upper;
   }
 };
@@ -36,7 +36,7 @@ struct ConeRange {
   FrictionBracket begins;  ///< infeasible at the lower bound, feasible at the upper one
   std::optional<FrictionBracket> absorbed;  ///< maximal at the lower bound, not at the upper one
 
-  [[nodiscard]] bool solid() const { return pattern.at_rest.empty(); }
+  [[nodiscard]] bool solid() const { return pattern.inactive.empty(); }
 };
 
 /// A leaf whose state is numerically undecided above `lower`.
@@ -49,17 +49,17 @@ struct OpenLeaf {
 /// The number of maximal cones at one coefficient.
 struct ConeCount {
   double friction = 0;
-  support::ExactCount known;  ///< cones of the whole that are maximal here
-  std::size_t open = 0;       ///< brackets and undecided leaves that contain the coefficient
+  support::ExactCount known;   ///< cones of the whole that are maximal here
+  std::size_t unresolved = 0;  ///< brackets and undecided leaves that contain the coefficient
 
-  [[nodiscard]] bool exact() const { return open == 0; }
+  [[nodiscard]] bool exact() const { return unresolved == 0; }
 };
 
 /// A range with constant count.
 struct CountRange {
   double from = 0, to = 0;
   support::ExactCount known;
-  std::size_t open = 0;  ///< undecided leaves
+  std::size_t unresolved = 0;  ///< undecided leaves
 };
 
 struct SweepFindings {
@@ -68,7 +68,7 @@ struct SweepFindings {
   double most = 0;          ///< the largest coefficient
   std::size_t blocks = 1;
   std::vector<ConeRange> cones;  ///< in the order of their critical coefficients
-  std::vector<OpenLeaf> open;
+  std::vector<OpenLeaf> unresolved;
   /// Costs: the tree at the largest coefficient, then the histories of its leaves.
   std::vector<engine::RankReport<SignPatternTree>> tree_ranks;
   std::vector<engine::RankReport<SweepTree>> history_ranks;
@@ -79,11 +79,13 @@ struct SweepFindings {
   /// From zero to `most`; between two ranges there is a change. @pre enumerated
   [[nodiscard]] std::vector<CountRange> staircase() const;
 
-  [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }
+  [[nodiscard]] bool answered() const {
+    return status == engine::Status::solved && unresolved.empty();
+  }
 };
 
 /// A leaf of the tree at the largest coefficient.
-struct LeafOfSweep {
+struct SweptLeaf {
   std::uint32_t block = 0;
   SignPattern pattern;                 ///< of the whole problem's candidates
   std::optional<LeafHistory> history;  ///< nothing: the search was stopped before
@@ -91,7 +93,7 @@ struct LeafOfSweep {
 
 /// Adds the cones and the undecided leaves of the histories.
 /// @param candidates of each block
-void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
-                    const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid);
+void add_histories(SweepFindings& findings, const std::vector<SweptLeaf>& leaves,
+                   const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid);
 
 }  // namespace kusabi::wedged

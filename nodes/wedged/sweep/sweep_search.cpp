@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/preparation.hpp"
@@ -23,7 +23,7 @@ TreeLeaves leaves_at(engine::Analysis& analysis, const problems::WedgedProblem& 
   const auto friction = candidate_friction(problem, most);
   const SignPatternOptions options{.tolerances = resolving({}, rounding_of_files)};
   SignPatternTree tree(problem, friction, options);
-  inform(tree, prepare(analysis, problem, friction, options));
+  configure(tree, prepare(analysis, problem, friction, options));
   auto outcome = analysis.search(tree, {});
   auto leaves = tree_leaves(analysis, outcome);
   findings.tree_ranks = std::move(outcome.ranks);
@@ -40,9 +40,9 @@ std::int64_t not_below(double friction, const FrictionGrid& grid) {
 }  // namespace
 
 SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                             const SweepQuestion& question) {
-  const auto& [most, width] = question;
-  if (!(width > 0 && width < most) || most > most_multiples * width) {
+                             const SweepParameters& parameters) {
+  const auto& [most, width] = parameters;
+  if (!(width > 0 && width < most) || most > max_multiples * width) {
     throw std::invalid_argument(
         "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
         "of it");
@@ -65,12 +65,12 @@ SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedP
   findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });
   findings.history_ranks = std::move(outcome.ranks);
   if (!analysis.is_first()) return findings;
-  std::vector<LeafOfSweep> histories;
+  std::vector<SweptLeaf> histories;
   for (auto& leaf : at_most.leaves)
     histories.push_back({leaf.block, std::move(leaf.pattern), std::nullopt});
   for (auto& found : outcome.solutions)
     histories[found.solution.number].history = std::move(found.solution.history);
-  take_histories(findings, histories, blocks, grid);
+  add_histories(findings, histories, blocks, grid);
   return findings;
 }
 

@@ -12,7 +12,7 @@
 
 namespace kusabi::wedged {
 
-struct SweepQuestion {
+struct SweepParameters {
   double most = 1;      ///< the largest coefficient
   double width = 1e-8;  ///< of the brackets
 };
@@ -20,6 +20,6 @@ struct SweepQuestion {
 /// Every rank makes the same call; the findings are complete on rank 0, their status on all.
 /// @throws std::invalid_argument if a coefficient or the width is out of range
 SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                             const SweepQuestion& question);
+                             const SweepParameters& parameters);
 
 }  // namespace kusabi::wedged

@@ -10,7 +10,7 @@ namespace kusabi::wedged {
 
 SweepTree::Leaf SweepTree::leaf_of(const Configuration& found, const support::IndexSet& block) {
   Leaf leaf{.place = {.block = found.block, .pattern = own_leaf(found, block)},
-            .stage = {LeafStage::Kind::open, {}, {}}};
+            .stage = {LeafStage::Kind::unresolved, {}, {}}};
   if (found.state == LeafState::feasible) leaf.stage.kind = LeafStage::Kind::solid;
   if (found.state == LeafState::flat)
     leaf.stage = {LeafStage::Kind::flat, leaf.place.pattern.contact,
@@ -23,7 +23,7 @@ SweepTree::SweepTree(const problems::WedgedProblem& problem, double width, std::
     : leaves_(std::move(leaves)), most_(most) {
   for (const auto& candidates : problems::blocks_of(problem)) {
     critical_.emplace_back(problems::block_problem(problem, candidates), width);
-    critical_.back().end_when(pollable_.stop());
+    critical_.back().end_when(interruption_.stop());
   }
 }
 
@@ -46,7 +46,7 @@ void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
     return;
   }
   const Leaf& leaf = leaves_[node.first];
-  auto history = pollable_.within(out, node, [&] {
+  auto history = interruption_.within(out, node, [&] {
     return leaf_history(critical_[leaf.place.block], leaf.place.pattern, leaf.stage, most_);
   });
   if (!history) return;

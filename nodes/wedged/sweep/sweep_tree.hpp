@@ -11,7 +11,7 @@
 #include "engine/search_declaration.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/sweep/leaf_history.hpp"
-#include "nodes/wedged/tree/pollable.hpp"
+#include "nodes/wedged/tree/node_interruption.hpp"
 
 namespace kusabi::wedged {
 
@@ -65,7 +65,7 @@ class SweepTree {
   [[nodiscard]] Tally tally() const;
 
  private:
-  Pollable pollable_;
+  NodeInterruption interruption_;
   std::vector<CriticalFriction> critical_;  // of each block
   std::vector<Leaf> leaves_;
   std::int64_t most_;

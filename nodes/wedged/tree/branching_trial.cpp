@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -66,10 +66,10 @@ Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
   Dive result{.size = 1, .opened = 1};
   double ways = 1;
   try {
-    auto fate = tree.decide({.block = block, .pattern = {}});
-    while (!fate.children.empty() && !budget.spent()) {
-      std::vector<SignPatternTree::Fate> branched;
-      for (const auto& child : fate.children) {
+    auto decision = tree.decide({.block = block, .pattern = {}});
+    while (!decision.children.empty() && !budget.spent()) {
+      std::vector<SignPatternTree::NodeResult> branched;
+      for (const auto& child : decision.children) {
         ++result.opened;
         result.size += ways;
         if (auto own = tree.decide(child); !own.children.empty())
@@ -77,7 +77,7 @@ Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
       }
       if (branched.empty()) break;
       ways *= static_cast<double>(branched.size());
-      fate = std::move(branched[random() % branched.size()]);
+      decision = std::move(branched[random() % branched.size()]);
     }
   } catch (const support::Stopped&) {
     return result;
@@ -151,9 +151,9 @@ class Trial {
       }
       const auto node = open.back();
       open.pop_back();
-      SignPatternTree::Fate fate;
+      SignPatternTree::NodeResult decision;
       try {
-        fate = trees_.front().decide(node);
+        decision = trees_.front().decide(node);
       } catch (const support::Stopped&) {
         result.much = true;
         return result;
@@ -162,8 +162,8 @@ class Trial {
       analysis_.say_now_and_then([&] {
         return fmt::format("sampling the tree to choose how it is split: {} nodes", result.opened);
       });
-      if (fate.leaf) ++found;
-      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
+      if (decision.leaf) ++found;
+      open.insert(open.end(), decision.children.rbegin(), decision.children.rend());
     }
     result.whole = open.empty();
     return result;

@@ -19,9 +19,9 @@ std::vector<Configuration> feasible_leaves(std::span<const PatternNode> leaves,
   tree.end_when(stop);
   try {
     for (const auto& leaf : leaves) {
-      auto fate = tree.decide(leaf);
-      if (fate.leaf && fate.leaf->state == LeafState::feasible)
-        found.push_back(std::move(*fate.leaf));
+      auto decision = tree.decide(leaf);
+      if (decision.leaf && decision.leaf->state == LeafState::feasible)
+        found.push_back(std::move(*decision.leaf));
     }
   } catch (const support::Stopped&) {
     return found;

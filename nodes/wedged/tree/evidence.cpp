@@ -4,7 +4,7 @@
 namespace kusabi::wedged {
 
 bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const {
-  const bool accepted = !judge_ || judge_(claim);
+  const bool accepted = !test_ || test_(claim);
   if (!accepted) {
     ++tally.refused;
     if (binding_) return false;
@@ -17,7 +17,7 @@ bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const 
 }
 
 void EvidenceGate::pass_open(const Evidence& node, SignPatternTally& tally) const {
-  if (!judge_ || !judge_(node)) ++tally.unproved;
+  if (!test_ || !test_(node)) ++tally.unproved;
   if (recorder_) recorder_(node);
 }
 

@@ -34,7 +34,7 @@ using EvidenceRecorder = std::function<void(const Evidence&)>;
 
 /// Exact test of the evidence of a node to be closed. For a node without claim: true if its
 /// configurations all belong to other nodes.
-using Judge = std::function<bool(const Evidence&)>;
+using ExactNodeTest = std::function<bool(const Evidence&)>;
 
 /// Gate to the exact test and to the recorder, either of which may be absent.
 class EvidenceGate {
@@ -42,13 +42,13 @@ class EvidenceGate {
   void report_to(EvidenceRecorder recorder) { recorder_ = std::move(recorder); }
 
   /// @param binding true: refused claims are not used
-  void judge_by(Judge judge, bool binding) {
-    judge_ = std::move(judge);
+  void test_with(ExactNodeTest test, bool binding) {
+    test_ = std::move(test);
     binding_ = binding;
   }
 
   [[nodiscard]] bool records() const { return static_cast<bool>(recorder_); }
-  [[nodiscard]] bool wants_evidence() const { return recorder_ || judge_; }
+  [[nodiscard]] bool wants_evidence() const { return recorder_ || test_; }
 
   /// Records a claim. @return false: the test refuses it, and refused claims are not used
   bool passes(const Evidence& claim, SignPatternTally& tally) const;
@@ -58,7 +58,7 @@ class EvidenceGate {
 
  private:
   EvidenceRecorder recorder_;
-  Judge judge_;
+  ExactNodeTest test_;
   bool binding_ = false;
 };
 

@@ -10,10 +10,10 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure, const support::LongWork& work) {
   if (structure.coordinates.size() > most_enclosed_displacements)
     return "the structure is too large to enclose its stiffness on the way; verify does it";
-  return enclosed_stiffness_of_any(structure, work);
+  return enclosed_stiffness_without_limit(structure, work);
 }
 
-std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_limit(
     const problems::Structure& structure, const support::LongWork& work) {
   return verify::enclosed_problem(evidence::verified_structure(structure), work);
 }
@@ -21,8 +21,8 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
                              const verify::EnclosedProblem& enclosed,
                              std::span<const double> friction, std::span<const ProvedBound> bounds,
-                             FarMotion far_motion)
-    : far_motion_(far_motion) {
+                             LargeDisplacements large_displacements)
+    : large_displacements_(large_displacements) {
   certificate_.dimension = static_cast<std::size_t>(problem.dimension);
   certificate_.names = problem.contact_names;
   certificate_.friction = {friction.begin(), friction.end()};
@@ -39,7 +39,7 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
          .block = bound.block,
          .candidate = bound.candidate,
          .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
-         .most = bound.never() ? std::nullopt : most,
+         .most = bound.excludes_side() ? std::nullopt : most,
          .numbers = bound.numbers});
     if (refusal) return;  // later bounds may depend on it
   }
@@ -76,8 +76,8 @@ bool EvidenceCheck::holds(const Evidence& evidence) const {
   record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
   const auto judgement = proof_->judgement(record);
   if (record.claim == verify::Claim::marginal) return judgement.unloaded;
-  return !judgement.refusal &&
-         (far_motion_ == FarMotion::left_out || !judgement.but_for_far_motion);
+  return !judgement.refusal && (large_displacements_ == LargeDisplacements::left_out ||
+                                !judgement.except_large_displacements);
 }
 
 }  // namespace kusabi::wedged

@@ -29,12 +29,12 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure, const support::LongWork& work = {});
 
 /// The same for a structure of any size.
-std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_limit(
     const problems::Structure& structure, const support::LongWork& work = {});
 
 /// Treatment of proofs that do not cover large displacements (verify/wedged/block_proof.hpp). In
 /// structures with long levers, small rotations cause such displacements.
-enum class FarMotion { left_out, counted };
+enum class LargeDisplacements { left_out, counted };
 
 class EvidenceCheck {
  public:
@@ -43,7 +43,7 @@ class EvidenceCheck {
   /// proved and all later ones are not used
   EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedProblem& enclosed,
                 std::span<const double> friction, std::span<const ProvedBound> bounds = {},
-                FarMotion far_motion = FarMotion::left_out);
+                LargeDisplacements large_displacements = LargeDisplacements::left_out);
   EvidenceCheck(const EvidenceCheck&) = delete;
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;
 
@@ -59,7 +59,7 @@ class EvidenceCheck {
   [[nodiscard]] bool holds(const Evidence& evidence) const;
 
  private:
-  FarMotion far_motion_;
+  LargeDisplacements large_displacements_;
   verify::Certificate certificate_;
   std::optional<verify::Proof> proof_;
   bool proves_bounds_ = false;

@@ -31,7 +31,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
   // The tree size is not estimated if an option decides on candidate bounds.
   const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
                      : is_unconstrained                          ? fewest_unconstrained_to_bound
-                                                                 : fewest_to_bound;
+                                                                 : min_candidates_to_bound;
   const auto trees = tried_trees(analysis, problem, friction, options, fewest);
   const auto blocks = problems::blocks_of(problem);
   std::vector<Preparation> result(blocks.size());
@@ -49,7 +49,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
   return result;
 }
 
-void inform(SignPatternTree& tree, std::span<const Preparation> blocks) {
+void configure(SignPatternTree& tree, std::span<const Preparation> blocks) {
   for (std::size_t block = 0; block < blocks.size(); ++block) {
     tree.split_by(block, blocks[block].branching);
     if (!blocks[block].root.bounds.empty()) tree.tighten(block, blocks[block].root.bounds);

@@ -13,7 +13,7 @@
 namespace kusabi::wedged {
 
 /// Trees of smaller blocks take less time than bounds of their candidates.
-inline constexpr int fewest_to_bound = 24;
+inline constexpr int min_candidates_to_bound = 24;
 /// The same for unconstrained bodies, whose bounds cost more: a candidate opened by a rigid-body
 /// mode has no bound of its gap.
 inline constexpr int fewest_unconstrained_to_bound = 56;
@@ -31,7 +31,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
                                  const SignPatternOptions& options);
 
 /// Passes the rules and bounds to a tree of the same problem.
-void inform(SignPatternTree& tree, std::span<const Preparation> blocks);
+void configure(SignPatternTree& tree, std::span<const Preparation> blocks);
 
 /// Removes all bounds: where the exact test refuses one, later ones may depend on it.
 void remove_bounds(std::span<Preparation> blocks);

@@ -28,7 +28,7 @@ std::vector<double> part_of(std::span<const double> numbers, const IndexSet& can
 // The child in contact comes first.
 std::array<PatternNode, 2> children(const PatternNode& node, int candidate) {
   const auto own = IndexSet::single(candidate);
-  const auto& [contact, separated, at_rest] = node.pattern;
+  const auto& [contact, separated, inactive] = node.pattern;
   return {
       {{node.block, {contact | own, separated, {}}}, {node.block, {contact, separated | own, {}}}}};
 }
@@ -43,14 +43,14 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
   for (const auto& candidates : problems::blocks_of(problem)) {
     blocks_.emplace_back(problems::block_problem(problem, candidates), candidates,
                          part_of(friction, candidates), options);
-    blocks_.back().solver.end_when(pollable_.stop());
+    blocks_.back().solver.end_when(interruption_.stop());
   }
   tally_.of_block.resize(blocks_.size());
 }
 
 double SignPatternTree::objective(const Solution& leaf) const {
-  const auto& [contact, separated, at_rest] = leaf.pattern;
-  return (contact | separated | at_rest).size();
+  const auto& [contact, separated, inactive] = leaf.pattern;
+  return (contact | separated | inactive).size();
 }
 
 double SignPatternTree::bound(const Node& node) const {
@@ -71,22 +71,22 @@ bool SignPatternTree::emit(const engine::Path& /*path*/, Solution& leaf) {
 }
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
-  auto fate = decide(node, out);
-  if (!fate) return;
-  if (fate->leaf) out.solution(std::move(*fate->leaf));
-  for (const Node& child : fate->children) out.branch(child);
+  auto decision = decide(node, out);
+  if (!decision) return;
+  if (decision->leaf) out.solution(std::move(*decision->leaf));
+  for (const Node& child : decision->children) out.branch(child);
 }
 
-SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
+SignPatternTree::NodeResult SignPatternTree::decide(const Node& node) {
   if (node.block == Node::all_blocks) {
-    Fate fate;
+    NodeResult decision;
     for (std::uint32_t block = 0; block < blocks_.size(); ++block)
-      fate.children.push_back({.block = block, .pattern = {}});
-    return fate;
+      decision.children.push_back({.block = block, .pattern = {}});
+    return decision;
   }
-  if (auto fate = decide_with_cuts(node)) return std::move(*fate);
+  if (auto decision = decide_with_cuts(node)) return std::move(*decision);
   BlockRelaxation& block = blocks_[node.block];
-  const auto& [contact, separated, at_rest] = node.pattern;
+  const auto& [contact, separated, inactive] = node.pattern;
   const bool leaf = block.free(node.pattern).empty();
   // A feasible leaf is solved to full accuracy, since its margin is part of the answer.
   const conic::StopEarly stop{.when_infeasible = true, .when_feasible = !leaf};
@@ -120,13 +120,13 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
 // A candidate without configurations on one side is branched on before any program is solved, and
 // the child on that side is infeasible by the bound alone. A node undecided with cuts is solved
 // without them.
-std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Node& node) {
+std::optional<SignPatternTree::NodeResult> SignPatternTree::decide_with_cuts(const Node& node) {
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
   if (block.bounds.empty()) return {};
-  const auto& [contact, separated, at_rest] = node.pattern;
-  if (leaves_nothing(block.bounds, contact, separated)) {
-    if (auto fate = prune_by_bounds(node)) return fate;
+  const auto& [contact, separated, inactive] = node.pattern;
+  if (excludes_all(block.bounds, contact, separated)) {
+    if (auto decision = prune_by_bounds(node)) return decision;
   }
   if (free.empty()) return {};
   if (const auto known = one_sided(free, block.bounds)) return split(node, *known);
@@ -146,7 +146,7 @@ std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Nod
 
 void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
                                   const conic::ConicResult& answer) {
-  ++tally_.candidates;
+  ++tally_.polyhedral_leaves;
   tally_.tested.push_back({.block = leaf.block,
                            .pattern = blocks_[leaf.block].in_whole(leaf.pattern),
                            .polyhedral = polyhedral,
@@ -154,8 +154,8 @@ void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
                            .upper = answer.upper});
 }
 
-SignPatternTree::Fate SignPatternTree::decide_undecided(const Node& node,
-                                                        const conic::ConicResult& answer) {
+SignPatternTree::NodeResult SignPatternTree::decide_undecided(const Node& node,
+                                                              const conic::ConicResult& answer) {
   using Kind = DegenerateNode::Kind;
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
@@ -176,7 +176,7 @@ SignPatternTree::Fate SignPatternTree::decide_undecided(const Node& node,
       case Kind::leaf:
         return close(node, std::move(*found.leaf));
       case Kind::split:
-        return branch(node, found.open);
+        return branch(node, found.undecided);
       case Kind::unknown:
         break;
     }
@@ -188,13 +188,13 @@ SignPatternTree::Fate SignPatternTree::decide_undecided(const Node& node,
   return branch(node, free);
 }
 
-SignPatternTree::Fate SignPatternTree::branch(const Node& node, const IndexSet& open) {
+SignPatternTree::NodeResult SignPatternTree::branch(const Node& node, const IndexSet& undecided) {
   BlockRelaxation& block = blocks_[node.block];
-  return split(node, block.rule.candidate(open, block.solver));
+  return split(node, block.rule.candidate(undecided, block.solver));
 }
 
 // Branches a feasible node by the last solution.
-SignPatternTree::Fate SignPatternTree::branch_feasible(const Node& node) {
+SignPatternTree::NodeResult SignPatternTree::branch_feasible(const Node& node) {
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
   if (probes_ == 0 || block.outer) return branch(node, free);
@@ -224,7 +224,7 @@ int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
 // The child's program without escalation of undecided signs.
 conic::ConicResult SignPatternTree::probe(const Node& child) {
   BlockRelaxation& block = blocks_[child.block];
-  const auto& [contact, separated, at_rest] = child.pattern;
+  const auto& [contact, separated, inactive] = child.pattern;
   const auto free = block.free(child.pattern);
   const conic::StopEarly stop{.when_infeasible = true, .when_feasible = false};
   const bool has_cuts = !block.bounds.empty() && !free.empty();
@@ -236,7 +236,7 @@ conic::ConicResult SignPatternTree::probe(const Node& child) {
   return answer;
 }
 
-SignPatternTree::Fate SignPatternTree::split(const Node& node, int candidate) {
+SignPatternTree::NodeResult SignPatternTree::split(const Node& node, int candidate) {
   ++tally_.branched;
   const auto both = children(node, candidate);
   return {.children = {both.begin(), both.end()}, .leaf = {}};
@@ -254,7 +254,7 @@ bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
 
 // A node whose evidence is refused is branched, unless its subtree is too large; a leaf is left
 // undecided.
-SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
+SignPatternTree::NodeResult SignPatternTree::doubt(const Node& node) {
   constexpr int most_free = 8;
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
@@ -271,7 +271,8 @@ SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
                                          {.lower = -infinity, .upper = infinity}));
 }
 
-SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
+SignPatternTree::NodeResult SignPatternTree::prune(const Node& node,
+                                                   const Eigen::VectorXd& multipliers) {
   if (evidence_.wants_evidence()) {
     const BlockRelaxation& block = blocks_[node.block];
     if (!closes(node, Evidence::Kind::infeasible, block.infeasible_numbers(multipliers)))
@@ -281,19 +282,19 @@ SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::Vect
   return {};
 }
 
-std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const conic::Cut> cuts,
-                                                                 const Node& node) {
+std::optional<SignPatternTree::NodeResult> SignPatternTree::prune_with(
+    std::span<const conic::Cut> cuts, const Node& node) {
   if (evidence_.wants_evidence()) {
     const BlockRelaxation& block = blocks_[node.block];
     const auto numbers = cut_evidence(block.solver, block.mean_motion, cuts);
     if (!closes(node, Evidence::Kind::cut, numbers)) return {};
   }
   ++tally_.infeasible;
-  return Fate{};
+  return NodeResult{};
 }
 
 // Infeasible by the bounds alone.
-std::optional<SignPatternTree::Fate> SignPatternTree::prune_by_bounds(const Node& node) {
+std::optional<SignPatternTree::NodeResult> SignPatternTree::prune_by_bounds(const Node& node) {
   if (evidence_.wants_evidence()) {
     const BlockRelaxation& block = blocks_[node.block];
     const std::vector<double> nothing(2 * block.bounds.size() +
@@ -301,10 +302,10 @@ std::optional<SignPatternTree::Fate> SignPatternTree::prune_by_bounds(const Node
     if (!closes(node, Evidence::Kind::cut, nothing)) return {};
   }
   ++tally_.infeasible;
-  return Fate{};
+  return NodeResult{};
 }
 
-SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration leaf) {
+SignPatternTree::NodeResult SignPatternTree::close(const Node& node, Configuration leaf) {
   const bool feasible = leaf.state == LeafState::feasible;
   if (feasible &&
       !closes(node, Evidence::Kind::feasible, blocks_[node.block].feasible_numbers(node, leaf)))

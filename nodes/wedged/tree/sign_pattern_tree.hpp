@@ -34,8 +34,8 @@
 #include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
+#include "nodes/wedged/tree/node_interruption.hpp"
 #include "nodes/wedged/tree/pattern_tally.hpp"
-#include "nodes/wedged/tree/pollable.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -74,24 +74,24 @@ class SignPatternTree {
   [[nodiscard]] double bound(const Node& node) const;
 
   /// Result of a node: infeasible (neither), branched, or a leaf that is not infeasible.
-  struct Fate {
+  struct NodeResult {
     std::vector<Node> children;
     std::optional<Configuration> leaf;
   };
 
   /// Opens a node, for `expand` and for other trees on the same nodes.
   /// @throws support::Stopped soon after the run is to stop
-  Fate decide(const Node& node);
+  NodeResult decide(const Node& node);
 
   /// The same within an expansion of another tree: nothing if the search is about to end and the
   /// node was put back.
   template <class Tree>
-  std::optional<Fate> decide(const Node& node, engine::Expansion<Tree>& out) {
-    return pollable_.within(out, node, [&] { return decide(node); });
+  std::optional<NodeResult> decide(const Node& node, engine::Expansion<Tree>& out) {
+    return interruption_.within(out, node, [&] { return decide(node); });
   }
 
   /// Sets the stop condition of decide() outside of expansions.
-  void end_when(support::Stop stop) { pollable_.end_when(std::move(stop)); }
+  void end_when(support::Stop stop) { interruption_.end_when(std::move(stop)); }
 
   /// Sets the recorder of evidence of closed nodes. Branched nodes are not closed.
   void report_to(EvidenceRecorder recorder) { evidence_.report_to(std::move(recorder)); }
@@ -102,31 +102,33 @@ class SignPatternTree {
   /// Sets the exact test of evidence; refused claims are counted.
   /// @param binding true: refused claims are not used; a node with few free candidates is then
   /// branched, a leaf is undecided
-  void judge_by(Judge judge, bool binding) { evidence_.judge_by(std::move(judge), binding); }
+  void test_with(ExactNodeTest test, bool binding) {
+    evidence_.test_with(std::move(test), binding);
+  }
 
  private:
   // Decision by bounds at a node that is not a leaf; nothing if the program without cuts is
   // required.
-  std::optional<Fate> decide_with_cuts(const Node& node);
-  Fate decide_undecided(const Node& node, const conic::ConicResult& answer);
+  std::optional<NodeResult> decide_with_cuts(const Node& node);
+  NodeResult decide_undecided(const Node& node, const conic::ConicResult& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::ConicResult& answer);
-  Fate branch(const Node& node, const support::IndexSet& open);
-  Fate branch_feasible(const Node& node);
+  NodeResult branch(const Node& node, const support::IndexSet& undecided);
+  NodeResult branch_feasible(const Node& node);
   int probed(const Node& node, std::span<const int> tried);
   conic::ConicResult probe(const Node& child);
-  Fate split(const Node& node, int candidate);
-  Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
-  std::optional<Fate> prune_with(std::span<const conic::Cut> cuts, const Node& node);
-  std::optional<Fate> prune_by_bounds(const Node& node);
+  NodeResult split(const Node& node, int candidate);
+  NodeResult prune(const Node& node, const Eigen::VectorXd& multipliers);
+  std::optional<NodeResult> prune_with(std::span<const conic::Cut> cuts, const Node& node);
+  std::optional<NodeResult> prune_by_bounds(const Node& node);
   bool closes(const Node& node, Evidence::Kind kind, std::span<const double> numbers);
-  Fate doubt(const Node& node);
-  Fate close(const Node& node, Configuration leaf);
+  NodeResult doubt(const Node& node);
+  NodeResult close(const Node& node, Configuration leaf);
   void report_open(const Node& node);
 
   conic::Tolerances tolerances_;
   int probes_;
   bool thorough_;
-  Pollable pollable_;
+  NodeInterruption interruption_;
   std::vector<BlockRelaxation> blocks_;
   EvidenceGate evidence_;
   LeafRecorder keep_;

@@ -7,7 +7,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/analysis/analysis.hpp"
-#include "engine/together.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 
 namespace kusabi::wedged {

@@ -119,10 +119,10 @@ double PairWriter::keep_near(const MeshPair& pair, const Sides& sides, ChosenNod
   double nearest_out = HUGE_VAL;
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const auto [distance, size] = distances[i];
-    const double usual = (pair.tied ? usual_tie : gaping) * size;
-    if (distance <= std::max(tolerance.value_or(usual), gaping * size)) {
+    const double usual = (pair.tied ? usual_tie : place_tolerance) * size;
+    if (distance <= std::max(tolerance.value_or(usual), place_tolerance * size)) {
       near.push_back(nodes.chosen[i]);
-      if (distance > gaping * size) largest = std::max(largest, distance);
+      if (distance > place_tolerance * size) largest = std::max(largest, distance);
     } else {
       nearest_out = std::min(nearest_out, distance);
     }

@@ -15,23 +15,23 @@ namespace {
 
 /// Two elements with the same vertices would be a duplicate.
 void refuse_copies(const MeshData& mesh) {
-  std::vector<std::pair<std::vector<int>, int>> corners;
+  std::vector<std::pair<std::vector<int>, int>> vertices;
   for (int number = 0; number < static_cast<int>(mesh.elements.size()); ++number) {
     const MeshElement& element = mesh.elements[static_cast<std::size_t>(number)];
-    corners.emplace_back(std::vector<int>(element.nodes.begin(),
-                                          element.nodes.begin() + mesh_corners(element.shape)),
-                         number);
-    std::ranges::sort(corners.back().first);
+    vertices.emplace_back(std::vector<int>(element.nodes.begin(),
+                                           element.nodes.begin() + mesh_corners(element.shape)),
+                          number);
+    std::ranges::sort(vertices.back().first);
   }
-  std::ranges::sort(corners);
-  const auto same = std::ranges::adjacent_find(corners, [&](const auto& one, const auto& other) {
+  std::ranges::sort(vertices);
+  const auto same = std::ranges::adjacent_find(vertices, [&](const auto& one, const auto& other) {
     const auto shape = [&](const auto& entry) {
       return mesh.elements[static_cast<std::size_t>(entry.second)].shape;
     };
     return one.first == other.first && mesh_dimension(shape(one)) == mesh_dimension(shape(other)) &&
            mesh_dimension(shape(one)) > 0;
   });
-  if (same == corners.end()) return;
+  if (same == vertices.end()) return;
   const MeshElement& first = mesh.elements[static_cast<std::size_t>(same->second)];
   const MeshElement& second = mesh.elements[static_cast<std::size_t>((same + 1)->second)];
   throw support::InputError(

@@ -17,13 +17,13 @@ bool truth_of(const TomlReader& reader, const TomlTable& group, std::string_view
 
 void refuse_gapes(const ProblemDraft& draft, int first_new, const MeshPlan& plan) {
   const Structure& all = draft.structure();
-  const auto gape = find_gape(all, first_new, plan.joined);
-  if (!gape) return;
+  const auto gap = find_mesh_gap(all, first_new, plan.joined);
+  if (!gap) return;
   throw structure_error(
-      all, position_of(all.sources.elements, gape->element),
+      all, position_of(all.sources.elements, gap->element),
       fmt::format("a face of this element lies on another where their nodes do not meet, at node "
                   "{}; expected meshes that match, a gap, or join = false",
-                  draft.node_name(gape->node)));
+                  draft.node_name(gap->node)));
 }
 
 }  // namespace kusabi::problems

@@ -34,13 +34,13 @@ struct Patch {
   std::set<int> nodes;
 
   bool holds(const SurfaceFace& face) const {
-    const std::span<const int> corners(face.nodes.data(), static_cast<std::size_t>(face.corners));
+    const std::span<const int> vertices(face.nodes.data(), static_cast<std::size_t>(face.vertices));
     const auto within = [&](const std::set<int>& group) {
       return std::ranges::all_of(
-          corners, [&](int node) { return group.contains(node) || nodes.contains(node); });
+          vertices, [&](int node) { return group.contains(node) || nodes.contains(node); });
     };
     if (within(nodes) || std::ranges::any_of(groups, within)) return true;
-    std::vector<int> key(corners.begin(), corners.end());
+    std::vector<int> key(vertices.begin(), vertices.end());
     std::ranges::sort(key);
     return faces.contains(key);
   }

@@ -39,10 +39,10 @@ std::vector<double> offsets_of_faces(const Surface& body, const ParallelSurfaces
     for (const int number : body.faces_at(each.node)) {
       if (body.normal(number, each.node).normalized().dot(towards) < facing) continue;
       const auto& face = body.faces()[static_cast<std::size_t>(number)];
-      std::vector<double> corners;
-      for (const int node : std::span(face.nodes).first(static_cast<std::size_t>(face.corners)))
-        corners.push_back(surfaces.offset(node));
-      const auto [least, most] = std::ranges::minmax(corners);
+      std::vector<double> vertices;
+      for (const int node : std::span(face.nodes).first(static_cast<std::size_t>(face.vertices)))
+        vertices.push_back(surfaces.offset(node));
+      const auto [least, most] = std::ranges::minmax(vertices);
       if (most - least <= tolerance) offsets.push_back((least + most) / 2);
     }
   }

@@ -23,7 +23,7 @@ class PlacesOfOthers {
     }
   }
 
-  std::vector<std::vector<Share>> of(const std::vector<ListedNode>& nodes) const {
+  std::vector<std::vector<WeightedNode>> of(const std::vector<ListedNode>& nodes) const {
     if (entry_.is_string()) return on_surface(nodes);
     const auto entries = reader_.elements(entry_, key_);
     return entries.front()->is_table() ? as_given(nodes, entries) : on_nodes(nodes);
@@ -32,7 +32,7 @@ class PlacesOfOthers {
  private:
   auto places() const { return draft_.structure().coordinates.leftCols(draft_.node_count()); }
 
-  std::vector<std::vector<Share>> on_surface(const std::vector<ListedNode>& nodes) const {
+  std::vector<std::vector<WeightedNode>> on_surface(const std::vector<ListedNode>& nodes) const {
     const TomlText name = reader_.text(entry_, key_);
     const auto group = draft_.nodes_named(name);
     const auto faces = faces_within(draft_.structure(), group);
@@ -42,7 +42,7 @@ class PlacesOfOthers {
                                "expected the name of an edge or group, or a list of nodes",
                                support::in_quotes(name.text)));
     }
-    std::vector<std::vector<Share>> result;
+    std::vector<std::vector<WeightedNode>> result;
     for (const ListedNode& node : nodes) {
       auto place = *nearest_place(places(), faces, places().col(node.node));
       require_touch(node, place.distance, place.size, support::in_quotes(name.text));
@@ -51,13 +51,13 @@ class PlacesOfOthers {
     return result;
   }
 
-  std::vector<std::vector<Share>> on_nodes(const std::vector<ListedNode>& nodes) const {
+  std::vector<std::vector<WeightedNode>> on_nodes(const std::vector<ListedNode>& nodes) const {
     std::vector<int> others;
     for (const TomlText& name : reader_.texts(entry_, key_)) {
       for (const int node : draft_.nodes_named(name)) others.push_back(node);
     }
     const double size = (places().rowwise().maxCoeff() - places().rowwise().minCoeff()).maxCoeff();
-    std::vector<std::vector<Share>> result;
+    std::vector<std::vector<WeightedNode>> result;
     for (const ListedNode& node : nodes) {
       const auto distance = [&](int other) {
         return (places().col(other) - places().col(node.node)).norm();
@@ -76,13 +76,13 @@ class PlacesOfOthers {
     return result;
   }
 
-  std::vector<std::vector<Share>> as_given(const std::vector<ListedNode>& nodes,
-                                           const std::vector<const toml::node*>& entries) const {
+  std::vector<std::vector<WeightedNode>> as_given(
+      const std::vector<ListedNode>& nodes, const std::vector<const toml::node*>& entries) const {
     if (entries.size() != nodes.size()) {
       reader_.fail(entry_, fmt::format("{} has {} places for {} nodes; expected one each", key_,
                                        entries.size(), nodes.size()));
     }
-    std::vector<std::vector<Share>> result;
+    std::vector<std::vector<WeightedNode>> result;
     for (const toml::node* entry : entries) {
       const TomlTable place = reader_.table(*entry, fmt::format("a place of {}", key_));
       reader_.allow_only(place, {"nodes", "weights"});
@@ -100,7 +100,7 @@ class PlacesOfOthers {
 
   void require_touch(const ListedNode& node, double distance, double size,
                      const std::string& what) const {
-    const double most = gap_.value_or(gaping * size);
+    const double most = gap_.value_or(place_tolerance * size);
     if (distance <= most) return;
     reader_.fail(node.position,
                  fmt::format("node {} is {:.6g} away from {}; expected at most {:.6g}, or gap = a "
@@ -125,9 +125,10 @@ class PlacesOfOthers {
 
 }  // namespace
 
-std::vector<std::vector<Share>> places_of_others(const ProblemDraft& draft, const TomlTable& group,
-                                                 std::string_view key,
-                                                 const std::vector<ListedNode>& nodes) {
+std::vector<std::vector<WeightedNode>> places_of_others(const ProblemDraft& draft,
+                                                        const TomlTable& group,
+                                                        std::string_view key,
+                                                        const std::vector<ListedNode>& nodes) {
   return PlacesOfOthers(draft, group, key).of(nodes);
 }
 

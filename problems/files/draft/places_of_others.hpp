@@ -13,8 +13,9 @@ namespace kusabi::problems {
 /// nearest face for each node; a list of nodes, one of which coincides with each; or a list of {
 /// nodes, weights }, one for each.
 /// @throws InputError where a node has a gap, with the distance
-std::vector<std::vector<Share>> places_of_others(const ProblemDraft& draft, const TomlTable& group,
-                                                 std::string_view key,
-                                                 const std::vector<ListedNode>& nodes);
+std::vector<std::vector<WeightedNode>> places_of_others(const ProblemDraft& draft,
+                                                        const TomlTable& group,
+                                                        std::string_view key,
+                                                        const std::vector<ListedNode>& nodes);
 
 }  // namespace kusabi::problems

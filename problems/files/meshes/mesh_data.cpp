@@ -11,7 +11,7 @@ namespace {
 struct Kind {
   int dimension;
   int nodes;
-  int corners;
+  int vertices;
   std::string_view called;
 };
 
@@ -45,7 +45,7 @@ int mesh_nodes(MeshShape shape) {
 }
 
 int mesh_corners(MeshShape shape) {
-  return kind_of(shape).corners;
+  return kind_of(shape).vertices;
 }
 
 std::string_view mesh_called(MeshShape shape) {

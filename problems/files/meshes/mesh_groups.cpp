@@ -121,8 +121,8 @@ std::vector<int> group_nodes(const MeshData& mesh, const MeshGroup& group) {
 std::set<std::vector<int>> group_faces(const MeshData& mesh, const MeshGroup& group,
                                        int dimension) {
   std::set<std::vector<int>> faces;
-  const auto add = [&](std::vector<int> nodes, std::size_t corners) {
-    nodes.resize(corners);
+  const auto add = [&](std::vector<int> nodes, std::size_t vertices) {
+    nodes.resize(vertices);
     std::ranges::sort(nodes);
     faces.insert(std::move(nodes));
   };

@@ -49,10 +49,10 @@ void add_temperature(ProblemDraft& draft, const toml::node& entry) {
 }
 
 // The displacement of a support that other displacements depend on is refused.
-void refuse_dependent(const ProblemDraft& draft, const std::vector<Share>& shares,
+void refuse_dependent(const ProblemDraft& draft, const std::vector<WeightedNode>& shares,
                       const std::map<int, Eigen::VectorXd>& displaced) {
   const auto found = std::ranges::find_if(
-      shares, [&](const Share& share) { return displaced.contains(share.node); });
+      shares, [&](const WeightedNode& share) { return displaced.contains(share.node); });
   if (found == shares.end()) return;
   draft.reader().fail(
       support::SourcePosition{},
@@ -64,7 +64,7 @@ void refuse_dependent(const ProblemDraft& draft, const std::vector<Share>& share
 void add_displaced(ProblemDraft& draft) {
   Structure& structure = draft.structure();
   const auto& displaced = draft.displaced();
-  for (const Tie& tie : structure.ties) refuse_dependent(draft, tie.to, displaced);
+  for (const MultiPointConstraint& tie : structure.ties) refuse_dependent(draft, tie.to, displaced);
   for (const Superelement& each : structure.superelements) {
     for (const auto& row : each.rows) refuse_dependent(draft, {{row.node, 1}}, displaced);
   }
@@ -76,7 +76,7 @@ void add_displaced(ProblemDraft& draft) {
         candidate.clearance += share * candidate.normal.dot(found->second);
     };
     add(candidate.node, 1);
-    for (const Share& share : candidate.against) add(share.node, -share.weight);
+    for (const WeightedNode& share : candidate.against) add(share.node, -share.weight);
   }
 }
 

@@ -17,14 +17,14 @@ namespace kusabi::problems {
 namespace {
 
 /// The opposite place of each node on another body; empty for a rigid obstacle.
-std::vector<std::vector<Share>> against(const ProblemDraft& draft, const TomlTable& group,
-                                        const std::vector<ListedNode>& nodes) {
+std::vector<std::vector<WeightedNode>> against(const ProblemDraft& draft, const TomlTable& group,
+                                               const std::vector<ListedNode>& nodes) {
   if (group.table->get("against") != nullptr)
     return places_of_others(draft, group, "against", nodes);
   if (const toml::node* gap = group.table->get("gap"); gap != nullptr) {
     draft.reader().fail(*gap, "gap without against; expected both, or neither");
   }
-  return std::vector<std::vector<Share>>(nodes.size());
+  return std::vector<std::vector<WeightedNode>>(nodes.size());
 }
 
 /// The factor by its name, or by its former one; null if there is none.

@@ -165,7 +165,7 @@ void MeshFileSection::add_nodes() {
   for (int node = 0; join_ && node < draft_.node_count(); ++node) {
     if (!plan_.apart.contains(node)) older.push_back(node);
   }
-  const PlaceIndex places(structure().coordinates.leftCols(draft_.node_count()), older);
+  const NodeIndex places(structure().coordinates.leftCols(draft_.node_count()), older);
   const double tolerance = same_place * scale_ * size();
   std::set<int> taken;
   numbers_.assign(mesh_.nodes.size(), -1);
@@ -295,9 +295,9 @@ void MeshFileSection::add_group(const MeshGroup& group) {
                                support::in_quotes(group.name)));
   }
   for (const auto& face : group_faces(mesh_, group, structure().dimension)) {
-    auto corners = numbers(face);
-    std::ranges::sort(corners);
-    named.faces.insert(std::move(corners));
+    auto vertices = numbers(face);
+    std::ranges::sort(vertices);
+    named.faces.insert(std::move(vertices));
   }
   draft_.add_group(name, std::move(named));
 }

@@ -15,7 +15,7 @@ namespace {
 /// The edges of all meshes, by name.
 using Edges = std::map<std::string, std::vector<int>, std::less<>>;
 
-Eigen::Matrix<double, 2, 4> corners(const TomlReader& reader, const toml::node& entry) {
+Eigen::Matrix<double, 2, 4> vertices(const TomlReader& reader, const toml::node& entry) {
   const auto places = reader.elements(entry, "corners");
   if (places.size() != 4) {
     reader.fail(entry, fmt::format("a mesh has {} corners; expected four positions, in order "
@@ -23,8 +23,8 @@ Eigen::Matrix<double, 2, 4> corners(const TomlReader& reader, const toml::node& 
                                    places.size()));
   }
   Eigen::Matrix<double, 2, 4> result;
-  for (int corner = 0; corner < 4; ++corner) {
-    result.col(corner) = reader.vector(*places[static_cast<std::size_t>(corner)], "a corner", 2);
+  for (int vertex = 0; vertex < 4; ++vertex) {
+    result.col(vertex) = reader.vector(*places[static_cast<std::size_t>(vertex)], "a corner", 2);
   }
   return result;
 }
@@ -35,7 +35,7 @@ StructuredMesh shape(const TomlReader& reader, const TomlTable& group) {
       reader.require(group, "corners",
                      "corners = [[x, y], ...], four of them, in order around "
                      "the mesh");
-  mesh.corners = corners(reader, corner_entry);
+  mesh.vertices = vertices(reader, corner_entry);
   const auto& division_entry = reader.require(group, "divisions",
                                               "divisions = [11, 11], elements from left to right "
                                               "and from bottom to top");

@@ -118,7 +118,7 @@ void write_supports(const Structure& structure, std::string& text) {
   }
 }
 
-std::string place_text(const Structure& structure, const std::vector<Share>& place) {
+std::string place_text(const Structure& structure, const std::vector<WeightedNode>& place) {
   std::vector<std::string> names;
   std::vector<double> weights;
   for (const auto& [node, weight] : place) {

@@ -14,9 +14,9 @@ namespace {
 template <class Scalar>
 NaturalSlopes<Scalar> simplex_slopes(const ShapeTraits& traits, const NaturalPoint<Scalar>& at) {
   const auto d = static_cast<std::size_t>(traits.dimension);
-  const auto corners = static_cast<std::size_t>(traits.corners);
-  std::vector<Scalar> level(corners);
-  NaturalSlopes<Scalar> rise(corners);  // gradients of L
+  const auto vertices = static_cast<std::size_t>(traits.vertices);
+  std::vector<Scalar> level(vertices);
+  NaturalSlopes<Scalar> rise(vertices);  // gradients of L
   level[0] = 1.0;
   for (std::size_t k = 0; k < d; ++k) {
     level[0] -= at[k];
@@ -26,11 +26,11 @@ NaturalSlopes<Scalar> simplex_slopes(const ShapeTraits& traits, const NaturalPoi
   }
   if (!traits.quadratic) return rise;
   NaturalSlopes<Scalar> slopes(traits.nodes.size());
-  for (std::size_t node = 0; node < corners; ++node) {
+  for (std::size_t node = 0; node < vertices; ++node) {
     for (std::size_t k = 0; k < d; ++k)
       slopes[node][k] = (Scalar(4.0) * level[node] - Scalar(1.0)) * rise[node][k];
   }
-  for (std::size_t node = corners; node < slopes.size(); ++node) {
+  for (std::size_t node = vertices; node < slopes.size(); ++node) {
     // The vertices of the edge, at which L is one half of its sum at the midpoint.
     std::vector<std::size_t> ends;
     double first_level = 1;
@@ -66,7 +66,7 @@ NaturalSlopes<Scalar> product_slopes(const ShapeTraits& traits, const NaturalPoi
       slope[k] = own[k] == 0 ? Scalar(-2.0) * at[k] : Scalar(0.5) * side;
       corner_factor += side * at[k];
     }
-    const bool has_middles = traits.quadratic && static_cast<int>(node) < traits.corners;
+    const bool has_middles = traits.quadratic && static_cast<int>(node) < traits.vertices;
     for (std::size_t k = 0; k < d; ++k) {
       Scalar others = 1.0;
       for (std::size_t l = 0; l < d; ++l) {

@@ -195,8 +195,8 @@ Eigen::VectorXd determinants_of(const Structure& structure, const Element& eleme
                         : traits.family == ShapeFamily::pyramid ? 4
                                                                 : std::exp2(D);
   std::vector<double> values;
-  for (int corner = 0; corner < traits.corners; ++corner) {
-    auto at = traits.nodes[static_cast<std::size_t>(corner)];
+  for (int vertex = 0; vertex < traits.vertices; ++vertex) {
+    auto at = traits.nodes[static_cast<std::size_t>(vertex)];
     // In a pyramid det J is zeta^2 times a bilinear function of xi and eta: at the apex that of the
     // centre of the base.
     if (traits.family == ShapeFamily::pyramid) at[2] = -1;

@@ -118,9 +118,9 @@ std::vector<std::set<int>> connected_bodies(const Structure& structure) {
   for (const Member& member : structure.members) links.push_back({member.first, member.second});
   for (const Element& element : structure.elements) links.push_back(element.nodes);
   for (const Superelement& each : structure.superelements) links.push_back(nodes_of(each));
-  for (const Tie& tie : structure.ties) {
+  for (const MultiPointConstraint& tie : structure.ties) {
     links.push_back({tie.node});
-    for (const Share& share : tie.to) {  // ground nodes support the node, not the body
+    for (const WeightedNode& share : tie.to) {  // ground nodes support the node, not the body
       if (!is_ground(structure, share.node)) links.back().push_back(share.node);
     }
   }

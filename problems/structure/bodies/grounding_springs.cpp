@@ -88,7 +88,8 @@ std::vector<SpringPlace> spring_places(const Structure& structure, const FreeDeg
         column = at;
       }
     }
-    if (most < independent && nodes.size() < body.nodes.size()) {  // these nodes do not suffice
+    if (most < smallest_nonzero_pivot &&
+        nodes.size() < body.nodes.size()) {  // these nodes do not suffice
       nodes = body.nodes;
       continue;
     }

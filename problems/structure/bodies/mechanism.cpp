@@ -92,7 +92,7 @@ std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& deg
   // The squares of elongations are more accurate than v^T G v.
   const double strain =
       elongations(structure, degrees, motion).squaredNorm() + energy(structure, degrees, motion);
-  if (strain > strainless) return {};
+  if (strain > mechanism_tolerance) return {};
   return nodes_moved(degrees, motion, visible);
 }
 

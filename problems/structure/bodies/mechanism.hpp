@@ -21,7 +21,7 @@ namespace kusabi::problems {
 /// 1e-7 of the motion. True mechanisms with coordinates of eight or more digits are below it. A
 /// stable truss with the slenderness of 1000 square bays is at about 1e-11. Intermediate cases are
 /// detected by the check of the condensed matrices in `wedged_problem`.
-inline constexpr double strainless = 1e-14;
+inline constexpr double mechanism_tolerance = 1e-14;
 
 /// The nodes that move in a mechanism, in increasing order; empty if the truss is stable. If there
 /// are several independent mechanisms, the nodes of all of them.

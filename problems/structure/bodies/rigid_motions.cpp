@@ -80,8 +80,8 @@ Place first_large(const PreciseMatrix& matrix) {
 /// True if the elimination continues with a pivot.
 /// @return nothing if numerically undecided
 std::optional<bool> goes_on(double pivot) {
-  if (pivot <= dependent) return false;
-  if (pivot >= independent) return true;
+  if (pivot <= largest_zero_pivot) return false;
+  if (pivot >= smallest_nonzero_pivot) return true;
   return {};
 }
 
@@ -237,7 +237,7 @@ void Piece::set_conditions(const std::set<int>& nodes) {
 void Piece::require_ties_in_place(const PreciseMatrix& motions) const {
   for (const auto& [tie, rows] : ties_) {
     const PreciseMatrix apart = rows * motions;
-    if (apart.cast<double>().cwiseAbs().maxCoeff() <= dependent) continue;
+    if (apart.cast<double>().cwiseAbs().maxCoeff() <= largest_zero_pivot) continue;
     const int node = structure_.ties[static_cast<std::size_t>(tie)].node;
     throw structure_error(
         structure_, position_of(structure_.sources.ties, tie),

@@ -36,7 +36,7 @@ class ConstraintCheck {
   /// A node that depends on a place of another body.
   struct Follower {
     int node;
-    const std::vector<Share>* place;
+    const std::vector<WeightedNode>* place;
     support::SourcePosition position;
     bool pair;  ///< a contact pair instead of a constraint; a node with several contact normals has
                 ///< several

@@ -92,9 +92,9 @@ void ElementCheck::nodes() const {
 
 std::string ElementCheck::corner_names() const {
   std::string names;
-  for (std::size_t corner = 0; corner < static_cast<std::size_t>(traits_.corners); ++corner) {
-    if (corner > 0) names += ", ";
-    names += name(element_.nodes[corner]);
+  for (std::size_t vertex = 0; vertex < static_cast<std::size_t>(traits_.vertices); ++vertex) {
+    if (vertex > 0) names += ", ";
+    names += name(element_.nodes[vertex]);
   }
   return names;
 }
@@ -119,7 +119,7 @@ void ElementCheck::shape() const {
   Eigen::Index where = 0;
   while (right(where) > least) ++where;
   const std::string place =
-      where < traits_.corners
+      where < traits_.vertices
           ? fmt::format("at node {}", name(element_.nodes[static_cast<std::size_t>(where)]))
           : std::string("inside");
   fail(

@@ -147,7 +147,7 @@ void check_superelements(const Structure& structure) {
   }
 }
 
-void refuse_unheld(const Structure& structure, const FreeDegrees& degrees) {
+void refuse_unconstrained(const Structure& structure, const FreeDegrees& degrees) {
   Triplets entries;
   Triplets uncertain;
   for (const Spring& spring : structure.springs)

@@ -20,6 +20,6 @@ void check_superelements(const Structure& structure);
 /// rounding of its superelements.
 /// @throws InputError with the names of nodes that move
 /// @pre the structure passes `check_structure`
-void refuse_unheld(const Structure& structure, const FreeDegrees& degrees);
+void refuse_unconstrained(const Structure& structure, const FreeDegrees& degrees);
 
 }  // namespace kusabi::problems

@@ -14,7 +14,7 @@ using Sides = std::vector<std::pair<int, int>>;
 
 /// A family of shapes: its vertices, and the order of its sides with midpoint nodes.
 struct Family {
-  int corners;
+  int vertices;
   Faces faces;
   Sides sides;
 };
@@ -73,17 +73,17 @@ int middle(const Family& of, int first, int second) {
   const auto found = std::ranges::find_if(of.sides, [&](const auto& side) {
     return std::minmax(side.first, side.second) == std::minmax(first, second);
   });
-  return of.corners + static_cast<int>(found - of.sides.begin());
+  return of.vertices + static_cast<int>(found - of.sides.begin());
 }
 
 Faces with_middles(const Family& of) {
   Faces faces = of.faces;
   for (auto& face : faces) {
-    const std::size_t corners = face.size();
+    const std::size_t vertices = face.size();
     const std::size_t sides =
-        corners == 2 ? 1 : corners;  // an edge has one, a face as many as vertices
+        vertices == 2 ? 1 : vertices;  // an edge has one, a face as many as vertices
     for (std::size_t side = 0; side < sides; ++side) {
-      face.push_back(middle(of, face[side], face[(side + 1) % corners]));
+      face.push_back(middle(of, face[side], face[(side + 1) % vertices]));
     }
   }
   return faces;

@@ -80,7 +80,7 @@ Derivatives square_derivatives(Eigen::Index nodes, const Point& at) {
 }
 
 /// The normal times the area density of the face.
-Eigen::VectorXd normal_at(const FacePlaces& places, const Point& at) {
+Eigen::VectorXd normal_at(const FaceCoordinates& places, const Point& at) {
   const Eigen::Index nodes = places.cols();
   if (places.rows() == 2) {
     const Eigen::Vector2d along = places * edge_derivatives(nodes, at).col(0);
@@ -92,7 +92,7 @@ Eigen::VectorXd normal_at(const FacePlaces& places, const Point& at) {
   return along.col(0).cross(along.col(1));
 }
 
-std::vector<Point> gauss_points(const FacePlaces& places) {
+std::vector<Point> gauss_points(const FaceCoordinates& places) {
   std::vector<Point> points;
   if (places.rows() == 2) {
     return {{-gauss3, 0, 5.0 / 9}, {0, 0, 8.0 / 9}, {gauss3, 0, 5.0 / 9}};
@@ -108,7 +108,7 @@ std::vector<Point> gauss_points(const FacePlaces& places) {
 
 }  // namespace
 
-Eigen::VectorXd face_normal(const FacePlaces& places, int node) {
+Eigen::VectorXd face_normal(const FaceCoordinates& places, int node) {
   const auto at = static_cast<std::size_t>(node);
   const Eigen::VectorXd normal =
       normal_at(places, places.rows() == 2           ? edge_points[at]
@@ -117,7 +117,7 @@ Eigen::VectorXd face_normal(const FacePlaces& places, int node) {
   return normal.stableNormalized();
 }
 
-double face_size(const FacePlaces& places) {
+double face_size(const FaceCoordinates& places) {
   double size = 0;
   for (const Point& point : gauss_points(places)) {
     size += point.weight * normal_at(places, point).stableNorm();
@@ -125,10 +125,10 @@ double face_size(const FacePlaces& places) {
   return size;
 }
 
-Eigen::VectorXd face_centre(const FacePlaces& places) {
+Eigen::VectorXd face_centre(const FaceCoordinates& places) {
   const Eigen::Index nodes = places.cols();
-  const Eigen::Index corners = places.rows() == 2 ? 2 : is_triangle(nodes) ? 3 : 4;
-  return places.leftCols(corners).rowwise().mean();
+  const Eigen::Index vertices = places.rows() == 2 ? 2 : is_triangle(nodes) ? 3 : 4;
+  return places.leftCols(vertices).rowwise().mean();
 }
 
 }  // namespace kusabi::problems

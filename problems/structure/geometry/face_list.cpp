@@ -9,19 +9,19 @@
 
 namespace kusabi::problems {
 
-std::vector<FaceKey> faces_by_corners(const Structure& structure) {
+std::vector<FaceKey> faces_by_vertices(const Structure& structure) {
   std::vector<FaceKey> keys;
   for (int element = 0; element < body_elements(structure); ++element) {
     const Element& own = body_element(structure, element);
     const auto& faces = element_faces(own.shape);
     for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
       FaceKey key{{-1, -1, -1, -1}, element, face};
-      std::size_t corner = 0;
+      std::size_t vertex = 0;
       for (const int node : faces[static_cast<std::size_t>(face)]) {
-        if (node >= shape_traits(own.shape).corners) break;
-        key.corners[corner++] = own.nodes[static_cast<std::size_t>(node)];
+        if (node >= shape_traits(own.shape).vertices) break;
+        key.vertices[vertex++] = own.nodes[static_cast<std::size_t>(node)];
       }
-      std::ranges::sort(key.corners);
+      std::ranges::sort(key.vertices);
       keys.push_back(key);
     }
   }

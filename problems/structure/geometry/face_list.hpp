@@ -11,7 +11,7 @@ namespace kusabi::problems {
 
 /// A face of an element with its vertices in ascending order: -1 where it has fewer than four.
 struct FaceKey {
-  std::array<int, 4> corners;
+  std::array<int, 4> vertices;
   int element;  ///< of `body_elements`
   int face;     ///< in `element_faces`
 
@@ -19,7 +19,7 @@ struct FaceKey {
 };
 
 /// All faces, sorted by vertices, then by element.
-std::vector<FaceKey> faces_by_corners(const Structure& structure);
+std::vector<FaceKey> faces_by_vertices(const Structure& structure);
 
 /// The nodes of a face, in the order of `element_faces`.
 std::vector<int> nodes_of(const Structure& structure, const FaceKey& face);

@@ -25,16 +25,16 @@ bool on_edge(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen
 }
 
 /// True if `place` lies in a triangle in space, excluding its vertices.
-bool on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& place) {
-  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+bool on_triangle(const std::array<Eigen::Vector3d, 3>& vertices, const Eigen::Vector3d& place) {
+  const Eigen::Vector3d normal = (vertices[1] - vertices[0]).cross(vertices[2] - vertices[0]);
   const double area = normal.norm();
   const double size = std::sqrt(area);
-  if (!(area > 0) || std::abs(normal.dot(place - corners[0])) > same_place * area * size) {
+  if (!(area > 0) || std::abs(normal.dot(place - vertices[0])) > same_place * area * size) {
     return false;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    const Eigen::Vector3d& from = corners[i];
-    const Eigen::Vector3d& to = corners[(i + 1) % 3];
+    const Eigen::Vector3d& from = vertices[i];
+    const Eigen::Vector3d& to = vertices[(i + 1) % 3];
     if ((place - from).norm() <= same_place * size) return false;
     if (normal.dot((to - from).cross(place - from)) < -same_place * area * area) return false;
   }
@@ -49,18 +49,18 @@ bool lies_on(const Structure& structure, const SurfaceFace& face, int node) {
   const Eigen::VectorXd own = structure.coordinates.col(node);
   if (structure.dimension == 2) return on_edge(place(0), place(1), own);
   if (on_triangle({place(0), place(1), place(2)}, own)) return true;
-  return face.corners == 4 && on_triangle({place(0), place(2), place(3)}, own);
+  return face.vertices == 4 && on_triangle({place(0), place(2), place(3)}, own);
 }
 
 /// The first of `nodes` that lies on a surface face of the `wanted` elements.
-std::optional<Gape> node_on_face(const Structure& structure, const Surface& surface,
-                                 const PlaceIndex& nodes, const std::vector<bool>& wanted) {
+std::optional<MeshGap> node_on_face(const Structure& structure, const Surface& surface,
+                                    const NodeIndex& nodes, const std::vector<bool>& wanted) {
   for (const SurfaceFace& face : surface.faces()) {
     if (!wanted[static_cast<std::size_t>(face.element)]) continue;
     Eigen::VectorXd least = structure.coordinates.col(face.nodes.front());
     Eigen::VectorXd most = least;
-    for (int corner = 1; corner < face.corners; ++corner) {
-      const auto place = structure.coordinates.col(face.nodes[static_cast<std::size_t>(corner)]);
+    for (int vertex = 1; vertex < face.vertices; ++vertex) {
+      const auto place = structure.coordinates.col(face.nodes[static_cast<std::size_t>(vertex)]);
       least = least.cwiseMin(place);
       most = most.cwiseMax(place);
     }
@@ -68,14 +68,14 @@ std::optional<Gape> node_on_face(const Structure& structure, const Surface& surf
     least.array() -= margin;
     most.array() += margin;
     for (const int node : nodes.nodes_in(least, most)) {
-      if (lies_on(structure, face, node)) return Gape{node, face.element};
+      if (lies_on(structure, face, node)) return MeshGap{node, face.element};
     }
   }
   return std::nullopt;
 }
 
-PlaceIndex surface_nodes(const Structure& structure, const Surface& surface,
-                         const std::vector<bool>& wanted) {
+NodeIndex surface_nodes(const Structure& structure, const Surface& surface,
+                        const std::vector<bool>& wanted) {
   std::set<int> nodes;
   for (const SurfaceFace& face : surface.faces()) {
     if (wanted[static_cast<std::size_t>(face.element)]) {
@@ -86,38 +86,38 @@ PlaceIndex surface_nodes(const Structure& structure, const Surface& surface,
 }
 
 /// Two faces with the same vertices, one of which has a midpoint node that the other does not have.
-std::optional<Gape> gape_in_the_middle(const Structure& structure, int first) {
+std::optional<MeshGap> gap_in_the_middle(const Structure& structure, int first) {
   const auto middles = [&](const FaceKey& face) {
     auto nodes = nodes_of(structure, face);
-    const auto corners = std::ranges::count_if(face.corners, [](int node) { return node >= 0; });
-    nodes.erase(nodes.begin(), nodes.begin() + corners);
+    const auto vertices = std::ranges::count_if(face.vertices, [](int node) { return node >= 0; });
+    nodes.erase(nodes.begin(), nodes.begin() + vertices);
     std::ranges::sort(nodes);
     return nodes;
   };
-  const auto faces = faces_by_corners(structure);
+  const auto faces = faces_by_vertices(structure);
   for (std::size_t i = 1; i < faces.size(); ++i) {
-    if (faces[i].corners != faces[i - 1].corners || faces[i].element < first) continue;
+    if (faces[i].vertices != faces[i - 1].vertices || faces[i].element < first) continue;
     const auto one = middles(faces[i - 1]);
     const auto other = middles(faces[i]);
     if (one == other) continue;
-    return Gape{(one.size() > other.size() ? one : other).front(), faces[i].element};
+    return MeshGap{(one.size() > other.size() ? one : other).front(), faces[i].element};
   }
   return std::nullopt;
 }
 
 /// A triangle whose vertices are vertices of a quadrilateral: the surfaces differ between them.
-std::optional<Gape> triangle_on_quadrilateral(const Surface& surface, int first) {
+std::optional<MeshGap> triangle_on_quadrilateral(const Surface& surface, int first) {
   for (const SurfaceFace& face : surface.faces()) {
-    if (face.corners != 3) continue;
+    if (face.vertices != 3) continue;
     for (const int other : surface.faces_at(face.nodes[0])) {
       const SurfaceFace& square = surface.faces()[static_cast<std::size_t>(other)];
-      if (square.corners != 4 || std::max(square.element, face.element) < first) continue;
+      if (square.vertices != 4 || std::max(square.element, face.element) < first) continue;
       const auto is_of_square = [&](int node) {
         return std::find(square.nodes.begin(), square.nodes.begin() + 4, node) !=
                square.nodes.begin() + 4;
       };
       if (is_of_square(face.nodes[1]) && is_of_square(face.nodes[2])) {
-        return Gape{face.nodes[0], std::max(square.element, face.element)};
+        return MeshGap{face.nodes[0], std::max(square.element, face.element)};
       }
     }
   }
@@ -126,15 +126,14 @@ std::optional<Gape> triangle_on_quadrilateral(const Surface& surface, int first)
 
 }  // namespace
 
-PlaceIndex::PlaceIndex(const Eigen::Ref<const Eigen::MatrixXd>& places,
-                       const std::vector<int>& nodes)
+NodeIndex::NodeIndex(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& nodes)
     : places_(places) {
   for (const int node : nodes) by_x_.emplace_back(places_(0, node), node);
   std::ranges::sort(by_x_);
 }
 
-std::vector<int> PlaceIndex::nodes_in(const Eigen::VectorXd& least,
-                                      const Eigen::VectorXd& most) const {
+std::vector<int> NodeIndex::nodes_in(const Eigen::VectorXd& least,
+                                     const Eigen::VectorXd& most) const {
   std::vector<int> result;
   auto entry = std::ranges::lower_bound(by_x_, least(0), {}, &std::pair<double, int>::first);
   for (; entry != by_x_.end() && entry->first <= most(0); ++entry) {
@@ -146,16 +145,16 @@ std::vector<int> PlaceIndex::nodes_in(const Eigen::VectorXd& least,
   return result;
 }
 
-int PlaceIndex::node_at(const Eigen::VectorXd& place, double tolerance) const {
+int NodeIndex::node_at(const Eigen::VectorXd& place, double tolerance) const {
   const auto near = nodes_in(place.array() - tolerance, place.array() + tolerance);
   return near.empty() ? -1 : *std::ranges::min_element(near);
 }
 
-std::optional<Gape> find_gape(const Structure& structure, int first_new,
-                              const std::vector<bool>& joined) {
-  if (const auto gape = gape_in_the_middle(structure, first_new)) return gape;
+std::optional<MeshGap> find_mesh_gap(const Structure& structure, int first_new,
+                                     const std::vector<bool>& joined) {
+  if (const auto gap = gap_in_the_middle(structure, first_new)) return gap;
   const Surface surface(structure);
-  if (const auto gape = triangle_on_quadrilateral(surface, first_new)) return gape;
+  if (const auto gap = triangle_on_quadrilateral(surface, first_new)) return gap;
   std::vector<bool> older = joined;
   std::vector<bool> newer = joined;
   for (std::size_t element = 0; element < joined.size(); ++element) {
@@ -163,7 +162,7 @@ std::optional<Gape> find_gape(const Structure& structure, int first_new,
     (is_new ? older : newer)[element] = false;
   }
   const auto old_nodes = surface_nodes(structure, surface, older);
-  if (const auto gape = node_on_face(structure, surface, old_nodes, newer)) return gape;
+  if (const auto gap = node_on_face(structure, surface, old_nodes, newer)) return gap;
   const auto new_nodes = surface_nodes(structure, surface, newer);
   return node_on_face(structure, surface, new_nodes, older);
 }

@@ -14,10 +14,10 @@
 namespace kusabi::problems {
 
 /// Sorted coordinates for the search of nearby nodes.
-class PlaceIndex {
+class NodeIndex {
  public:
   /// @param places d x n; they must outlive the index  @param nodes the columns in the index
-  PlaceIndex(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& nodes);
+  NodeIndex(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& nodes);
 
   /// The least number of a node within `tolerance` along each axis; -1 if there is none.
   int node_at(const Eigen::VectorXd& place, double tolerance) const;
@@ -31,7 +31,7 @@ class PlaceIndex {
 };
 
 /// A node that lies on a face of another body, or of another element, without belonging to it.
-struct Gape {
+struct MeshGap {
   int node;
   int element;
 };
@@ -40,7 +40,7 @@ struct Gape {
 /// among the former: faces with the same vertices but different midpoints, or a quadrilateral on
 /// triangles. Faces count as flat.
 /// @param joined one for each element
-std::optional<Gape> find_gape(const Structure& structure, int first_new,
-                              const std::vector<bool>& joined);
+std::optional<MeshGap> find_mesh_gap(const Structure& structure, int first_new,
+                                     const std::vector<bool>& joined);
 
 }  // namespace kusabi::problems

@@ -12,10 +12,10 @@ namespace kusabi::problems {
 
 bool StructuredMesh::is_convex() const {
   int turns = 0;
-  for (int corner = 0; corner < 4; ++corner) {
+  for (int vertex = 0; vertex < 4; ++vertex) {
     Eigen::Matrix2d sides;
-    sides.col(0) = corners.col((corner + 1) % 4) - corners.col(corner);
-    sides.col(1) = corners.col((corner + 3) % 4) - corners.col(corner);
+    sides.col(0) = vertices.col((vertex + 1) % 4) - vertices.col(vertex);
+    sides.col(1) = vertices.col((vertex + 3) % 4) - vertices.col(vertex);
     const double area = sides.determinant();
     turns += (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
   }
@@ -25,12 +25,12 @@ bool StructuredMesh::is_convex() const {
 Eigen::Vector2d StructuredMesh::place(int i, int j) const {
   const double x = static_cast<double>(i) / columns;
   const double y = static_cast<double>(j) / rows;
-  return corners * Eigen::Vector4d((1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y);
+  return vertices * Eigen::Vector4d((1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y);
 }
 
 int StructuredMesh::node_at(const Eigen::Ref<const Eigen::MatrixXd>& places,
                             const Eigen::Vector2d& place) const {
-  const double size = (corners.rowwise().maxCoeff() - corners.rowwise().minCoeff()).maxCoeff();
+  const double size = (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff()).maxCoeff();
   for (Eigen::Index node = 0; node < places.cols(); ++node) {
     if ((places.col(node) - place).cwiseAbs().maxCoeff() <= same_place * size) {
       return static_cast<int>(node);

@@ -21,7 +21,7 @@ inline constexpr double same_place = 1e-9;
 /// Node i,j is i columns from the first vertex towards the second and j rows towards the fourth.
 /// Nodes and elements are numbered row by row.
 struct StructuredMesh {
-  Eigen::Matrix<double, 2, 4> corners;  ///< in circular order: (0, 0), (1, 0), (1, 1), (0, 1)
+  Eigen::Matrix<double, 2, 4> vertices;  ///< in circular order: (0, 0), (1, 0), (1, 1), (0, 1)
   int columns = 1;
   int rows = 1;
 

@@ -33,14 +33,14 @@ bool inside_out(const Structure& structure, const Element& element) {
         structure.coordinates.col(element.nodes[static_cast<std::size_t>(face[i])]);
   }
   Eigen::VectorXd middle = Eigen::VectorXd::Zero(structure.dimension);
-  const int corners = shape_traits(element.shape).corners;
-  for (int corner = 0; corner < corners; ++corner) {
-    middle += structure.coordinates.col(element.nodes[static_cast<std::size_t>(corner)]);
+  const int vertices = shape_traits(element.shape).vertices;
+  for (int vertex = 0; vertex < vertices; ++vertex) {
+    middle += structure.coordinates.col(element.nodes[static_cast<std::size_t>(vertex)]);
   }
-  middle /= corners;
+  middle /= vertices;
   // The straight face through the vertices, since a curved one may extend beyond the centre.
   const auto straight = static_cast<Eigen::Index>(
-      std::ranges::count_if(face, [&](int node) { return node < corners; }));
+      std::ranges::count_if(face, [&](int node) { return node < vertices; }));
   const Eigen::MatrixXd flat = places.leftCols(straight);
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(structure.dimension);
   for (int node = 0; node < static_cast<int>(straight); ++node) mean += face_normal(flat, node);
@@ -53,15 +53,15 @@ Surface::Surface(const Structure& structure) : structure_(&structure) {
   for (int element = 0; element < body_elements(structure); ++element) {
     inside_out_.push_back(inside_out(structure, body_element(structure, element)));
   }
-  const auto keys = faces_by_corners(structure);
+  const auto keys = faces_by_vertices(structure);
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto same = [&](std::size_t j) { return keys[j].corners == keys[i].corners; };
+    const auto same = [&](std::size_t j) { return keys[j].vertices == keys[i].vertices; };
     if ((i > 0 && same(i - 1)) || (i + 1 < keys.size() && same(i + 1))) continue;
     const Element& own = body_element(structure, keys[i].element);
     SurfaceFace face{keys[i].element, {}, 0};
     for (const int node : element_faces(own.shape)[static_cast<std::size_t>(keys[i].face)]) {
       face.nodes.push_back(own.nodes[static_cast<std::size_t>(node)]);
-      if (node < shape_traits(own.shape).corners) ++face.corners;
+      if (node < shape_traits(own.shape).vertices) ++face.vertices;
     }
     for (const int node : face.nodes) at_node_.emplace_back(node, static_cast<int>(faces_.size()));
     faces_.push_back(std::move(face));

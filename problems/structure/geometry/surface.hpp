@@ -22,7 +22,7 @@ namespace kusabi::problems {
 struct SurfaceFace {
   int element;             ///< of `body_elements`
   std::vector<int> nodes;  ///< of the structure, in the order of `element_faces`
-  int corners;             ///< number of vertices among them
+  int vertices;            ///< number of vertices among them
 };
 
 class Surface {

@@ -39,10 +39,10 @@ Eigen::VectorXd square_functions(std::size_t nodes, double x, double y) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(nodes));
   constexpr std::array<double, 4> across{-1, 1, 1, -1};
   constexpr std::array<double, 4> up{-1, -1, 1, 1};
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    const double a = across[corner] * x;
-    const double b = up[corner] * y;
-    values(static_cast<Eigen::Index>(corner)) =
+  for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+    const double a = across[vertex] * x;
+    const double b = up[vertex] * y;
+    values(static_cast<Eigen::Index>(vertex)) =
         (1 + a) * (1 + b) / 4 * (nodes == 8 ? a + b - 1 : 1);
   }
   if (nodes == 8) {
@@ -68,11 +68,11 @@ void bring_inside(bool triangle, Parameters& at) {
 }
 
 /// The shape functions at the nearest point of one face.
-Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& corners, const Eigen::VectorXd& point) {
+Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& vertices, const Eigen::VectorXd& point) {
   constexpr int steps = 50;
   constexpr double settled = 1e-15;
-  const auto dimension = static_cast<int>(corners.rows());
-  const auto nodes = static_cast<std::size_t>(corners.cols());
+  const auto dimension = static_cast<int>(vertices.rows());
+  const auto nodes = static_cast<std::size_t>(vertices.cols());
   const bool edge = dimension == 2 || nodes == 2;
   const bool triangle = is_triangle(dimension, nodes);
   Parameters at = Parameters::Constant(edge ? 1 : 2, triangle ? 1.0 / 3 : 0.0);
@@ -82,10 +82,10 @@ Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& corners, const Eigen::V
       // Exact, since the functions are quadratic in each parameter.
       const Parameters one = Parameters::Unit(at.size(), k);
       slopes.col(k) =
-          corners *
+          vertices *
           (functions(dimension, nodes, at + one) - functions(dimension, nodes, at - one)) / 2;
     }
-    const Eigen::VectorXd off = point - corners * functions(dimension, nodes, at);
+    const Eigen::VectorXd off = point - vertices * functions(dimension, nodes, at);
     const Parameters before = at;
     at += slopes.colPivHouseholderQr().solve(off);
     bring_inside(triangle, at);
@@ -96,14 +96,14 @@ Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& corners, const Eigen::V
 
 /// The nearest multiples of 2^-40; the largest is adjusted such that the sum is one exactly. A
 /// translation of all nodes then translates the place exactly.
-std::vector<Share> shares_of(const FaceNodes& face, const Eigen::VectorXd& values) {
+std::vector<WeightedNode> shares_of(const FaceNodes& face, const Eigen::VectorXd& values) {
   constexpr double grid = 0x1p40;
   Eigen::VectorXd rounded = (values * grid).array().round() / grid;
   Eigen::Index largest = 0;
   values.cwiseAbs().maxCoeff(&largest);
   rounded(largest) = 0;
   rounded(largest) = 1 - rounded.sum();
-  std::vector<Share> shares;
+  std::vector<WeightedNode> shares;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const double weight = rounded(static_cast<Eigen::Index>(i));
     if (weight != 0) shares.push_back({face[i], weight});
@@ -144,13 +144,13 @@ std::optional<SurfacePlace> nearest_place(const Eigen::Ref<const Eigen::MatrixXd
                                           const Eigen::VectorXd& point) {
   std::optional<SurfacePlace> best;
   for (const FaceNodes& face : faces) {
-    Eigen::MatrixXd corners(places.rows(), static_cast<Eigen::Index>(face.size()));
+    Eigen::MatrixXd vertices(places.rows(), static_cast<Eigen::Index>(face.size()));
     for (std::size_t i = 0; i < face.size(); ++i)
-      corners.col(static_cast<Eigen::Index>(i)) = places.col(face[i]);
-    const Eigen::VectorXd values = nearest_functions(corners, point);
-    const double distance = (point - corners * values).norm();
+      vertices.col(static_cast<Eigen::Index>(i)) = places.col(face[i]);
+    const Eigen::VectorXd values = nearest_functions(vertices, point);
+    const double distance = (point - vertices * values).norm();
     if (best && best->distance <= distance) continue;
-    const double size = (corners.rowwise().maxCoeff() - corners.rowwise().minCoeff()).maxCoeff();
+    const double size = (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff()).maxCoeff();
     best = SurfacePlace{shares_of(face, values), distance, size};
   }
   return best;

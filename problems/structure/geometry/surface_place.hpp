@@ -21,12 +21,12 @@ std::vector<FaceNodes> faces_within(const Structure& structure, const std::vecto
 
 /// Tolerance of the distance between a node and its opposite place, relative to the size of the
 /// face, or for two nodes to the size of the structure; the key `gap` overrides it.
-inline constexpr double gaping = 1e-6;
+inline constexpr double place_tolerance = 1e-6;
 
 struct SurfacePlace {
-  std::vector<Share> shares;  ///< multiples of 2^-40 that sum to 1 exactly, none zero
-  double distance = 0;        ///< from the point, length
-  double size = 0;            ///< of the face: its largest extent along an axis
+  std::vector<WeightedNode> shares;  ///< multiples of 2^-40 that sum to 1 exactly, none zero
+  double distance = 0;               ///< from the point, length
+  double size = 0;                   ///< of the face: its largest extent along an axis
 };
 
 /// The nearest point of all faces. Nothing if there are no faces.

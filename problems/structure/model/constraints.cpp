@@ -20,7 +20,7 @@ class MasterDegrees {
   }
 
   void incline(const InclinedSupport& support) {
-    const int held = steepest_axis(support.direction);
+    const int held = largest_component_axis(support.direction);
     for (int axis = 0; axis < structure_.dimension; ++axis) {
       const double component = support.direction(axis);
       if (axis == held || component == 0) continue;
@@ -31,7 +31,7 @@ class MasterDegrees {
   }
 
   /// Adds the displacement of a place of another body to that of the node.
-  void follow(int node, std::span<const Share> place) {
+  void follow(int node, std::span<const WeightedNode> place) {
     for (int axis = 0; axis < structure_.dimension; ++axis) {
       // Both the place and the node are fixed along this axis (check_constraints).
       if (structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)])
@@ -56,7 +56,7 @@ class MasterDegrees {
 
 }  // namespace
 
-int steepest_axis(const Eigen::VectorXd& direction) {
+int largest_component_axis(const Eigen::VectorXd& direction) {
   int steepest = 0;
   for (int axis = 1; axis < static_cast<int>(direction.size()); ++axis) {
     if (std::abs(direction(axis)) > std::abs(direction(steepest))) steepest = axis;
@@ -75,8 +75,8 @@ bool has_constraints(const Structure& structure) {
 std::set<std::pair<int, int>> dependent_displacements(const Structure& structure) {
   std::set<std::pair<int, int>> made;
   for (const InclinedSupport& support : structure.inclined)
-    made.emplace(support.node, steepest_axis(support.direction));
-  for (const Tie& tie : structure.ties) {
+    made.emplace(support.node, largest_component_axis(support.direction));
+  for (const MultiPointConstraint& tie : structure.ties) {
     for (int axis = 0; axis < structure.dimension; ++axis) made.emplace(tie.node, axis);
   }
   return made;
@@ -86,7 +86,7 @@ void set_master_degrees(const Structure& structure, FreeDegrees& degrees) {
   if (!has_constraints(structure)) return;
   MasterDegrees master_degrees(structure, degrees);
   for (const InclinedSupport& support : structure.inclined) master_degrees.incline(support);
-  for (const Tie& tie : structure.ties) master_degrees.follow(tie.node, tie.to);
+  for (const MultiPointConstraint& tie : structure.ties) master_degrees.follow(tie.node, tie.to);
   for (const ContactCandidate& candidate : structure.contact) {
     // A node with several contact normals may be opposite to two places, so it keeps displacements
     // of its own.

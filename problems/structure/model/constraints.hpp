@@ -28,7 +28,7 @@ std::set<std::pair<int, int>> dependent_displacements(const Structure& structure
 void set_master_degrees(const Structure& structure, FreeDegrees& degrees);
 
 /// The axis of the largest component, the first of equal ones.
-int steepest_axis(const Eigen::VectorXd& direction);
+int largest_component_axis(const Eigen::VectorXd& direction);
 
 /// True if any displacement is dependent; limit analysis does not support such structures.
 bool has_constraints(const Structure& structure);

@@ -29,7 +29,7 @@ struct ShapeTraits {
   int dimension;
   ShapeFamily family;
   bool quadratic;  ///< a node in the middle of each edge
-  int corners;
+  int vertices;
   /// Vertices first, then the midpoints of edges.
   std::span<const NaturalPoint<double>> nodes;
 };

@@ -90,11 +90,11 @@ void check_names(const Structure& structure) {
 
 std::set<int> nodes_with_several_normals(const Structure& structure) {
   std::set<int> seen;
-  std::set<int> corners;
+  std::set<int> vertices;
   for (const ContactCandidate& candidate : structure.contact) {
-    if (!seen.insert(candidate.node).second) corners.insert(candidate.node);
+    if (!seen.insert(candidate.node).second) vertices.insert(candidate.node);
   }
-  return corners;
+  return vertices;
 }
 
 void check_several_normals(const Structure& structure) {

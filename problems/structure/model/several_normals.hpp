@@ -27,8 +27,8 @@ std::set<int> nodes_with_several_normals(const Structure& structure);
 /// Weights of the free displacements in the displacement of a candidate along an axis: that of its
 /// node; at a node with several normals minus that of the opposite place.
 template <class Scalar>
-StrainVector<Scalar> seen_along(const FreeDegrees& degrees, const ContactCandidate& candidate,
-                                int axis) {
+StrainVector<Scalar> candidate_displacement(const FreeDegrees& degrees,
+                                            const ContactCandidate& candidate, int axis) {
   StrainVector<Scalar> seen;
   if (!degrees.several_normals.contains(candidate.node)) {
     const int number = degrees.number(axis, candidate.node);

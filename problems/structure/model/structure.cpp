@@ -34,7 +34,7 @@ std::string candidate_name(const Structure& structure, std::size_t index) {
   const auto& place = candidate.against;
   const std::string own = name(candidate.node) + which_at_node(structure, index);
   if (place.empty()) return own;
-  const auto nearest = std::ranges::max_element(place, {}, &Share::weight);
+  const auto nearest = std::ranges::max_element(place, {}, &WeightedNode::weight);
   return own + "|" + name(nearest->node) + (place.size() > 1 ? "+" : "");
 }
 

@@ -127,16 +127,16 @@ struct Superelement {
 
 /// The weight of a node in the place opposite to a contact candidate, or in a multi-point
 /// constraint.
-struct Share {
+struct WeightedNode {
   int node;
   double weight;
 };
 
 /// A multi-point constraint: the displacement of a dependent node is the sum of weight times those
 /// of its masters.
-struct Tie {
+struct MultiPointConstraint {
   int node;
-  std::vector<Share> to;
+  std::vector<WeightedNode> to;
 };
 
 /// A support in a direction that is not an axis: u . direction = 0 for the displacement u of its
@@ -157,7 +157,7 @@ struct ContactCandidate {
   /// The opposite place on another body: its displacement is the sum of weight times those of the
   /// nodes. Empty: a rigid obstacle. The displacement of the candidate is that of `node` minus
   /// this, and the reaction acts on both with opposite signs.
-  std::vector<Share> against{};
+  std::vector<WeightedNode> against{};
   /// Name of the opposite surface in the file; distinguishes candidates at one node.
   std::string surface{};
   /// Distance from the obstacle before any force acts, length; negative: interference. Only states
@@ -205,7 +205,7 @@ struct Structure {
   std::vector<Element> outlines;
   std::vector<std::array<bool, 3>> fixed;  ///< by node and axis; the third is unused if d = 2
   std::vector<InclinedSupport> inclined;
-  std::vector<Tie> ties;
+  std::vector<MultiPointConstraint> ties;
   std::vector<ContactCandidate> contact;  ///< in the order of all answers
   std::vector<Load> loads;                ///< in the order of the file, then the weight
   /// Forces on the nodes that have the effect of the strains imposed by temperature and by

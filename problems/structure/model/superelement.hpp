@@ -24,7 +24,7 @@ std::vector<StrainVector<Scalar>> superelement_parts(const Structure& structure,
     if (rows[row].node >= 0) {
       parts.push_back(parts_of<Scalar>(degrees, rows[row].axis, rows[row].node));
     } else {
-      parts.push_back({{degrees.own_unknowns[index][row], Scalar(1.0)}});
+      parts.push_back({{degrees.internal_unknowns[index][row], Scalar(1.0)}});
     }
   }
   return parts;

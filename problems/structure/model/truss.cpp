@@ -31,9 +31,9 @@ FreeDegrees free_degrees(const Structure& structure) {
   degrees.several_normals = nodes_with_several_normals(structure);
   set_master_degrees(structure, degrees);
   for (const Superelement& each : structure.superelements) {
-    auto& own = degrees.own_unknowns.emplace_back();
+    auto& own = degrees.internal_unknowns.emplace_back();
     for (const SuperelementRow& row : each.rows)
-      own.push_back(row.node < 0 ? degrees.of_nodes() + degrees.own_count++ : -1);
+      own.push_back(row.node < 0 ? degrees.of_nodes() + degrees.internal_count++ : -1);
   }
   return degrees;
 }

@@ -35,13 +35,13 @@ struct FreeDegrees {
   /// one of its own number (problems/structure/model/constraints.hpp).
   std::vector<std::vector<MasterDegree>> master_degrees{};
   /// By superelement and row: the number of an internal unknown, or -1 for displacements of nodes.
-  std::vector<std::vector<int>> own_unknowns{};
-  int own_count = 0;  ///< number of internal unknowns
+  std::vector<std::vector<int>> internal_unknowns{};
+  int internal_count = 0;  ///< number of internal unknowns
   /// The nodes with more than one contact candidate (problems/structure/model/several_normals.hpp).
   std::set<int> several_normals{};
 
   int of_nodes() const { return static_cast<int>(free.size()); }
-  int size() const { return of_nodes() + own_count; }
+  int size() const { return of_nodes() + internal_count; }
 };
 
 /// `CheckedStructure::degrees` are those of a structure that was checked.

@@ -40,10 +40,10 @@ Structure truss_in(const std::string& file) {
   return problems::load_structure(std::string(KUSABI_SOURCE_DIR "/") + file);
 }
 
-LimitAnswer answer(const Structure& truss, const LimitQuestion& question) {
+LimitAnswer answer(const Structure& truss, const LimitParameters& parameters) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  return limit_loads(analysis, truss, problems::limit_problem(checked(truss)), question).answer;
+  return limit_loads(analysis, truss, problems::limit_problem(checked(truss)), parameters).answer;
 }
 
 /// @param expected pairs of a place and a factor, the last one at the end of the curve

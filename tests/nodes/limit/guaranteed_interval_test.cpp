@@ -45,7 +45,7 @@ TEST(GuaranteedInterval, IsEmptyOnlyByTheBoundsThatShowIt) {
 }
 
 // Result of a stopped search: the least factors of the known loads.
-TEST(GuaranteedInterval, KnowsTheLoadsThatWereLookedAt) {
+TEST(GuaranteedInterval, UsesTheLoadsThatWereExamined) {
   LimitAnswer answer;
   answer.worst = worst_case(1, 2, true, true);
   answer.nominal = LimitCollapse{3, -4, {}, {}};

@@ -239,8 +239,8 @@ TEST(LimitLoads, ProvesTheCurveOfTheWorstCornersOfRandomTrusses) {
       continue;
     }
     engine::Analysis analysis(alone);
-    const LimitQuestion question{.alpha = alpha, .curve = true, .curve_to = 3};
-    const auto found = limit_loads(analysis, truss, *problem, question).answer;
+    const LimitParameters parameters{.alpha = alpha, .curve = true, .curve_to = 3};
+    const auto found = limit_loads(analysis, truss, *problem, parameters).answer;
     if (!found.worst_curve) continue;
     if (!found.whole()) {
       ++open;

@@ -24,10 +24,10 @@ namespace kusabi::limit::test {
 /// The vertices are solved by a simplex method with a tolerance of 1e-7.
 inline constexpr double near = 1e-6;
 
-inline LimitFindings findings(const problems::Structure& truss, const LimitQuestion& question) {
+inline LimitFindings findings(const problems::Structure& truss, const LimitParameters& parameters) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  return limit_loads(analysis, truss, limit_problem(checked(truss)), question);
+  return limit_loads(analysis, truss, limit_problem(checked(truss)), parameters);
 }
 
 /// The problem of the truss; nothing if it is a mechanism or has a node without a member.

@@ -35,12 +35,12 @@ using problems::Structure;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-LossAnswer answer_of(const Structure& truss, const LossQuestion& question,
+LossAnswer answer_of(const Structure& truss, const LossParameters& parameters,
                      std::optional<double> alpha = {}) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   const auto problem = problems::limit_problem(checked(truss));
-  const auto found = limit_loads(analysis, truss, problem, {.alpha = alpha, .loss = question});
+  const auto found = limit_loads(analysis, truss, problem, {.alpha = alpha, .loss = parameters});
   return found.loss.value_or(LossAnswer{});
 }
 
@@ -436,7 +436,7 @@ TEST(Loss, HasACertificateThatForgeriesDoNotPass) {
               refused);
   // Another truss.
   auto other = verified;
-  other.places[5][0] += 0.5;
+  other.coordinates[5][0] += 0.5;
   EXPECT_THAT(refusals_of(sound, other), refused);
 }
 

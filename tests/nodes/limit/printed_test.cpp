@@ -27,11 +27,11 @@ problems::Structure example(const std::string& name) {
   return problems::load_structure(std::string(KUSABI_SOURCE_DIR "/examples/") + name);
 }
 
-LimitAnswer answered(const problems::Structure& truss, const LimitQuestion& question,
+LimitAnswer answered(const problems::Structure& truss, const LimitParameters& parameters,
                      const engine::Limits& limits = {}) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {.limits = limits});
-  return limit_loads(analysis, truss, problems::limit_problem(checked(truss)), question).answer;
+  return limit_loads(analysis, truss, problems::limit_problem(checked(truss)), parameters).answer;
 }
 
 /// lambda* is concave in zeta, so the least of all vertices is the worst case.
@@ -137,9 +137,9 @@ TEST(AsPrinted, StoppedHasTheEndsOfItsTreeAlone) {
 
 TEST(AsPrinted, StartsFromTheBestSample) {
   for (const auto& [truss, alpha, big_m] : small_cases()) {
-    const LimitQuestion question{
+    const LimitParameters parameters{
         .alpha = alpha, .method = LimitMethod::fixed, .big_m = big_m, .samples = 50};
-    const auto found = answered(truss, question);
+    const auto found = answered(truss, parameters);
     ASSERT_EQ(found.samples.size(), 50U);
     const auto& start = found.worst->zero_one->start;
     ASSERT_TRUE(start);
@@ -148,7 +148,7 @@ TEST(AsPrinted, StartsFromTheBestSample) {
     EXPECT_NEAR(found.worst->ends.upper,
                 worst_corner(problems::limit_problem(checked(truss)), alpha), 1e-6);
     // Stopped before its first point, it still has that of the sample.
-    const auto stopped = answered(truss, question, {.nodes = 1});
+    const auto stopped = answered(truss, parameters, {.nodes = 1});
     EXPECT_EQ(stopped.worst->ends.upper, *start);
   }
 }

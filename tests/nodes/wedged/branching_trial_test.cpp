@@ -33,9 +33,9 @@ PatternFindings found(const Instance& instance) {
   const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  PatternQuestion question;
-  question.tree.tightening = Tightening::never;
-  return find_patterns(analysis, instance.problem, friction, question);
+  PatternParameters parameters;
+  parameters.tree.tightening = Tightening::never;
+  return find_patterns(analysis, instance.problem, friction, parameters);
 }
 
 // On each face the best of the rules takes a tenth of the nodes of the worst; the best rules

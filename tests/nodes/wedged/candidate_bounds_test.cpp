@@ -62,7 +62,7 @@ void expect_within(const std::vector<CandidateBounds>& bounds, const SignPattern
     EXPECT_TRUE(bounds[static_cast<std::size_t>(i)].can_separate());
     compare(scaled_u[d * i], bounds[static_cast<std::size_t>(i)].gap);
   }
-  for (const int i : pattern.at_rest) {
+  for (const int i : pattern.inactive) {
     EXPECT_GE(bounds[static_cast<std::size_t>(i)].gap, 0);
     EXPECT_GE(bounds[static_cast<std::size_t>(i)].reaction, 0);
   }
@@ -227,7 +227,7 @@ TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
           else if (ray.displacement[2 * i] > nothing * unit)
             pattern.separated.insert(i);
           else
-            pattern.at_rest.insert(i);
+            pattern.inactive.insert(i);
         }
         expect_within(root.bounds, pattern, ray.reaction, ray.displacement / unit, 2, compared);
       }

@@ -24,7 +24,7 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/critical/critical_tree.hpp"
 #include "nodes/wedged/critical_search.hpp"
-#include "nodes/wedged/friction/bisection.hpp"
+#include "nodes/wedged/friction/critical_pattern_tree.hpp"
 #include "nodes/wedged/friction/friction_grid.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/families/plane_truss.hpp"
@@ -53,10 +53,10 @@ std::int64_t multiple(double factor) {
   return std::llround(factor / width);
 }
 
-std::vector<PatternBisection::Pattern> feasible(const problems::WedgedProblem& problem,
-                                                double factor) {
+std::vector<CriticalPatternTree::Pattern> feasible(const problems::WedgedProblem& problem,
+                                                   double factor) {
   SignPatternTree tree(problem, std::vector<double>(problem.contact_names.size(), factor));
-  std::vector<PatternBisection::Pattern> patterns;
+  std::vector<CriticalPatternTree::Pattern> patterns;
   for (const auto& found : engine::search(tree).solutions) {
     if (found.solution.state == LeafState::feasible)
       patterns.push_back({.leaf = {.block = 0, .pattern = found.solution.pattern}});
@@ -75,7 +75,7 @@ struct Found {
 Found all_cells(const problems::WedgedProblem& problem, double most, CriticalMethod method,
                 std::int64_t sections = 1) {
   const auto patterns = feasible(problem, most);
-  PatternBisection tree(problem, width, patterns, multiple(most), method, sections);
+  CriticalPatternTree tree(problem, width, patterns, multiple(most), method, sections);
   Found found;
   for (const auto& solution : engine::search(tree).solutions) {
     const auto& [number, cell] = solution.solution;
@@ -154,7 +154,7 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
 TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
   const auto structure =
       problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml");
-  const auto found = [&](CriticalWay way, double factor, std::optional<double> most) {
+  const auto found = [&](CriticalStrategy way, double factor, std::optional<double> most) {
     auto problem = problems::wedged_problem(structure);
     problem.friction.assign(problem.contact_names.size(), 0.470279645 / factor);
     engine::SingleProcess alone;
@@ -164,24 +164,25 @@ TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
   };
   for (const double factor : {0.9, 0.9985, 0.99999, 1.00001, 3.99, 4.01}) {
     for (const auto most : {std::optional<double>(), std::optional(factor * 1.002)}) {
-      const auto down = found(CriticalWay::descent, factor, most);
-      const auto up = found(CriticalWay::global, factor, most);
+      const auto down = found(CriticalStrategy::descent, factor, most);
+      const auto up = found(CriticalStrategy::global, factor, most);
       EXPECT_EQ(down.lower, up.lower) << factor;
       EXPECT_EQ(down.upper, up.upper) << factor;
       EXPECT_NEAR(down.lower, factor, 2e-6 * factor);
       EXPECT_TRUE(down.lower_proved && down.upper_proved) << factor;
     }
-    const auto below = found(CriticalWay::descent, factor, factor * 0.999);
+    const auto below = found(CriticalStrategy::descent, factor, factor * 0.999);
     EXPECT_EQ(below.lower, factor * 0.999);
     EXPECT_FALSE(below.upper) << factor;
   }
 }
 
-CriticalFindings found_of(const problems::Structure& structure, const CriticalQuestion& question) {
+CriticalFindings found_of(const problems::Structure& structure,
+                          const CriticalParameters& parameters) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   const auto own = checked(structure);
-  return find_critical_friction(analysis, own, problems::wedged_problem(own), question);
+  return find_critical_friction(analysis, own, problems::wedged_problem(own), parameters);
 }
 
 void expect_same_answer(const CriticalFindings& one, const CriticalFindings& other) {
@@ -201,17 +202,18 @@ struct Trials {
 /// Compares the answers, unless a leaf is degenerate, where brackets may differ.
 void compare_trials(const problems::Structure& structure, std::optional<double> most,
                     Trials& trials) {
-  CriticalQuestion question{.way = CriticalWay::global, .most = most, .width = 1e-6, .list = true};
-  const auto up = found_of(structure, question);
-  question.way = CriticalWay::descent;
-  const auto down = found_of(structure, question);
-  if (!up.open.empty() || !down.open.empty()) return;
+  CriticalParameters parameters{
+      .way = CriticalStrategy::global, .most = most, .width = 1e-6, .list = true};
+  const auto up = found_of(structure, parameters);
+  parameters.way = CriticalStrategy::descent;
+  const auto down = found_of(structure, parameters);
+  if (!up.doubts.empty() || !down.doubts.empty()) return;
   expect_same_answer(down, up);
-  question.way = CriticalWay::automatic;
+  parameters.way = CriticalStrategy::automatic;
   for (const int nodes : {0, 1, 3, 9}) {  // 0: the default number
     SCOPED_TRACE(nodes);
-    if (nodes > 0) question.trial_nodes = static_cast<std::uint64_t>(nodes);
-    const auto either = found_of(structure, question);
+    if (nodes > 0) parameters.trial_nodes = static_cast<std::uint64_t>(nodes);
+    const auto either = found_of(structure, parameters);
     expect_same_answer(either, up);
     // With a given upper limit, feasibility there is tested first.
     EXPECT_EQ(either.costs.front().phase, most ? CriticalPhase::dive : CriticalPhase::trial);
@@ -250,9 +252,10 @@ TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
   const auto run = [&](std::uint64_t trial_nodes) {
     engine::Journal journal(file, {{"the problem", "7"}});
     engine::SingleProcess alone;
-    engine::Supervision supervision;
-    supervision.keeping = engine::Keeping{.journal = &journal, .file = file, .question = 5};
-    engine::Analysis analysis(alone, std::move(supervision));
+    engine::AnalysisOptions analysis_options;
+    analysis_options.journal_options =
+        engine::JournalOptions{.journal = &journal, .file = file, .facts_fingerprint = 5};
+    engine::Analysis analysis(alone, std::move(analysis_options));
     auto found = find_critical_friction(analysis, structure, problem,
                                         {.trial_nodes = trial_nodes, .list = true});
     return std::pair(std::move(found), journal.size());
@@ -296,7 +299,7 @@ TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
 
 TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
   const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
-  const auto up = found_of(structure, {.way = CriticalWay::global, .list = true});
+  const auto up = found_of(structure, {.way = CriticalStrategy::global, .list = true});
   const auto either = found_of(structure, {.list = true});
   expect_same_answer(either, up);
   const auto trial = std::ranges::find(either.costs, CriticalPhase::trial, &CriticalCost::phase);
@@ -331,7 +334,7 @@ TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
   EXPECT_EQ(part.status, engine::Status::solved);
   EXPECT_EQ(part.lower, all.lower);
   EXPECT_EQ(part.upper, all.upper);
-  EXPECT_THAT(part.open, ::testing::Contains(CriticalDoubt::list_not_complete));
+  EXPECT_THAT(part.doubts, ::testing::Contains(CriticalDoubt::list_not_complete));
   EXPECT_EQ(part.patterns.size(), 1U);
 }
 
@@ -346,13 +349,13 @@ TEST(CriticalFriction, MoreNodesNeverKnowLess) {
   for (std::uint64_t nodes = 1; nodes < 3000; nodes = nodes * 3 / 2 + 1) {
     SCOPED_TRACE(nodes);
     engine::SingleProcess alone;
-    engine::Supervision supervision;
-    supervision.limits.nodes = nodes;
-    engine::Analysis analysis(alone, std::move(supervision));
+    engine::AnalysisOptions analysis_options;
+    analysis_options.limits.nodes = nodes;
+    engine::Analysis analysis(alone, std::move(analysis_options));
     const auto found = find_critical_friction(analysis, structure, problem, {});
     std::uint64_t opened = 0;
     for (const auto& cost : found.costs)
-      if (cost.phase != CriticalPhase::upper_end) opened += cost.opened;
+      if (cost.phase != CriticalPhase::upper_bound) opened += cost.opened;
     EXPECT_LE(opened, nodes + 10);
     EXPECT_GE(found.lower, lower);
     EXPECT_LE(found.upper.value_or(std::numeric_limits<double>::infinity()), upper);
@@ -483,9 +486,9 @@ TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
   options.goal = engine::Goal::best;
   options.order = engine::Order::best_first;
   for (const int ranks : {2, 5, 32}) {
-    const engine::Weather weather{.latency = 2e-6, .node = 20e-6};
+    const engine::MachineModel machine{.latency = 2e-6, .node = 20e-6};
     const auto many =
-        engine::simulate(CriticalTree(problem, width, multiple(10)), ranks, 3, weather, options);
+        engine::simulate(CriticalTree(problem, width, multiple(10)), ranks, 3, machine, options);
     ASSERT_EQ(many.outcome.solutions.size(), 1U);
     EXPECT_EQ(many.outcome.solutions[0].solution.cell, alone);
   }
@@ -498,7 +501,7 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
   const auto problem = problems::wedged_problem(checked(problems::paper_plane_truss(19)));
   const SignPattern leaf{.contact = set_of({4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 17, 18}),
                          .separated = set_of({0, 1, 2, 3, 13}),
-                         .at_rest = {}};
+                         .inactive = {}};
   CriticalFriction critical(problem, width);
   const double most = 0.65;
   const auto cell =
@@ -541,7 +544,7 @@ TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
   for (const double own : {1.0, 1e3, 2e5}) {
     auto problem = example("two-bars.toml");
     problem.friction.assign(problem.contact_names.size(), 2 * own);
-    const SignPattern leaf{.contact = set_of({0}), .separated = {}, .at_rest = {}};
+    const SignPattern leaf{.contact = set_of({0}), .separated = {}, .inactive = {}};
     for (const auto start : {multiple(1.5 / own), CriticalCell::nowhere}) {
       CriticalFriction critical(problem, width);
       const auto cell = critical.locate(leaf, {0, start}, CriticalMethod::newton, multiple(1.5));

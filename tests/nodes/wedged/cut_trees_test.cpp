@@ -34,12 +34,12 @@ PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tigh
   const std::vector<double> friction(problem.contact_names.size(), mu);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  PatternQuestion question;
-  question.tree.tightening = tightening;
-  question.tree.thorough = thorough;
-  question.tree.probes = probes;
-  question.recorder = recorder;
-  return find_patterns(analysis, problem, friction, question);
+  PatternParameters parameters;
+  parameters.tree.tightening = tightening;
+  parameters.tree.thorough = thorough;
+  parameters.tree.probes = probes;
+  parameters.recorder = recorder;
+  return find_patterns(analysis, problem, friction, parameters);
 }
 
 /// The same patterns in the same states; solid cones are bitwise equal, too, since a leaf's program
@@ -320,15 +320,15 @@ TEST(CutTrees, HaveNoBoundsThatTheVerifierRefuses) {
   const auto friction = candidate_friction(problem, 0.988566);
   const auto enclosed = std::get<verify::EnclosedProblem>(enclosed_stiffness(structure));
   std::vector<KeptEvidence> evidence;
-  PatternQuestion question;
-  question.tree.tightening = Tightening::always;
-  question.structure = &structure;
-  question.recorder = [&](const Evidence& one) {
+  PatternParameters parameters;
+  parameters.tree.tightening = Tightening::always;
+  parameters.structure = &structure;
+  parameters.recorder = [&](const Evidence& one) {
     evidence.push_back({one, {one.numbers.begin(), one.numbers.end()}});
   };
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {});
-  const auto findings = find_patterns(analysis, problem, friction, question);
+  const auto findings = find_patterns(analysis, problem, friction, parameters);
   EXPECT_EQ(findings.count(), 5U);
   const EvidenceCheck check(problem, enclosed, friction, findings.bounds);
   EXPECT_TRUE(check.proves_bounds());
@@ -355,7 +355,7 @@ verify::CandidateBound as_written(const ProvedBound& bound) {
           .block = bound.block,
           .candidate = bound.candidate,
           .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
-          .most = bound.never() ? std::nullopt : std::optional(bound.most),
+          .most = bound.excludes_side() ? std::nullopt : std::optional(bound.most),
           .numbers = bound.numbers};
 }
 
@@ -369,7 +369,7 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
     int refused = 0;
     for (const auto& bound : own.findings.bounds) {
       const double most = largest(own, bound);
-      if (bound.never()) {
+      if (bound.excludes_side()) {
         EXPECT_EQ(most, 0) << bound.candidate;
       } else if (most > 1e-9 * bound.most) {
         auto low = as_written(bound);
@@ -403,7 +403,7 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
       for (const auto& bound : own.findings.bounds) {
         const double most = largest(own, bound);
         if (most > 1e-9) {
-          ASSERT_FALSE(bound.never());
+          ASSERT_FALSE(bound.excludes_side());
           auto low = as_written(bound);
           low.most = most * (1 - 1e-9);
           EXPECT_TRUE(proof.add_bound(low));
@@ -428,11 +428,11 @@ TEST(CutTrees, HaveEvidenceThatFallsWithItsBounds) {
   for (const auto& [structure, mu] : structures()) {
     const Searched own(structure, mu);
     auto bounds = own.findings.bounds;
-    const auto low =
-        std::ranges::find_if(bounds.begin() + static_cast<std::ptrdiff_t>(own.friction.size()),
-                             bounds.end(), [&](const ProvedBound& bound) {
-                               return !bound.never() && largest(own, bound) > 1e-9 * bound.most;
-                             });
+    const auto low = std::ranges::find_if(
+        bounds.begin() + static_cast<std::ptrdiff_t>(own.friction.size()), bounds.end(),
+        [&](const ProvedBound& bound) {
+          return !bound.excludes_side() && largest(own, bound) > 1e-9 * bound.most;
+        });
     ASSERT_NE(low, bounds.end());
     low->most = largest(own, *low) / 2;
     const EvidenceCheck check(own.problem, own.enclosed, own.friction, bounds);

@@ -33,10 +33,10 @@ PatternFindings listed(const problems::CheckedStructure& structure, double mu,
   engine::SingleProcess transport;
   engine::Analysis analysis(transport, {});
   const auto problem = problems::wedged_problem(structure);
-  PatternQuestion question;
-  question.structure = &structure;
-  question.proving = proving;
-  return find_patterns(analysis, problem, candidate_friction(problem, mu), question);
+  PatternParameters parameters;
+  parameters.structure = &structure;
+  parameters.proving = proving;
+  return find_patterns(analysis, problem, candidate_friction(problem, mu), parameters);
 }
 
 TEST(ScaleRatio, IsThatOfLeversAndCouplings) {
@@ -59,10 +59,10 @@ TEST(ExactList, NamesNoPatternThatALongLeverOnlySeemsToHave) {
 TEST(ExactList, HasThePatternsOfAWeakCouplingOrIsOpen) {
   const auto found = listed(structure_in("tests/cases/weak_coupling_1e-11.toml"), 1.83834805972901);
   EXPECT_TRUE(found.exact.done);
-  EXPECT_TRUE(found.open() > 0 || found.count() == 2) << found.count();
+  EXPECT_TRUE(found.unresolved() > 0 || found.count() == 2) << found.count();
 }
 
-TEST(ExactList, IsTheSameWhereNothingIsFarApart) {
+TEST(ExactList, AgreesForWellScaledStructures) {
   const auto structure = structure_in("examples/plane-truss.toml");
   const auto plain = listed(structure, 0.8);
   const auto proved = listed(structure, 0.8, Proving::always);
@@ -79,11 +79,11 @@ TEST(ExactList, HoldsCountsOfASweepAgainstIt) {
   const auto problem = problems::wedged_problem(structure);
   auto found = sweep_friction(analysis, problem, {.most = 0.8});
   const std::vector<double> points{0.5};
-  const ExactQuestion question{structure, problem, Proving::always};
-  EXPECT_EQ(tested_counts(analysis, question, points, found).unable, "");
+  const ExactParameters parameters{structure, problem, Proving::always};
+  EXPECT_EQ(tested_counts(analysis, parameters, points, found).unable, "");
   ASSERT_FALSE(found.cones.empty());
   found.cones.pop_back();
-  EXPECT_NE(tested_counts(analysis, question, points, found).unable, "");
+  EXPECT_NE(tested_counts(analysis, parameters, points, found).unable, "");
 }
 
 }  // namespace

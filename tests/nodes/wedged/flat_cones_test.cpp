@@ -95,7 +95,7 @@ TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
   ASSERT_EQ(outcome.solutions.size(), 1U);
   const auto& cone = outcome.solutions[0].solution;
   EXPECT_EQ(cone.state, LeafState::flat);
-  EXPECT_EQ(cone.pattern, (SignPattern{.contact = 0b01, .separated = 0, .at_rest = 0b10}));
+  EXPECT_EQ(cone.pattern, (SignPattern{.contact = 0b01, .separated = 0, .inactive = 0b10}));
   EXPECT_EQ(tree.tally().found, 0U);
   EXPECT_EQ(tree.tally().flat, 1U);
 }
@@ -124,7 +124,7 @@ TEST(FlatCones, HaveNoCandidateAtRestThatHasASmallGap) {
   ASSERT_EQ(outcome.solutions.size(), 1U);
   const auto& leaf = outcome.solutions[0].solution;
   EXPECT_EQ(leaf.state, LeafState::feasible);
-  EXPECT_EQ(leaf.pattern, (SignPattern{.contact = 0b001, .separated = 0b110, .at_rest = 0}));
+  EXPECT_EQ(leaf.pattern, (SignPattern{.contact = 0b001, .separated = 0b110, .inactive = 0}));
   EXPECT_NEAR(leaf.lower, e / problems::mean_normal_compliance(problem), 1e-3 * e);
   EXPECT_EQ(tree.tally().flat, 0U);
 }
@@ -147,7 +147,7 @@ TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
 
 // Candidate 1 alone sticks with r_t = 2 r_n, and its influence on candidate 2 is proportional to
 // its own u_n = 0: candidate 2 does not move. Both in contact have reactions.
-TEST(FlatCones, ThatAreFacesOfAnotherAreLeftOut) {
+TEST(FlatCones, FacesOfOtherConesAreOmitted) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
   problem.contact_names = {"first", "second"};
@@ -208,11 +208,11 @@ TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
       const auto separated = all - contact;
       const auto answer = solver.solve(contact, separated, {.when_feasible = false});
       if (answer.sign == conic::Sign::infeasible) continue;
-      SignPattern pattern{.contact = contact, .separated = separated, .at_rest = {}};
+      SignPattern pattern{.contact = contact, .separated = separated, .inactive = {}};
       if (answer.sign == conic::Sign::marginal) {
         const auto inside = solver.relative_interior(contact, separated);
         ASSERT_TRUE(inside) << seed;
-        pattern = {.contact = inside->loaded, .separated = inside->moved, .at_rest = {}};
+        pattern = {.contact = inside->loaded, .separated = inside->moved, .inactive = {}};
       }
       found.push_back(pattern);
     }

@@ -167,7 +167,7 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
     const auto found = held_factors(analysis, *loaded, mu);
-    EXPECT_FALSE(found.open);
+    EXPECT_FALSE(found.unresolved);
     proved += found.proved ? 1 : 0;
     ASSERT_EQ(found.intervals.size(), wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i) {

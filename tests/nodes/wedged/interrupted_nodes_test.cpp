@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/friction/bisection.hpp"
-#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/friction/critical_pattern_tree.hpp"
+#include "nodes/wedged/rays/ray_list_tree.hpp"
 #include "nodes/wedged/rays/ray_tree.hpp"
 #include "nodes/wedged/rays/ray_trial.hpp"
 #include "nodes/wedged/sweep/sweep_tree.hpp"
@@ -71,8 +71,8 @@ PatternNode all_in_contact(int candidates) {
 TEST(InterruptedNodes, NewtonsMethodLeavesItsPatternOpen) {
   const auto problem = truss(8);
   expect_one_node_left_open([&] {
-    return PatternBisection(problem, cell_width, {{.leaf = all_in_contact(8), .feasible = true}},
-                            2 * last_cell, CriticalMethod::newton, 1);
+    return CriticalPatternTree(problem, cell_width, {{.leaf = all_in_contact(8), .feasible = true}},
+                               2 * last_cell, CriticalMethod::newton, 1);
   });
 }
 
@@ -116,18 +116,18 @@ TEST(InterruptedNodes, OfTheTreeOfRaysAreNotCounted) {
   }
 }
 
-std::set<std::vector<rays::Candidates>> distinct(const engine::Outcome<DividedRays>& outcome) {
+std::set<std::vector<rays::Candidates>> distinct(const engine::Outcome<RayListTree>& outcome) {
   std::set<std::vector<rays::Candidates>> all;
   for (const auto& part : outcome.solutions)
     for (const auto& zero : part.solution.rays) all.insert({zero.p, zero.q, zero.u});
   return all;
 }
 
-TEST(InterruptedNodes, OfDividedListsLeaveNoRayThatIsNone) {
+TEST(InterruptedNodes, OfDividedListsReportNoFalseRay) {
   const Given given;
   constexpr std::uint64_t longest = 40;
   const auto plant = [&] {
-    return DividedRays(given.tree(), given.cone, rays::first_list(given.cone), longest);
+    return RayListTree(given.tree(), given.cone, rays::first_list(given.cone), longest);
   };
   auto whole = plant();
   const Interrupted all(whole, never);

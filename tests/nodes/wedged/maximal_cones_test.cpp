@@ -17,7 +17,7 @@ Configuration leaf(std::uint32_t block, LeafState state, std::uint64_t contact,
   Configuration made;
   made.block = block;
   made.state = state;
-  made.pattern = {.contact = contact, .separated = separated, .at_rest = {}};
+  made.pattern = {.contact = contact, .separated = separated, .inactive = {}};
   return made;
 }
 

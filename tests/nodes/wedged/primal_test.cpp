@@ -168,7 +168,7 @@ TEST(Clusters, AreThePartsOfAllCandidatesAndAsStiff) {
 }
 
 // Of the patterns of the list one is found, and none where the list is empty.
-TEST(Patterns, ExistWhereTheListHasAny) {
+TEST(Patterns, ExistIfTheListIsNotEmpty) {
   int some = 0, none = 0;
   for (const auto& problem : {cantilever_face(26), leaning_face(26)})
     for (const double share : {0.9, 1.02}) {
@@ -176,12 +176,12 @@ TEST(Patterns, ExistWhereTheListHasAny) {
       const std::vector<double> friction(26, mu);
       engine::SingleProcess alone;
       engine::Analysis first(alone), second(alone);
-      PatternQuestion all;
+      PatternParameters all;
       all.search.limits.nodes = 20000;
       const auto list = find_patterns(first, problem, friction, all);
-      PatternQuestion question;
-      question.exists = true;
-      const auto one = find_patterns(second, problem, friction, question);
+      PatternParameters parameters;
+      parameters.exists = true;
+      const auto one = find_patterns(second, problem, friction, parameters);
       if (list.whole() && list.leaves.empty()) {
         EXPECT_TRUE(one.whole() && one.leaves.empty()) << mu;
         ++none;

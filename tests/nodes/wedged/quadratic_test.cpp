@@ -166,14 +166,14 @@ struct LooseProof {
         bound(bound_of(problem)) {}
 
   [[nodiscard]] bool holds(double factor, const std::vector<double>& numbers,
-                           FarMotion far = FarMotion::counted) const {
+                           LargeDisplacements far = LargeDisplacements::counted) const {
     const EvidenceCheck check(problem, enclosed, candidate_friction(problem, factor), {}, far);
     return check.holds({.kind = Evidence::Kind::form, .block = 0, .node = {}, .numbers = numbers});
   }
   [[nodiscard]] bool holds_altered(std::size_t at, double value) const {
     auto numbers = bound.numbers;
     numbers[at] = value;
-    return holds(bound.factor, numbers, FarMotion::left_out);
+    return holds(bound.factor, numbers, LargeDisplacements::left_out);
   }
 
   problems::WedgedProblem problem;
@@ -191,8 +191,8 @@ TEST(QuadraticForm, IsProvedForUnconstrainedBodies) {
 // The sides slide along walls that are parallel up to the sixteenth digit.
 TEST(QuadraticForm, IsProvedButForLargeDisplacementsAlongInclinedWalls) {
   const LooseProof proof(between_parallel_walls(0.3, std::nextafter(0.3, 1)));
-  EXPECT_TRUE(proof.holds(proof.bound.factor, proof.bound.numbers, FarMotion::left_out));
-  EXPECT_FALSE(proof.holds(proof.bound.factor, proof.bound.numbers, FarMotion::counted));
+  EXPECT_TRUE(proof.holds(proof.bound.factor, proof.bound.numbers, LargeDisplacements::left_out));
+  EXPECT_FALSE(proof.holds(proof.bound.factor, proof.bound.numbers, LargeDisplacements::counted));
 }
 
 TEST(QuadraticForm, IsRefusedForUnconstrainedBodiesWithAlteredNumbers) {
@@ -249,7 +249,7 @@ TEST(QuadraticProof, HoldsUpToTheSpectralCoefficient) {
   const Eigen::MatrixXd normal = normal_rows(problem).leftCols(m);
   const double exact = 1 / dense::eigenvalues(sizes, normal).maxCoeff();
   const auto infeasible = [&](double factor) {
-    return quadratic_is_infeasible(problem, std::vector<double>(9, factor), multipliers);
+    return form_proves_infeasible(problem, std::vector<double>(9, factor), multipliers);
   };
   EXPECT_TRUE(infeasible(exact * (1 - 1e-5)));
   EXPECT_FALSE(infeasible(exact * (1 + 1e-5)));
@@ -260,9 +260,9 @@ TEST(QuadraticProof, CountsTheErrorOfTheCompliance) {
   auto problem = random_problem(2, 9, 5);
   const auto multipliers = spectral(problem);
   const std::vector<double> friction(9, 0.1);
-  EXPECT_TRUE(quadratic_is_infeasible(problem, friction, multipliers));
+  EXPECT_TRUE(form_proves_infeasible(problem, friction, multipliers));
   problem.compliance.error = 1;
-  EXPECT_FALSE(quadratic_is_infeasible(problem, friction, multipliers));
+  EXPECT_FALSE(form_proves_infeasible(problem, friction, multipliers));
 }
 
 }  // namespace

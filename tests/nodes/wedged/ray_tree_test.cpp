@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_list_tree.hpp"
 #include "nodes/wedged/rays/ray_trial.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
@@ -102,7 +102,7 @@ TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
 /// Result and costs with lists of limited length.
 struct Divided {
   Divided(const RayProblem& given, std::uint64_t longest) {
-    DividedRays tree(SignPatternTree(given.problem, given.friction), given.cone,
+    RayListTree tree(SignPatternTree(given.problem, given.friction), given.cone,
                      rays::first_list(given.cone), longest);
     const auto outcome = engine::search(tree);
     for (const auto& leaf : outcome.solutions) {
@@ -120,7 +120,7 @@ struct Divided {
 };
 
 // Down to lists that are divided wherever possible.
-TEST(DividedRays, AreTheSameHoweverOftenTheListIsDivided) {
+TEST(RayListTree, AreTheSameHoweverOftenTheListIsDivided) {
   std::uint64_t opened = 0;  // by 24 searches, most of which divide the list
   for (const auto& truss :
        {problems::plane_truss({.rows = 9}), problems::plane_truss({.rows = 8, .bays = 1}),
@@ -141,7 +141,7 @@ TEST(DividedRays, AreTheSameHoweverOftenTheListIsDivided) {
   EXPECT_GE(opened, 60U);
 }
 
-TEST(DividedRays, TakeMemoryThatIsKnownBeforehand) {
+TEST(RayListTree, TakeMemoryThatIsKnownBeforehand) {
   EXPECT_LT(memory_of_lists(3), 1'000'000U);
   EXPECT_LT(memory_of_lists(5), memory_of_lists(10));
   EXPECT_LT(memory_of_lists(64), std::uint64_t{2} << 30U);

@@ -101,7 +101,7 @@ TEST(RelativeInterior, OfSeveralRestingCandidatesIsTheSamePointWhateverTheyAreCa
   }
 }
 
-TEST(RelativeInterior, OfNodesThatAreNoTiesIsNothing) {
+TEST(RelativeInterior, ExistsForDegenerateNodesOnly) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;
   problems::WedgedProblem problem;

@@ -287,7 +287,7 @@ TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
     ASSERT_EQ(above.size(), 1U);
     EXPECT_EQ(above[0].state, LeafState::flat);
     EXPECT_EQ(above[0].pattern.contact, support::IndexSet(0b0101));
-    EXPECT_EQ(above[0].pattern.at_rest, support::IndexSet(0b1010));
+    EXPECT_EQ(above[0].pattern.inactive, support::IndexSet(0b1010));
     const auto found = critical(structure);
     ASSERT_TRUE(found.upper);
     EXPECT_GT(*found.upper, std::tan(theta) - 1e-12);

@@ -153,7 +153,7 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
 }
 
 // Infeasible and feasible coefficients: on this face fewer nodes, a third where all are infeasible.
-TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
+TEST(SignPatternTree, DeepestRuleOpensFewerNodesOnAFace) {
   const auto problem = cantilever_face(32);
   for (const double mu : {5.0, 6.0, 8.0}) {
     const std::vector<double> friction(problem.contact_names.size(), mu);
@@ -301,9 +301,9 @@ struct Watched {
   double bound(const Node& node) const { return tree.bound(node); }
   void expand(Node&& node, engine::Expansion<Watched>& out) {
     depths.push_back(tree.bound(node));
-    auto fate = tree.decide(node);
-    if (fate.leaf) out.solution(std::move(*fate.leaf));
-    for (const Node& child : fate.children) out.branch(child);
+    auto decision = tree.decide(node);
+    if (decision.leaf) out.solution(std::move(*decision.leaf));
+    for (const Node& child : decision.children) out.branch(child);
   }
 };
 
@@ -388,8 +388,8 @@ TEST(SignPatternTree, OpensTheSameNodesOnAnyNumberOfSimulatedRanks) {
   auto tree = tree_of(problem, 1.0);
   const auto alone = engine::search(tree);
   for (const int ranks : {2, 3, 8, 40}) {
-    const engine::Weather weather{.latency = 2e-6, .node = 20e-6};
-    const auto many = engine::simulate(tree_of(problem, 1.0), ranks, 7, weather);
+    const engine::MachineModel machine{.latency = 2e-6, .node = 20e-6};
+    const auto many = engine::simulate(tree_of(problem, 1.0), ranks, 7, machine);
     EXPECT_EQ(many.outcome.fingerprint(), alone.fingerprint()) << ranks;
     ASSERT_EQ(many.outcome.solutions.size(), alone.solutions.size());
     for (std::size_t i = 0; i < alone.solutions.size(); ++i) {

@@ -61,7 +61,7 @@ void expect_as_enumerated(const problems::WedgedProblem& problem, const SweepFin
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {});
   const auto own = find_patterns(analysis, problem, candidate_friction(problem, friction));
-  ASSERT_EQ(own.open(), 0U);
+  ASSERT_EQ(own.unresolved(), 0U);
   const auto count = findings.count_at(friction);
   EXPECT_TRUE(count.exact()) << friction;
   EXPECT_EQ(count.known, own.count()) << friction;
@@ -120,7 +120,7 @@ TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
       for (const auto& [from, to, known, open] : findings.staircase()) {
         const auto count = findings.count_at(std::midpoint(from, to));
         EXPECT_EQ(count.known, known) << from;
-        EXPECT_EQ(count.open, open) << from;
+        EXPECT_EQ(count.unresolved, open) << from;
       }
     }
   }
@@ -189,20 +189,20 @@ TEST(FrictionSweep, PutsHistoriesTogether) {
   findings.blocks = 1;
   const SignPattern both{set_of({0, 1}), set_of({2}), {}};
   const SignPattern one{set_of({0}), set_of({1, 2}), {}};
-  take_histories(findings,
-                 {{0, both, LeafHistory{.changes = {{20, 22, flat({0}, {2})}, {40, 41, solid}}}},
-                  {0, one, LeafHistory{.changes = {{10, 11, flat({0}, {2})}}}},
-                  {0, one, LeafHistory{.changes = {}, .open_above = 70}}},
-                 {set_of({0, 1, 2})}, FrictionGrid(1));
+  add_histories(findings,
+                {{0, both, LeafHistory{.changes = {{20, 22, flat({0}, {2})}, {40, 41, solid}}}},
+                 {0, one, LeafHistory{.changes = {{10, 11, flat({0}, {2})}}}},
+                 {0, one, LeafHistory{.changes = {}, .open_above = 70}}},
+                {set_of({0, 1, 2})}, FrictionGrid(1));
   ASSERT_EQ(findings.cones.size(), 2U);
   const auto& first = findings.cones[0];
-  EXPECT_EQ(first.pattern.at_rest, set_of({1}));
+  EXPECT_EQ(first.pattern.inactive, set_of({1}));
   EXPECT_EQ(first.begins.upper, 11);
   ASSERT_TRUE(first.absorbed);
   EXPECT_EQ(first.absorbed->lower, 40);
   const auto at = [&](double friction) {
     const auto count = findings.count_at(friction);
-    return std::pair(count.known.number().value(), count.open);
+    return std::pair(count.known.number().value(), count.unresolved);
   };
   EXPECT_EQ(at(10), std::pair(std::uint64_t{0}, std::size_t{0}));
   EXPECT_EQ(at(11), std::pair(std::uint64_t{1}, std::size_t{0}));
@@ -219,7 +219,7 @@ TEST(FrictionSweep, PutsHistoriesTogether) {
   EXPECT_EQ(stairs[1].to, 40);
   EXPECT_EQ(stairs[1].known, 1U);
   EXPECT_EQ(stairs[3].to, 100);
-  EXPECT_EQ(stairs[3].open, 1U);
+  EXPECT_EQ(stairs[3].unresolved, 1U);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(CutOrder, LeavesOutTheLastBinaryOnly) {
   EXPECT_EQ(order.next(residual), 1U);
 }
 
-TEST(CutOrder, AsksNothingTwiceOfOnePoint) {
+TEST(CutOrder, TriesNoBinaryTwiceAtOnePoint) {
   const std::vector<double> residual{0.1, 0.25, 0.2, 0};
   CutOrder order(4);
   order.rejected(2);
@@ -105,7 +105,7 @@ TEST(CutOrder, AsksNothingTwiceOfOnePoint) {
 }
 
 // A single binary is tried again at the next point.
-TEST(CutOrder, TakesWhatIsLeft) {
+TEST(CutOrder, TriesRejectedBinariesIfNoOthersAreLeft) {
   CutOrder order(1);
   order.rejected(0);
   EXPECT_EQ(order.next({0.2}), 0U);
@@ -161,7 +161,7 @@ TEST(BoundTightening, RangesHoldAllPointsThatMatter) {
   EXPECT_GT(bounded, 10);
 }
 
-TEST(BoundTightening, SaysWhenNoPointMatters) {
+TEST(BoundTightening, ReportsAnEmptyRange) {
   const auto mixed = random_mixed(1, 2, 6);
   BoundTightening ends(mixed.program, -1);  // costs and flows are never negative there
   const auto range = ends.range(std::vector<LinearTerm>{{6, 1}});

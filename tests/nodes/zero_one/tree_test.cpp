@@ -161,7 +161,7 @@ TEST(ZeroOneTree, SolvesAProgramWithoutRowsAndOneWithoutBinaries) {
   EXPECT_NEAR(solved(linear_only).point->objective, 2.5, 1e-9);
 }
 
-TEST(ZeroOneTree, RefusesBinariesThatAreNone) {
+TEST(ZeroOneTree, RefusesInvalidBinaries) {
   auto mixed = random_mixed(0, 0, 4);
   mixed.program.columns[2].upper = 2;
   EXPECT_THROW(Relaxation{mixed}, std::invalid_argument);

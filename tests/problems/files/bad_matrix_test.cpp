@@ -58,7 +58,7 @@ TEST(BadMatrices, AreAllPromisedSomething) {
   EXPECT_GT(files.size(), 50U);
 }
 
-TEST(BadMatrices, OfRowsThatAreNoneAreRefused) {
+TEST(BadMatrices, OfInvalidRowsAreRefused) {
   const auto error = [](const std::string& rows) {
     auto problem = problem_of("stored.sti", "1 1 4.\n");
     problem.meshes["stored.dof"] = rows;

@@ -86,14 +86,14 @@ TEST_P(MeshFiles, HaveTheNodesInTheMiddleOfSidesThere) {
     const Structure structure = test::read(with_supports(file + end, dimension));
     for (const Element& element : structure.elements) {
       for (const auto& face : element_faces(shape)) {
-        const auto corners = static_cast<std::size_t>(std::ranges::count_if(
-            face, [&, of = shape_traits(shape).corners](int node) { return node < of; }));
+        const auto vertices = static_cast<std::size_t>(std::ranges::count_if(
+            face, [&, of = shape_traits(shape).vertices](int node) { return node < of; }));
         const auto place = [&](std::size_t node) -> Eigen::VectorXd {
           return structure.coordinates.col(element.nodes[static_cast<std::size_t>(face[node])]);
         };
-        for (std::size_t side = 0; corners + side < face.size(); ++side) {
-          const Eigen::VectorXd middle = (place(side) + place((side + 1) % corners)) / 2;
-          EXPECT_LT((place(corners + side) - middle).norm(), 1e-11) << file << end;
+        for (std::size_t side = 0; vertices + side < face.size(); ++side) {
+          const Eigen::VectorXd middle = (place(side) + place((side + 1) % vertices)) / 2;
+          EXPECT_LT((place(vertices + side) - middle).norm(), 1e-11) << file << end;
         }
       }
     }

@@ -67,11 +67,11 @@ TEST(Prism, OfAbaqusHasItsNodesInOrder) {
 }
 
 /// Nodes of a face of the only element, which has these corners.
-std::vector<std::string> nodes_of_face(const std::string& corners, const std::string& type,
+std::vector<std::string> nodes_of_face(const std::string& vertices, const std::string& type,
                                        const std::string& face) {
   const ProblemText problem{test::head(3) + test::mesh_of("a.inp", 3) +
                                 "[[contact]]\nnodes = [\"m.s\"]\nnormal = \"surface\"\n",
-                            {{"a.inp", "*NODE\n" + corners + "*ELEMENT, TYPE=" + type +
+                            {{"a.inp", "*NODE\n" + vertices + "*ELEMENT, TYPE=" + type +
                                            "\n*SURFACE, NAME=s\n1, " + face + "\n"}}};
   std::vector<std::string> names;
   const Structure structure = read_structure(problem, "test.toml");

@@ -39,7 +39,7 @@ normal = [0, 0, 4]
 tangent = [0, 3, 0]
 )";
 
-TEST(StructureFile, GivesWhatItSays) {
+TEST(StructureFile, IsReadCompletely) {
   const Structure structure = read_structure(space_frame, "tripod.toml");
   EXPECT_EQ(structure.name, "a tripod");
   EXPECT_EQ(structure.dimension, 3);
@@ -66,7 +66,7 @@ TEST(StructureFile, KeepsTheOrderOfTheNodes) {
               testing::ElementsAre("zeta", "alpha", "mid", "Spitze µ", "side"));
 }
 
-TEST(StructureFile, KnowsWhereEverythingStands) {
+TEST(StructureFile, RecordsThePositionsOfItsEntries) {
   const Sources sources = read_structure(space_frame, "tripod.toml")->sources;
   EXPECT_EQ(sources.file, "tripod.toml");
   EXPECT_EQ(sources.nodes[2].line, 7);

@@ -16,12 +16,12 @@
 namespace kusabi::problems {
 namespace {
 
-std::string block(const std::string& name, const std::string& corners, const std::string& divisions,
-                  const std::string& rest = "") {
+std::string block(const std::string& name, const std::string& vertices,
+                  const std::string& divisions, const std::string& rest = "") {
   return fmt::format(
       "[[mesh]]\nname = \"{}\"\ncorners = {}\ndivisions = {}\nE = 2\nnu = 0.25\nthickness = 1\n"
       "plane = \"strain\"\n{}\n",
-      name, corners, divisions, rest);
+      name, vertices, divisions, rest);
 }
 
 const std::string header = "name = \"t\"\ndimension = 2\nunits = {length = \"m\", force = \"N\"}\n";
@@ -147,18 +147,18 @@ TEST(SurfacePlace, KnowsTheFacesOfElements) {
                             : traits.family == ShapeFamily::prism ? 5U
                                                                   : 6U);
     for (const auto& face : faces) {
-      const std::size_t corners = face.size() / 2;
-      for (std::size_t side = 0; side < corners; ++side) {
+      const std::size_t vertices = face.size() / 2;
+      for (std::size_t side = 0; side < vertices; ++side) {
         const Eigen::Vector3d middle =
-            (places.col(face[side]) + places.col(face[(side + 1) % corners])) / 2;
-        EXPECT_EQ(middle, places.col(face[corners + side]));
+            (places.col(face[side]) + places.col(face[(side + 1) % vertices])) / 2;
+        EXPECT_EQ(middle, places.col(face[vertices + side]));
       }
       // The node of each vertex is the place of that vertex alone.
       const auto place = nearest_place(places, {face}, places.col(face[1]));
       EXPECT_LE(place->distance, 1e-12);
-      const auto between = nearest_place(places, {face}, places.col(face[corners + 1]));
+      const auto between = nearest_place(places, {face}, places.col(face[vertices + 1]));
       ASSERT_EQ(between->shares.size(), 1U);
-      EXPECT_EQ(between->shares[0].node, face[corners + 1]);
+      EXPECT_EQ(between->shares[0].node, face[vertices + 1]);
     }
   }
 }

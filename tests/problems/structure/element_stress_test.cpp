@@ -90,10 +90,10 @@ TEST_P(ElementStress, OfAQuadraticElementIsThatAtItsCentre) {
   const auto stresses = element_stresses(body, motion);
   for (std::size_t i = 0; i < body.elements.size(); ++i) {
     Eigen::VectorXd centre = Eigen::VectorXd::Zero(d);
-    const int corners = test::corners_of(GetParam());
-    for (int corner = 0; corner < corners; ++corner) {
-      const int node = body.elements[i].nodes[static_cast<std::size_t>(corner)];
-      centre += body.coordinates.col(node) / corners;
+    const int vertices = test::corners_of(GetParam());
+    for (int vertex = 0; vertex < vertices; ++vertex) {
+      const int node = body.elements[i].nodes[static_cast<std::size_t>(vertex)];
+      centre += body.coordinates.col(node) / vertices;
     }
     Eigen::MatrixXd gradient(d, d);
     for (int k = 0; k < d; ++k)

@@ -45,10 +45,10 @@ std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell)
         for (auto& place : own) {
           for (int& component : place) ++component;
         }
-        for (std::size_t corner = 0; corner < 4; ++corner) {
-          own[corner][axis] += side;
-          own[corner][(axis + 1) % 3] += corner == 1 || corner == 2 ? side : -side;
-          own[corner][(axis + 2) % 3] += corner < 2 ? 1 : -1;
+        for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+          own[vertex][axis] += side;
+          own[vertex][(axis + 1) % 3] += vertex == 1 || vertex == 2 ? side : -side;
+          own[vertex][(axis + 2) % 3] += vertex < 2 ? 1 : -1;
         }
       }
     }
@@ -89,7 +89,7 @@ class PatchMaker {
     for (int k = 0; k < layers; ++k) {
       for (int j = 0; j < cells; ++j) {
         for (int i = 0; i < cells; ++i) {
-          for (const auto& corners : elements_of(shape_, {i, j, k})) add(corners);
+          for (const auto& vertices : elements_of(shape_, {i, j, k})) add(vertices);
         }
       }
     }
@@ -97,9 +97,9 @@ class PatchMaker {
   }
 
  private:
-  void add(const std::vector<Cell>& corners) {
+  void add(const std::vector<Cell>& vertices) {
     Element element{{}, 200.0, 0.3, 0.5, PlaneState::stress, shape_};
-    for (const auto& corner : corners) element.nodes.push_back(corner_node(corner));
+    for (const auto& vertex : vertices) element.nodes.push_back(corner_node(vertex));
     for (const auto& [a, b] : edges_of(shape_)) {
       element.nodes.push_back(middle_node(element.nodes[static_cast<std::size_t>(a)],
                                           element.nodes[static_cast<std::size_t>(b)]));
@@ -158,8 +158,8 @@ bool is_quadratic(ElementShape shape) {
 }
 
 int corners_of(ElementShape shape) {
-  constexpr std::array corners{3, 3, 4, 4, 4, 4, 8, 8, 6, 6, 5};
-  return corners.at(static_cast<std::size_t>(shape));
+  constexpr std::array vertices{3, 3, 4, 4, 4, 4, 8, 8, 6, 6, 5};
+  return vertices.at(static_cast<std::size_t>(shape));
 }
 
 const std::vector<std::array<int, 2>>& edges_of(ElementShape shape) {

@@ -19,9 +19,9 @@ namespace kusabi::problems {
 namespace {
 
 /// One element of any shape, with no supports.
-Structure one_element(const Eigen::Matrix<double, 2, 4>& corners, PlaneState state) {
+Structure one_element(const Eigen::Matrix<double, 2, 4>& vertices, PlaneState state) {
   Structure structure = test::empty_structure(2);
-  for (int corner = 0; corner < 4; ++corner) test::add_node(structure, corners.col(corner));
+  for (int vertex = 0; vertex < 4; ++vertex) test::add_node(structure, vertices.col(vertex));
   structure.elements = {{{0, 1, 2, 3}, 200.0, 0.3, 0.5, state}};
   return structure;
 }
@@ -190,7 +190,7 @@ TEST(Mesh, IsWrittenAsElementsAndReadBack) {
   EXPECT_NE(wedged_problem(checked(thick)).provenance.fingerprint, own.provenance.fingerprint);
 }
 
-TEST(Mechanism, OfABodyThatIsNotHeldIsNamed) {
+TEST(Mechanism, OfAnUnconstrainedBodyIsFound) {
   Structure body = load_structure(test::source_path("examples/elastic-body.toml"));
   for (auto& axes : body.fixed) axes[1] = false;  // free to slide up and down
   EXPECT_EQ(moving_nodes(body, free_degrees(body)).size(), body.node_names.size());

@@ -15,9 +15,9 @@ namespace {
 /// A square with one diagonal, nodes 0 to 3 at (0, 0), (1, 0), (1, 1), (0, 1).
 Structure square(double unit = 1, const Eigen::Vector2d& place = {0, 0}) {
   Structure structure = test::empty_structure(2);
-  for (const auto& corner :
+  for (const auto& vertex :
        {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1), Eigen::Vector2d(0, 1)})
-    test::add_node(structure, unit * (corner + place));
+    test::add_node(structure, unit * (vertex + place));
   for (const auto& [first, second] :
        std::vector<std::pair<int, int>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}})
     structure.members.push_back({first, second, 1.0});
@@ -102,7 +102,7 @@ TEST(RigidMotions, OfABarInSpaceAreFive) {
   EXPECT_EQ(motions(bar), "can move along x, y and z and turn about x and y");
 }
 
-TEST(RigidMotions, AreNoneOfStructuresThatAreHeldOrHaveAHingeMore) {
+TEST(RigidMotions, ConstrainedStructuresAndMechanismsHaveNone) {
   EXPECT_EQ(motions(test::cantilever(4)), "held");
   EXPECT_EQ(motions(test::cantilever(4, 2)), "held");  // a mechanism, but not of a rigid body
 }

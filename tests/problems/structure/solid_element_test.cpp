@@ -157,8 +157,8 @@ TEST_P(SolidElement, MayBeNumberedFromAnyCornerInEitherSense) {
   for (const auto& turn : turns_of(GetParam())) {
     auto turned = body;
     auto& nodes = turned.elements[0].nodes;
-    for (std::size_t corner = 0; corner < turn.size(); ++corner)
-      nodes[corner] = body.elements[0].nodes[static_cast<std::size_t>(turn[corner])];
+    for (std::size_t vertex = 0; vertex < turn.size(); ++vertex)
+      nodes[vertex] = body.elements[0].nodes[static_cast<std::size_t>(turn[vertex])];
     for (std::size_t edge = 0; edge < edges.size(); ++edge) {
       const int a = turn[static_cast<std::size_t>(edges[edge][0])];
       const int b = turn[static_cast<std::size_t>(edges[edge][1])];

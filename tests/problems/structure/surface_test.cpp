@@ -57,9 +57,9 @@ TEST_P(Faces, EncloseTheElement) {
   double volume = 0;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(dimension);
   for (const auto& face : element_faces(GetParam())) {
-    const Eigen::MatrixXd corners = places(structure, face);
-    const Eigen::VectorXd vector = face_size(corners) * face_normal(corners, 0);
-    volume += face_centre(corners).dot(vector) / dimension;
+    const Eigen::MatrixXd vertices = places(structure, face);
+    const Eigen::VectorXd vector = face_size(vertices) * face_normal(vertices, 0);
+    volume += face_centre(vertices).dot(vector) / dimension;
     sum += vector;
   }
   const auto family = shape_traits(GetParam()).family;
@@ -77,10 +77,10 @@ TEST_P(Faces, HaveTheMiddleOfEachSideAfterTheirCorners) {
   if (!shape_traits(GetParam()).quadratic) return;
   for (const auto& face : element_faces(GetParam())) {
     const Eigen::MatrixXd own = places(structure, face);
-    const Eigen::Index corners = structure.dimension == 2 ? 2 : own.cols() / 2;
-    for (Eigen::Index side = 0; corners + side < own.cols(); ++side) {
-      const Eigen::VectorXd middle = (own.col(side) + own.col((side + 1) % corners)) / 2;
-      EXPECT_LT((own.col(corners + side) - middle).norm(), 1e-14);
+    const Eigen::Index vertices = structure.dimension == 2 ? 2 : own.cols() / 2;
+    for (Eigen::Index side = 0; vertices + side < own.cols(); ++side) {
+      const Eigen::VectorXd middle = (own.col(side) + own.col((side + 1) % vertices)) / 2;
+      EXPECT_LT((own.col(vertices + side) - middle).norm(), 1e-14);
     }
   }
 }

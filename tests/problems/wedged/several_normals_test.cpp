@@ -33,14 +33,14 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
     const Eigen::Index d = structure.dimension;
     const Eigen::MatrixXd expected = test::compliance_by_multipliers(structure);
     Eigen::MatrixXd added = problem.compliance.matrix - expected;
-    const auto corners = nodes_with_several_normals(structure);
-    EXPECT_EQ(corners.size(), d == 2 ? 4U : 5U);
+    const auto vertices = nodes_with_several_normals(structure);
+    EXPECT_EQ(vertices.size(), d == 2 ? 4U : 5U);
     const double size = expected.norm();
     for (Eigen::Index i = 0; i < std::ssize(structure.contact); ++i) {
       const int node = structure.contact[static_cast<std::size_t>(i)].node;
       const auto own = added.block(d * i, d * i, d, d);
       EXPECT_LE(own.row(0).norm(), 1e-10 * size);
-      if (corners.contains(node)) {
+      if (vertices.contains(node)) {
         const double c = own(1, 1);
         EXPECT_GT(c, 1e-3 * expected(d * i, d * i));
         EXPECT_LT(c, 1e+3 * expected(d * i, d * i));

@@ -174,7 +174,7 @@ std::string refusal(const Structure& structure) {
   return "accepted";
 }
 
-TEST(TwoBodies, AreRefusedWhereTheyAreNotTwo) {
+TEST(TwoBodies, WrongPairsAreRefused) {
   using testing::HasSubstr;
   std::mt19937 bits(5);
   const Structure good = test::random_bodies(2, bits);

@@ -20,7 +20,7 @@ TEST(NameRanges, CountTheOneNumberThatChanges) {
   EXPECT_EQ(with_ranges({"1.1", "2.2", "3.3"}), "1.1 2.2 3.3");
 }
 
-TEST(NameRanges, LeaveNumbersAloneThatAreNone) {
+TEST(NameRanges, KeepNamesThatFormNoRange) {
   EXPECT_EQ(with_ranges({"n01", "n02", "n03"}), "n01 n02 n03");
   EXPECT_EQ(with_ranges({"n0", "n1", "n2"}), "n0…2");
   EXPECT_EQ(with_ranges({"n3", "n2", "n1"}), "n3 n2 n1");

@@ -178,9 +178,10 @@ void add_certificates(std::vector<AnyAnswer>& all) {
             refusals,
             CertificateCheck::List{.patterns = 0, .nodes = nodes, .undecided = undecided}});
     }
-    all.push_back(CertificateCheck{
-        refusals, CertificateCheck::List{
-                      .patterns = 2, .nodes = 9, .but_far_motions = 1, .far_motion = 1e6}});
+    all.push_back(CertificateCheck{refusals, CertificateCheck::List{.patterns = 2,
+                                                                    .nodes = 9,
+                                                                    .except_large_displacements = 1,
+                                                                    .displacement_ratio = 1e6}});
     all.push_back(CertificateCheck{refusals, CertificateCheck::Example{.patterns = 1}});
     all.push_back(CertificateCheck{refusals, CertificateCheck::Factor{.lower = 1, .upper = 1.1}});
   }

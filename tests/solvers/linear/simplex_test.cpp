@@ -148,7 +148,7 @@ TEST(Simplex, GoesOnFromItsBasisAfterRowsAndColumnsWereAdded) {
   EXPECT_NEAR(simplex.objective(), -45, 1e-9);
 }
 
-TEST(Simplex, StaysAtItsOptimumWhenRowsThatDoNotPressAreDropped) {
+TEST(Simplex, KeepsItsOptimumWhenInactiveRowsAreDropped) {
   Simplex simplex(window_factory());
   simplex.add_row(-infinity, 100, {{{0, 1}, {1, 1}}});  // row 3: inactive
   simplex.add_row(-infinity, 7, {{{0, 1}, {1, 1}}});    // row 4: active, at x = 1, y = 6
@@ -180,7 +180,7 @@ TEST(Simplex, StopsAtACutoffOnlyWhenTheOptimumIsAboveIt) {
   }
 }
 
-TEST(Simplex, RefusesWhatIsNoProgram) {
+TEST(Simplex, RefusesInvalidPrograms) {
   auto outside = window_factory();
   outside.entries.push_back({7, 0, 1});
   EXPECT_THROW(Simplex{outside}, std::invalid_argument);

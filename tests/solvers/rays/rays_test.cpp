@@ -383,7 +383,7 @@ TEST(Health, SaysWhenTheNumbersContradictTheZeroSet) {
   EXPECT_FALSE(health.sound());
 }
 
-TEST(ReactionCone, RefusesWhatIsNoProblem) {
+TEST(ReactionCone, RefusesInvalidProblems) {
   const std::vector<double> friction{1.0};
   EXPECT_THROW(ReactionCone(LongMatrix::Identity(4, 4), friction), std::invalid_argument);
   EXPECT_THROW(ReactionCone(LongMatrix::Identity(2, 2), std::vector<double>{-1.0}),
