@@ -130,7 +130,7 @@ TEST_F(KillRestart, ManyKillsChangeNothing) {
   // should have died before gets no turn on a busy machine. Thus 24 deaths on one, two and three
   // ranks in turn occur before the end of a tree of 193,480 nodes even if all nodes opened in
   // between are kept.
-  constexpr int deaths = test::thorough ? 24 : 12;
+  constexpr int deaths = kusabi::test::thorough ? 24 : 12;
   constexpr std::uint64_t most_nodes = 3500;
   int kills = 0;
   int kept = 0;  // kills after which the checkpoint had grown

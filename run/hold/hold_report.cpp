@@ -231,7 +231,7 @@ ordered_json points_json(const wedged::LoadedProblem& loaded,
     list.push_back({{"mu", mu},
                     {"intervals", intervals_json(loaded, factors)},
                     {"proved", factors.proved},
-                    {"open", factors.open}});
+                    {"open", factors.unresolved}});
     if (grip) list.back()["grip"] = grip_json(*grip);
   }
   return list;

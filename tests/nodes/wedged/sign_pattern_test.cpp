@@ -253,10 +253,10 @@ TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
                            {.tolerances = {}, .facets = facets});
       EXPECT_EQ(feasible_sets(engine::search(tree)), patterns) << facets;
       const auto tally = tree.tally();
-      EXPECT_GE(tally.candidates, patterns.size());
-      EXPECT_LE(tally.candidates, fewer);
+      EXPECT_GE(tally.polyhedral_leaves, patterns.size());
+      EXPECT_LE(tally.polyhedral_leaves, fewer);
       EXPECT_EQ(tally.marginal + tally.undecided, 0U);
-      fewer = tally.candidates;
+      fewer = tally.polyhedral_leaves;
     }
   }
 }
