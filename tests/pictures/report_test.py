@@ -151,7 +151,7 @@ class Report(KusabiCase):
         ranked = sorted(cards, key=lambda card: int(card.attributes["data-rank"]))
         margins = [float(card.attributes["data-order"]) for card in ranked]
         self.assertEqual(margins, sorted(margins, reverse=True))
-        self.assertEqual([card for card in ranked if "firm" in card.kinds()], ranked[:10])
+        self.assertEqual([card for card in ranked if "large" in card.kinds()], ranked[:10])
         names = [each["node"] for each in result["problem"]["contact"]]
         for number, (card, pattern) in enumerate(zip(cards, patterns), 1):
             self.assertEqual(card.attributes["data-number"], str(number))
@@ -295,7 +295,7 @@ class Report(KusabiCase):
         for row in answers[60:]:
             self.assertIn(result["result"]["patterns"][int(row.attributes["data-number"]) - 1]["margin"], self.numbers(row))
         # On paper: ten pictures, and a hundred rows.
-        self.assertEqual(len([each for each in answers if "firm" in each.kinds()]), 10)
+        self.assertEqual(len([each for each in answers if "large" in each.kinds()]), 10)
         printed = page.with_class("on-paper") + [each for each in answers[60:] if "late" not in each.kinds()]
         self.assertEqual(len(printed), 100)
 
