@@ -47,7 +47,8 @@ endfunction()
 
 # Environment of tests under mpirun. Open MPI runs as root (in CI), accepts more ranks than cores,
 # does not bind ranks to cores (PRTE_... from version 5 on), and does not yield its core at every
-# empty poll, which makes crowded runs several times slower. Other launchers ignore these variables.
+# empty poll, which makes oversubscribed runs several times slower. Other launchers ignore these
+# variables.
 set(KUSABI_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

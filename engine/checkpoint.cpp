@@ -66,9 +66,11 @@ class Measure : public std::streambuf {
     return count;
   }
   int_type overflow(int_type character) override {
+    if (traits_type::eq_int_type(character, traits_type::eof()))
+      return traits_type::not_eof(character);
     const char byte = traits_type::to_char_type(character);
     xsputn(&byte, 1);
-    return traits_type::not_eof(character);
+    return character;
   }
 
  private:

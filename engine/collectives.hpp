@@ -52,7 +52,7 @@ Reduction all_reduce(Transport& transport, const Reduction& own = {});
 
 /// Requires the same fingerprint on all ranks, for example of a problem that each rank has
 /// computed: machines of different kinds, or different builds, could search different trees.
-/// @throws Disagreement on every rank if the fingerprints differ
+/// @throws RankMismatch on every rank if the fingerprints differ
 void require_equal_on_all_ranks(Transport& transport, std::uint64_t fingerprint);
 
 }  // namespace kusabi::engine

@@ -28,7 +28,7 @@ extern "C" void note_continued(int /*signal*/, siginfo_t* info, void* /*context*
 
 // The mpirun of Open MPI ends its ranks by SIGCONT, then, each after the pause of
 // odls_base_sigkill_timeout, SIGTERM and SIGKILL. The first one leaves twice the time to write.
-void heed_launcher() {
+void install_launcher_handler() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return;
   launcher = getppid();
   struct sigaction action {};
@@ -40,7 +40,7 @@ void heed_launcher() {
 }  // namespace
 
 void install_signal_handlers() {
-  heed_launcher();
+  install_launcher_handler();
   std::signal(SIGINT, &note_stop);
   for (const int signal : {SIGTERM, SIGXCPU, SIGUSR2}) std::signal(signal, &note_stop);
   // SIGHUP means that the terminal is closed. Under nohup it is ignored and stays so.

@@ -15,7 +15,7 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(MpiTogether, BroadcastsTheValueOfTheFirstRank) {
+TEST(MpiCollectives, BroadcastsTheValueOfTheFirstRank) {
   MpiTransport transport;
   const auto received = from_first_rank(transport, [&] {
     EXPECT_EQ(transport.rank(), 0);
@@ -24,7 +24,7 @@ TEST(MpiTogether, BroadcastsTheValueOfTheFirstRank) {
   EXPECT_EQ(received, (std::vector<std::string>{"one", "", "three"}));
 }
 
-TEST(MpiTogether, AMeetingAddsUpWhatAllBring) {
+TEST(MpiCollectives, AReductionAddsTheContributions) {
   MpiTransport transport;
   const auto ranks = static_cast<std::uint64_t>(transport.size());
   const auto own = static_cast<std::uint64_t>(transport.rank());
@@ -33,7 +33,7 @@ TEST(MpiTogether, AMeetingAddsUpWhatAllBring) {
   EXPECT_EQ(all.found, ranks * (ranks - 1) / 2);
 }
 
-TEST(MpiTogether, EveryRankLearnsThatOneDisagrees) {
+TEST(MpiCollectives, AMismatchIsThrownOnEveryRank) {
   MpiTransport transport;
   EXPECT_NO_THROW(require_equal_on_all_ranks(transport, 7));
   const bool last = transport.rank() == transport.size() - 1;
@@ -41,7 +41,7 @@ TEST(MpiTogether, EveryRankLearnsThatOneDisagrees) {
   EXPECT_THROW(require_equal_on_all_ranks(transport, last ? 8 : 7), RankMismatch);
 }
 
-TEST(MpiTogether, EveryRankGetsAllResultsInOrder) {
+TEST(MpiCollectives, EveryRankGetsAllResultsInOrder) {
   MpiTransport transport;
   constexpr std::uint64_t pieces = 1000;
   const auto results = share_work<std::uint64_t>(
@@ -50,7 +50,7 @@ TEST(MpiTogether, EveryRankGetsAllResultsInOrder) {
   for (std::uint64_t i = 0; i < pieces; ++i) ASSERT_EQ(results[i], i * i);
 }
 
-// Rank 0 has an incumbent to broadcast at its first step.
+// Tree whose root is a solution: rank 0 broadcasts an incumbent at its first step.
 struct AtOnce {
   using Node = int;  ///< depth
   using Solution = int;
@@ -65,18 +65,16 @@ struct AtOnce {
 };
 
 // A rank that has sent its report must not receive messages of the next search from another rank
-// that is ahead: they would be missing there, and that search would never end.
-TEST(MpiTogether, SearchesOneAfterAnotherDoNotMixTheirMessages) {
+// that is ahead: the messages would be missing in that search, which would never end.
+TEST(MpiCollectives, SearchesOneAfterAnotherDoNotMixTheirMessages) {
   MpiTransport transport;
   Options options;
   options.goal = Goal::best;
-  for (int search = 0; search < 2000; ++search) {
+  for (int search = 0; search < 200; ++search) {
     AtOnce problem;
     const auto outcome = engine::search(problem, transport, options);
-    const auto best = from_first_rank(transport, [&] {
-      return outcome.solutions.empty() ? 1 : outcome.solutions.front().solution;
-    });
-    ASSERT_EQ(best, -3);
+    if (transport.rank() != 0) continue;
+    EXPECT_TRUE(outcome.solutions.size() == 1 && outcome.solutions.front().solution == -3);
   }
 }
 

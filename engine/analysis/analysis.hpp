@@ -104,7 +104,7 @@ class Analysis {
   /// As `search`, but not a part of the analysis: every run repeats it.
   template <class P>
   OutcomeOf<P> search_anew(P& problem, Options options, const ShownObjective& shown = {}) {
-    complete(options, shown);
+    complete<P>(options, shown);
     auto outcome = engine::search(problem, transport_, options);
     count<P>(outcome);
     return outcome;
@@ -117,7 +117,7 @@ class Analysis {
         [&] { return share_work<Result>(transport_, pieces, std::move(piece)); });
   }
 
-  /// As `share`, within the limits of the analysis and with its progress, as `search`.
+  /// As `share`, within the time and the nodes of the analysis and with its progress, as `search`.
   /// @pre pieces > 0 @return on every rank all results; none if the analysis was stopped
   template <class Result>
   std::vector<Result> share_within_limits(std::uint64_t pieces,
@@ -147,7 +147,7 @@ class Analysis {
   /// use inside by_first_rank(). The caller of that counts the nodes.
   template <class P>
   OutcomeOf<P> search_alone(P& problem, Options options) {
-    complete(options, {});
+    complete<P>(options, {});
     return engine::search(problem, options);
   }
 
@@ -182,8 +182,12 @@ class Analysis {
     return value;
   }
 
+  template <class P>
   void complete(Options& options, const ShownObjective& shown) {
-    const auto left = budget_.left();
+    auto left = budget_.left();
+    // The results of shared work are not solutions, which the other limits are for.
+    if constexpr (std::is_same_v<P, SharedWork<Bytes>>)
+      left = {.seconds = left.seconds, .nodes = left.nodes};
     options.limits = {.seconds = std::min(left.seconds, options.limits.seconds),
                       .nodes = std::min(left.nodes, options.limits.nodes),
                       .solutions = std::min(left.solutions, options.limits.solutions),

@@ -15,8 +15,7 @@ class Budget {
  public:
   /// Starts the clock.
   /// @param interrupt as Options::interrupt, for example asked_by_signal; empty: never interrupted.
-  /// A
-  ///   checkpoint request may be reported once, a stop request must be reported on every call.
+  ///   A checkpoint request may be reported once, a stop request must be reported on every call.
   explicit Budget(const Limits& limits, std::function<Interrupt()> interrupt = {});
 
   /// Limits of the next search: the seconds and the nodes that remain.

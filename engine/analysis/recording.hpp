@@ -21,11 +21,12 @@ namespace kusabi::engine {
 
 /// Journal and checkpoints of an analysis.
 struct JournalOptions {
-  Journal* journal = nullptr;           ///< on rank 0, null elsewhere; must outlive the analysis
-  std::string file;                     ///< name of the journal, on every rank
-  double interval = 600;                ///< seconds between two checkpoints of a search
-  bool on_improvement = false;          ///< adds a checkpoint whenever the incumbent improves
-  std::uint64_t facts_fingerprint = 0;  ///< fingerprint of the facts
+  Journal* journal = nullptr;   ///< on rank 0, null elsewhere; must outlive the analysis
+  std::string file;             ///< name of the journal, on every rank
+  double interval = 600;        ///< seconds between two checkpoints of a search
+  bool on_improvement = false;  ///< adds a checkpoint whenever the incumbent improves
+  /// of the problem and the options that the results depend on
+  std::uint64_t facts_fingerprint = 0;
 };
 
 /// Checkpoint of the search that is part `number` of the analysis with journal `file`.

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -47,8 +50,7 @@ class Explorer {
     }
   };
 
-  /// @param serve called by a long expansion that polls
-  /// Is saved as the State of an explorer that does not change meanwhile, without a copy.
+  /// State that is written as `State`, without a copy. The explorer must not change meanwhile.
   class SavedState {
    public:
     explicit SavedState(const Explorer& explorer) : explorer_(explorer) {}
@@ -63,6 +65,7 @@ class Explorer {
     const Explorer& explorer_;
   };
 
+  /// @param serve called by a long expansion that polls
   /// @throws std::invalid_argument if the options require functions that the problem lacks
   Explorer(P& problem, const Options& options, std::function<bool()> serve)
       : problem_(problem),
@@ -109,9 +112,7 @@ class Explorer {
 
   /// Number of open nodes.
   [[nodiscard]] std::uint64_t open() const {
-    std::uint64_t count = frontier_.size() + heap_.size();
-    for (const auto& bundle : waiting_) count += bundle.nodes.size();
-    return count;
+    return frontier_.size() + heap_.size() + waiting_nodes_;
   }
 
   /// Opens at most `count` nodes.
@@ -143,8 +144,9 @@ class Explorer {
     return heap_.can_give() || frontier_.can_give() || stores() >= 2;
   }
 
-  /// Half of the nodes for another rank, at most `most` pieces of about `limit` bytes (in_pieces).
-  /// A heap gives one piece, since its best nodes count, not their number.
+  /// Half of the nodes for another rank, but not more than about `most` pieces of about `limit`
+  /// bytes (in_pieces) or `most` bundles. A heap gives one piece, since its best nodes count, not
+  /// their number.
   std::vector<Transfer<Node>> give(std::size_t limit, std::size_t most) {
     std::vector<Transfer<Node>> transfers;
     const auto add = [&](Bundle<Node>&& bundle) {
@@ -162,7 +164,9 @@ class Explorer {
       add(heap_.take());
     } else {
       auto& bundle = waiting_.back();
+      waiting_nodes_ -= bundle.nodes.size();
       add({bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit * most)});
+      waiting_nodes_ += bundle.nodes.size();
       if (bundle.nodes.empty()) waiting_.pop_back();
     }
     return transfers;
@@ -206,7 +210,7 @@ class Explorer {
   }
 
  private:
-  // A bundle of open nodes and the position up to which it was given away.
+  // A bundle of open nodes, as a stack.
   struct Waiting {
     std::vector<TrailStep> trail;
     NodeStack<Node> nodes;
@@ -246,8 +250,8 @@ class Explorer {
     return 0;
   }
 
-  // Number of containers that hold nodes: the frontier and the waiting bundles. Each could be given
-  // to another rank as a whole, except the one that is being expanded.
+  // Number of containers that hold nodes: the frontier, the waiting bundles and the heap. Each
+  // could be given to another rank as a whole, except the one that is being expanded.
   [[nodiscard]] std::size_t stores() const {
     const bool own = expanding_ || !frontier_.empty();
     return (own ? 1 : 0) + waiting_.size() + (heap_.empty() ? 0 : 1);
@@ -255,6 +259,7 @@ class Explorer {
 
   void keep(Bundle<Node>&& bundle) {
     if (order_ == Order::depth_first) {
+      waiting_nodes_ += bundle.nodes.size();
       waiting_.push_back({std::move(bundle.trail), NodeStack<Node>(std::move(bundle.nodes))});
     } else {
       heap_.put(std::move(bundle), [this](const Node& node) { return rank_of(node); });
@@ -264,16 +269,18 @@ class Explorer {
   // Removes and returns every other bundle that follows the frontier, at most `most`.
   std::vector<Bundle<Node>> give_waiting(std::size_t most) {
     std::vector<Bundle<Node>> given;
-    std::vector<Waiting> kept;
-    for (std::size_t place = 0; place < waiting_.size(); ++place) {
-      auto& bundle = waiting_[place];
-      if (place % 2 == 0 && given.size() < most) {
-        given.push_back({std::move(bundle.trail), bundle.nodes.take_all()});
+    const auto begin = waiting_.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(2 * most, waiting_.size()));
+    auto kept = begin;
+    for (auto bundle = begin; bundle != end; ++bundle) {
+      if ((bundle - begin) % 2 == 0) {
+        waiting_nodes_ -= bundle->nodes.size();
+        given.push_back({std::move(bundle->trail), bundle->nodes.take_all()});
       } else {
-        kept.push_back(std::move(bundle));
+        *kept++ = std::move(*bundle);
       }
     }
-    waiting_ = std::move(kept);
+    waiting_.erase(kept, end);
     return given;
   }
 
@@ -284,6 +291,7 @@ class Explorer {
     }
     if (waiting_.empty()) return false;
     auto& next = waiting_.back();
+    waiting_nodes_ -= next.nodes.size();
     frontier_.take({std::move(next.trail), next.nodes.take_all()});
     waiting_.pop_back();
     return true;
@@ -384,8 +392,9 @@ class Explorer {
   Expanded* expanded_ = nullptr;        // of the node that is being expanded twice
   Frontier<Node, WorkOf<P>> frontier_;  // the part searched depth first
   // bundles that follow the frontier; used with depth-first order only
-  std::vector<Waiting> waiting_;
-  Heap<Node> heap_;  // used with all other orders
+  std::deque<Waiting> waiting_;
+  std::size_t waiting_nodes_ = 0;  // in these bundles
+  Heap<Node> heap_;                // used with all other orders
   Solutions<P> solutions_;
   Expansion<P> expansion_;
   bool expanding_ = false;

@@ -45,8 +45,9 @@ class LocalSearch {
     std::uint64_t nodes = 0;
   };
   [[nodiscard]] virtual bool can_give() const = 0;
-  /// Half of the nodes, in pieces. @param limit of a piece, in bytes (Options::message_bytes)
-  /// @param most number of pieces @pre can_give()
+  /// Half of the nodes, in one or more pieces.
+  /// @param limit of a piece, in bytes (Options::message_bytes) @param most number of pieces, about
+  /// @pre can_give()
   virtual std::vector<PackedTransfer> give(std::size_t limit, std::size_t most) = 0;
   /// @return number of nodes
   virtual std::uint64_t take(const Bytes& transfer) = 0;
@@ -60,8 +61,8 @@ class LocalSearch {
   [[nodiscard]] virtual double oriented(double value) const = 0;
   /// True if this rank improved the incumbent since the last call.
   [[nodiscard]] virtual bool just_improved() = 0;
-  /// @return true if `news` is better than the incumbent of this rank
-  virtual bool learn(const Incumbent& news) = 0;
+  /// @return true if `received` is better than the incumbent of this rank
+  virtual bool learn(const Incumbent& received) = 0;
 
   // ---- checkpoints
   /// Mangled names of the types of nodes and solutions.

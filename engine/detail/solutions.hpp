@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "engine/detail/incumbent.hpp"
-#include "engine/detail/saved_list.hpp"
+#include "engine/detail/nodes/saved_list.hpp"
 #include "engine/expansion.hpp"
 #include "engine/options.hpp"
 #include "engine/problem.hpp"
@@ -80,9 +80,9 @@ class Solutions {
 
   /// Takes the incumbent of another rank. Solutions worse than it are dropped.
   /// @return true if the incumbent of this rank improved
-  bool learn(const Incumbent& news) {
-    if (!news.better_than(incumbent_)) return false;
-    incumbent_ = news;
+  bool learn(const Incumbent& received) {
+    if (!received.better_than(incumbent_)) return false;
+    incumbent_ = received;
     drop_unwanted();
     return true;
   }
@@ -133,7 +133,8 @@ class Solutions {
     improved_ = false;
   }
 
-  /// State before the first of two expansions of a node, for `undo`. Nothing is emitted until then.
+  /// Begins the first of two expansions of a node: stores the state that `end_trial_expansion`
+  /// restores. Nothing is emitted until then.
   void begin_trial_expansion() {
     trial_state_ = {incumbent_, least_, kept_, all_.size(), improved_};
     in_trial_ = true;

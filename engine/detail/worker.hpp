@@ -66,7 +66,7 @@ class LocalExplorer final : public LocalSearch {
   [[nodiscard]] double objective() const override { return explorer_.solutions().objective(); }
   [[nodiscard]] double oriented(double value) const override { return engine::oriented<P>(value); }
   [[nodiscard]] bool just_improved() override { return explorer_.solutions().just_improved(); }
-  bool learn(const Incumbent& news) override { return explorer_.solutions().learn(news); }
+  bool learn(const Incumbent& received) override { return explorer_.solutions().learn(received); }
 
   [[nodiscard]] std::string node_type() const override { return typeid(typename P::Node).name(); }
   [[nodiscard]] std::string solution_type() const override {
@@ -152,7 +152,7 @@ class LocalExplorer final : public LocalSearch {
     }
   };
 
-  // Is saved as Saved.
+  // State that is written as `Saved`, without a copy.
   struct SavedNow {
     typename Explorer<P>::SavedState state;
     const std::vector<RankReport<P>>& reports;

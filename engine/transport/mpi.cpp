@@ -104,11 +104,16 @@ std::optional<Message> MpiTransport::receive() {
 }
 
 void MpiTransport::release_sent() {
-  outgoing_.remove_if([](Outgoing& sent) {
+  constexpr std::size_t batch = 16;
+  for (auto tests = std::min(batch, outgoing_.size()); tests > 0; --tests) {
     int done = 0;
-    MPI_Test(&sent.request, &done, MPI_STATUS_IGNORE);
-    return done != 0;
-  });
+    MPI_Test(&outgoing_.front().request, &done, MPI_STATUS_IGNORE);
+    if (done != 0) {
+      outgoing_.pop_front();
+    } else {
+      outgoing_.splice(outgoing_.end(), outgoing_, outgoing_.begin());
+    }
+  }
 }
 
 void MpiTransport::join_reduction(const Reduction& own) {

@@ -66,6 +66,7 @@ class MpiTransport final : public Transport, public Exchange {
     MPI_Request request;
   };
 
+  // Releases some of the messages that are sent; the rest are tested at the next calls, in turn.
   void release_sent();
 
   // Of searches with odd and even numbers. Ranks are at most one search apart, since none ends

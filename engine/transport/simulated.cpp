@@ -89,9 +89,10 @@ void SimulatedNetwork::send(int from, int to, MessageTag tag, Bytes body) {
   ensure(from != to, "no rank sends to itself");
   largest_message_ = std::max(largest_message_, body.size());
   auto& target = mailbox(to);
-  double arrival = now_ + delay(from, to) + static_cast<double>(body.size()) / machine_.bandwidth;
+  const double transmission = static_cast<double>(body.size()) / machine_.bandwidth;
   auto& channel = target.last_arrival[{from, tag}];
-  arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
+  const double arrival = std::max({now_ + delay(from, to) + transmission, channel + transmission,
+                                   std::nextafter(channel, HUGE_VAL)});
   channel = arrival;
   target.deliveries.push_back({arrival, {from, tag, std::move(body)}});
   std::push_heap(target.deliveries.begin(), target.deliveries.end());

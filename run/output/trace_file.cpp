@@ -77,7 +77,7 @@ class Writer {
   void name_tracks() {
     name("process_name", 0, fmt::format("rank {}", rank_));
     name("thread_name", work_track, "work");
-    name("thread_name", reduction_track, "surveys");
+    name("thread_name", reduction_track, "reductions");
     put({{"ph", "M"},
          {"name", "process_sort_index"},
          {"pid", rank_},
@@ -97,20 +97,20 @@ class Writer {
         instant(event, "refusal", {{"from", event.peer}});
         break;
       case Kind::transfer_sent:
-        instant(event, "gift sent", {{"to", event.peer}, {"nodes", event.value}});
-        arrow("s", "gift", event, rank_, event.peer);
+        instant(event, "transfer sent", {{"to", event.peer}, {"nodes", event.value}});
+        arrow("s", "transfer", event, rank_, event.peer);
         break;
       case Kind::transfer_arrived:
-        instant(event, "gift", {{"from", event.peer}, {"nodes", event.value}});
-        arrow("f", "gift", event, event.peer, rank_);
+        instant(event, "transfer", {{"from", event.peer}, {"nodes", event.value}});
+        arrow("f", "transfer", event, event.peer, rank_);
         break;
       case Kind::lifeline_transfer_sent:
-        instant(event, "parcel sent", {{"to", event.peer}, {"nodes", event.value}});
-        arrow("s", "parcel", event, rank_, event.peer);
+        instant(event, "lifeline transfer sent", {{"to", event.peer}, {"nodes", event.value}});
+        arrow("s", "lifeline transfer", event, rank_, event.peer);
         break;
       case Kind::lifeline_transfer_arrived:
-        instant(event, "parcel", {{"from", event.peer}, {"nodes", event.value}});
-        arrow("f", "parcel", event, event.peer, rank_);
+        instant(event, "lifeline transfer", {{"from", event.peer}, {"nodes", event.value}});
+        arrow("f", "lifeline transfer", event, event.peer, rank_);
         break;
       case Kind::improved:
         instant(event, "better solution", Json::object());
@@ -125,7 +125,7 @@ class Writer {
     for (const auto& event : trace.events) {
       if (event.kind == Kind::reduction_joined) joined = &event;
       if (event.kind != Kind::reduction_arrived || joined == nullptr) continue;
-      slice("survey", reduction_track, joined->time, event.time, {{"idle ranks", event.value}});
+      slice("reduction", reduction_track, joined->time, event.time, {{"idle ranks", event.value}});
       joined = nullptr;
     }
   }
@@ -150,7 +150,7 @@ class Writer {
     const auto number = ++transfers_[{kind, from, to, *end}];
     const auto id = arrows_.try_emplace({kind, from, to, number}, arrows_.size() + 1).first->second;
     auto line = begin(end, kind, work_track, event.time);
-    line["cat"] = "gift";
+    line["cat"] = "transfer";
     line["id"] = id;
     put(line);
   }

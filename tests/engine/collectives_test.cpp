@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -58,6 +60,36 @@ TEST(SharedWork, EndsWithTheLimitsOfTheAnalysis) {
   Analysis limited(alone, few);
   EXPECT_TRUE(limited.share_within_limits<std::uint64_t>(5, square).empty());
   EXPECT_TRUE(limited.ended());
+}
+
+// One rank whose clock is a second ahead at each call, so that a reduction is due at each step.
+class OneRank final : public Transport {
+ public:
+  [[nodiscard]] int rank() const override { return 0; }
+  [[nodiscard]] int size() const override { return 1; }
+  [[nodiscard]] double now() const override { return ++now_; }
+  void send(int /*to*/, MessageTag /*tag*/, Bytes /*body*/) override {}
+  std::optional<Message> receive() override { return std::nullopt; }
+  void join_reduction(const Reduction& own) override { wave_ = own; }
+  std::optional<Reduction> reduction() override { return std::exchange(wave_, std::nullopt); }
+  void broadcast(Bytes& /*bytes*/) override {}
+  void abandon(const std::string& /*reason*/) override {}
+
+ private:
+  mutable double now_ = 0;
+  std::optional<Reduction> wave_;
+};
+
+TEST(SharedWork, DoesNotEndWithTheNumberOfSolutionsOfASearch) {
+  OneRank rank;
+  AnalysisOptions few;
+  few.limits.solutions = 2;
+  Analysis analysis(rank, few);
+  examples::Queens queens(6);
+  EXPECT_EQ(analysis.search(queens, {}).status, Status::solution_limit);
+  const auto results =
+      analysis.share_within_limits<std::uint64_t>(5, [](std::uint64_t number) { return number; });
+  EXPECT_EQ(results, (std::vector<std::uint64_t>{0, 1, 2, 3, 4}));
 }
 
 TEST(Budget, LeavesTheOtherLimitsAndLessTime) {

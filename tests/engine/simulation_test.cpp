@@ -67,7 +67,7 @@ TEST(Simulation, HundredsOfRanksFindTheSame) {
   expect_the_same(alone, simulate(Queens(8), 500, 1), "500 ranks");
 }
 
-// Nodes of very different sizes, none above 4 kB; the root has hundreds.
+// Nodes of very different sizes, none above 4 kB; the root has hundreds. All bounds are equal.
 struct Bulky {
   struct Node {
     int depth = 0;
@@ -85,16 +85,32 @@ struct Bulky {
       out.branch({node.depth + 1, std::vector<char>(child % 7 == 0 ? 4000 : 10)});
     }
   }
+  double objective(const Solution& /*solution*/) const { return 0; }
+  double bound(const Node& /*node*/) const { return 0; }
 };
 
 TEST(Simulation, NoMessageIsLargerThanTheLimitAllows) {
-  Options options;
-  options.message_bytes = 10'000;
-  const auto simulated = simulate(Bulky{}, 4, 1, {}, options);
-  EXPECT_EQ(simulated.outcome.solutions.size(), 1500U);
-  // The limit covers the nodes or solutions; a trail and list headers are added.
-  EXPECT_LE(simulated.largest_message, 10'000U + 500U);
-  EXPECT_GT(simulated.largest_message, 5'000U);
+  for (const auto order : {Order::depth_first, Order::best_first}) {
+    Options options;
+    options.order = order;
+    options.message_bytes = 10'000;
+    const auto simulated = simulate(Bulky{}, 4, 1, {}, options);
+    EXPECT_EQ(simulated.outcome.solutions.size(), 1500U);
+    // The limit covers the nodes or solutions; a trail and list headers are added.
+    EXPECT_LE(simulated.largest_message, 10'000U + 500U);
+    EXPECT_GT(simulated.largest_message, 5'000U);
+  }
+}
+
+// Half of a large family of long nodes is sent in one transfer.
+TEST(Simulation, ALargeFamilyOfLongNodesIsSentInManyMessages) {
+  const auto messages_sent = [](double node) {
+    const auto run = simulate(Bulky{}, 2, 1, {.node = node});
+    EXPECT_EQ(run.outcome.solutions.size(), 1500U);
+    const auto& first = run.outcome.ranks[0].statistics;
+    return static_cast<double>(first.nodes_given) / static_cast<double>(first.transfers_sent);
+  };
+  EXPECT_GT(messages_sent(100e-6), 2 * messages_sent(1e-6));
 }
 
 TEST(Simulation, SmallMessagesCarryEverything) {

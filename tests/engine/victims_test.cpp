@@ -65,6 +65,20 @@ TEST(Victims, AreOfTheOwnMachineUntilOneRefuses) {
   }
   victims.gave(7);
   EXPECT_EQ(victims.choose(), 7);
+  victims.refused(7, 0);
+  for (int draw = 0; draw < 100; ++draw) EXPECT_EQ(machine.count(victims.choose()), 1U);
+  victims.refused(4, 0);
+  for (int draw = 0; draw < 100; ++draw) {
+    EXPECT_TRUE(std::binary_search(neighbours.begin(), neighbours.end(), victims.choose()));
+  }
+}
+
+TEST(Victims, AreOfTheOwnMachineAfterTheFirstTransferOfARankWithoutNodes) {
+  Victims victims(6, 10'000, 5, {4, 5});
+  victims.give_up();
+  victims.gave(4711);
+  victims.refused(4711, 0);
+  for (int draw = 0; draw < 100; ++draw) EXPECT_EQ(victims.choose() / 2, 2);
 }
 
 TEST(Victims, TheLastGiverIsAskedFirstUntilItRefuses) {

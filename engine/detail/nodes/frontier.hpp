@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "engine/detail/contract.hpp"
-#include "engine/detail/node_stack.hpp"
+#include "engine/detail/nodes/node_stack.hpp"
 #include "engine/detail/nodes/open_nodes.hpp"
-#include "engine/detail/saved_list.hpp"
+#include "engine/detail/nodes/saved_list.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {

@@ -17,8 +17,8 @@
 
 #include "engine/detail/contract.hpp"
 #include "engine/detail/nodes/open_nodes.hpp"
+#include "engine/detail/nodes/saved_list.hpp"
 #include "engine/detail/nodes/shared_trail.hpp"
-#include "engine/detail/saved_list.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
@@ -28,7 +28,7 @@ namespace kusabi::engine {
 template <class Node>
 class Heap {
  public:
-  /// @param most_nodes and bytes in which it is full; it can exceed both
+  /// @param most_nodes, most_bytes the heap is full from either on; one insertion may exceed them
   explicit Heap(std::size_t most_nodes = no_limit, std::size_t most_bytes = no_limit)
       : most_nodes_(most_nodes), most_bytes_(most_bytes) {}
   Heap(const Heap&) = delete;
@@ -83,10 +83,15 @@ class Heap {
     std::size_t bytes = 0;
     for (auto left = size() / 2; left > 0; --left) {
       kept.push_back(remove_best());
-      auto bundle = bundle_of(remove_best().second);
+      auto [key, entry] = remove_best();
+      auto bundle = bundle_of(std::move(entry));
       bytes += packed_size(bundle);
+      if (!transfer.empty() && bytes > limit) {
+        entry.open = std::move(bundle.nodes.front());
+        kept.emplace_back(key, std::move(entry));
+        break;
+      }
       transfer.push_back(std::move(bundle));
-      if (bytes >= limit) break;
     }
     for (auto& [key, entry] : kept) insert(key, std::move(entry));
     return transfer;
@@ -170,6 +175,7 @@ class Heap {
     return {key, std::move(entry)};
   }
 
+  // Moves the node only: the entry keeps its trail.
   static Bundle<Node> bundle_of(Entry&& entry) {
     Bundle<Node> bundle{entry.trail->first(entry.open.depth), {}};
     bundle.nodes.push_back(std::move(entry.open));

@@ -113,13 +113,13 @@ std::size_t size_of(const Transfer<Node>& transfer) {
   return nodes;
 }
 
-/// A bundle as several, in the same order, each for a message of about `limit` bytes. Each has the
-/// trail above its nodes. It has at least one node and, if the limit permits, as many bytes of
-/// nodes as of the trail, which would otherwise be most of what is sent.
+/// Splits a bundle into pieces, in the same order, for messages of about `limit` bytes. A piece has
+/// the trail above its nodes. It has at least one node and about as many bytes of nodes as of the
+/// trail, if there are so many; the trail would otherwise be most of what is sent.
 template <class Node>
 std::vector<Bundle<Node>> in_pieces(Bundle<Node>&& bundle, std::size_t limit) {
   const auto above = bundle.trail.size() * sizeof(TrailStep);
-  const auto room = std::max(limit - std::min(limit, above), std::min(limit, above));
+  const auto room = std::max(limit - std::min(limit, above), above);
   PackedSize<OpenNode<Node>> packed_size;
   std::vector<std::size_t> begins;
   std::size_t bytes = 0;

@@ -96,7 +96,7 @@ class Lifelines {
   [[nodiscard]] bool has_registered() const { return !waiting_.empty(); }
 
   /// Removes and returns the rank that has been registered longest.
-  /// @pre wanted()
+  /// @pre has_registered()
   int take() {
     ensure(has_registered(), "a rank is taken only if one is registered");
     const int rank = waiting_.front();

@@ -144,7 +144,10 @@ void Rank::update_step_statistics(double elapsed) {
   adapt_stride(elapsed);
   const auto opened = local_.statistics().opened;
   const auto since = opened - std::exchange(opened_before_, opened);
-  if (since > 0) take_mean(node_seconds_, elapsed / static_cast<double>(since));
+  // The time of messages is not that of nodes. A first node is better known roughly than not.
+  const bool only_nodes = !std::exchange(exchanged_, false);
+  if (since > 0 && (only_nodes || node_seconds_ == 0))
+    take_mean(node_seconds_, elapsed / static_cast<double>(since));
   if (local_.just_improved()) broadcast_incumbent(nobody);
   if (!local_.has_nodes()) idle_since_ = quiet_since_ = now_;
   record_activity();

@@ -132,7 +132,8 @@ class Rank {
 
   // ---- messages ---------------------------------------------------------------------------------
 
-  // Handles a bounded number of messages, so that a rank that many ask opens nodes in between.
+  // Handles a bounded number of messages, and all pieces among them, so that a rank that many ask
+  // opens nodes in between, and one that receives many pieces answers others.
   void serve();
   void handle(Message&& message);
   void send(int to, MessageTag tag, Bytes body);
@@ -141,8 +142,8 @@ class Rank {
   [[nodiscard]] bool can_give() const;
 
   // @return true if nodes were given
-  bool answer(int thief);
-  void give(int thief, MessageTag tag);
+  bool answer(int requester);
+  void give(int requester, MessageTag tag);
 
   // Requests work from random ranks; after some refusals an idle rank registers with its lifelines,
   // and is dormant when all know of it.
@@ -159,8 +160,7 @@ class Rank {
   // Broadcasts the incumbent along the relay tree: sends it to all neighbours except `source`.
   void broadcast_incumbent(int source);
 
-  // ---- reductions
-  // --------------------------------------------------------------------------------
+  // ---- reductions -------------------------------------------------------------------------------
 
   void attend_reduction();
   void join();
@@ -228,6 +228,8 @@ class Rank {
   unsigned stride_;
   bool worked_ = false;              // the last step opened nodes; its duration adapts the stride
   std::uint64_t opened_before_ = 0;  // nodes, by the step before
+  bool exchanged_ = false;           // the last step received messages or gave nodes
+  bool gave_many_ = false;           // a transfer of many messages since the last `serve` began
   double node_seconds_ = 0;          // of one node, a running mean
   double answer_seconds_ = 10e-6;    // from a request to its answer, a running mean
   const double share_waited_;        // of the time since the last event, before the next poll

@@ -1,6 +1,7 @@
 // Messages of the protocol: requests, transfers, refusals, lifelines and incumbents.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "engine/detail/contract.hpp"
@@ -11,13 +12,17 @@ namespace kusabi::engine {
 
 void Rank::serve() {
   constexpr int batch = 16;
-  for (int handled = 0; handled < batch; ++handled) {
+  gave_many_ = false;
+  for (int handled = 0; handled < batch;) {
     auto message = transport_.receive();
     if (!message) break;
+    if (message->tag != MessageTag::piece) ++handled;
     quiet_since_ = now_;
+    exchanged_ = true;
     handle(*std::move(message));
   }
   for (int given = 0; given < batch && lifelines_.has_registered() && can_give(); ++given) {
+    exchanged_ = true;
     give(lifelines_.take(), MessageTag::lifeline_transfer);
   }
 }
@@ -72,26 +77,31 @@ bool Rank::can_give() const {
   return phase_ == Phase::searching && local_.can_give();
 }
 
-bool Rank::answer(int thief) {
+bool Rank::answer(int requester) {
   const bool can = can_give();
-  can ? give(thief, MessageTag::transfer) : send(thief, MessageTag::refusal, {});
+  can ? give(requester, MessageTag::transfer) : send(requester, MessageTag::refusal, {});
   return can;
 }
 
-void Rank::give(int thief, MessageTag tag) {
+void Rank::give(int requester, MessageTag tag) {
   auto& statistics = local_.statistics();
   // To send a node takes a quarter of a microsecond; half of a large family is worth it only if its
-  // nodes take longer.
+  // nodes take longer, and once between two polls.
   constexpr double worth_sending = 5e-6;
-  const std::size_t most = node_seconds_ < worth_sending ? 16 : 4096;
-  auto pieces = local_.give(options_.message_bytes, most);
+  constexpr std::size_t few = 16;
+  constexpr std::size_t many = 4096;
+  const bool sends_many = node_seconds_ >= worth_sending && !gave_many_;
+  auto pieces = local_.give(options_.message_bytes, sends_many ? many : few);
+  gave_many_ = gave_many_ || pieces.size() > few;
+  std::uint64_t given = 0;
+  for (const auto& piece : pieces) given += piece.nodes;
   record(tag == MessageTag::transfer ? TraceEvent::Kind::transfer_sent
                                      : TraceEvent::Kind::lifeline_transfer_sent,
-         thief, pieces.front().nodes);
+         requester, given);
   ++statistics.transfers_sent;
-  for (auto& [body, nodes] : pieces) {
-    statistics.nodes_given += nodes;
-    send_counted(thief, std::exchange(tag, MessageTag::piece), std::move(body));
+  statistics.nodes_given += given;
+  for (auto& piece : pieces) {
+    send_counted(requester, std::exchange(tag, MessageTag::piece), std::move(piece.body));
   }
 }
 

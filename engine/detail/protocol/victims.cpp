@@ -49,7 +49,7 @@ Victims::Victims(int self, int ranks, std::uint64_t seed, std::vector<int> machi
 
 int Victims::choose() {
   if (last_giver_ >= 0) return last_giver_;
-  const auto& candidates = refusals_ == 0 && !machine_.empty() ? machine_ : neighbours_;
+  const auto& candidates = drawn_refused_ || machine_.empty() ? neighbours_ : machine_;
   return candidates[draw(random_, candidates.size())];
 }
 
@@ -58,10 +58,15 @@ void Victims::gave(int victim) {
   pause_ = shortest_pause;
   next_request_ = 0;
   refusals_ = 0;
+  drawn_refused_ = false;
 }
 
 void Victims::refused(int victim, double now) {
-  if (last_giver_ == victim) last_giver_ = -1;
+  if (last_giver_ == victim) {
+    last_giver_ = -1;
+  } else {
+    drawn_refused_ = true;
+  }
   ++refusals_;
   next_request_ = now + pause_;
   pause_ = std::min(2 * pause_, longest_pause);

@@ -6,10 +6,10 @@
 
 namespace kusabi::engine {
 
-/// The rank that gave last, as long as it gives; after a refusal, first a random rank of the own
-/// machine, then random neighbours in a fixed graph. A rank thus exchanges messages with a bounded
-/// number of ranks of other machines, since MPI keeps memory for each. After a refusal the pause
-/// before the next request doubles, to limit the load on busy ranks.
+/// The rank that gave last, as long as it gives; after its refusal, a random rank of its machine,
+/// and after a refusal of that one, random neighbours in a fixed graph. A rank thus exchanges
+/// messages with a bounded number of ranks of other machines, since MPI keeps memory for each.
+/// After a refusal the pause before the next request doubles, to limit the load on busy ranks.
 ///
 /// The graph joins rank r with the ranks r ± d, for the same random distances d on all ranks: about
 /// 32 neighbours, or all others if there are no more.
@@ -43,7 +43,7 @@ class Victims {
 
  private:
   // While most ranks have work, the first request succeeds; three successive refusals indicate that
-  // few have. Of few ranks the lifelines are as many as the others, and are asked at once.
+  // few have. Few ranks ask their lifelines at once: any rank is at most three of them away.
   static constexpr unsigned most_refusals = 3;
   static constexpr int few_ranks = 8;
   static constexpr unsigned early_requests = 2;
@@ -55,7 +55,9 @@ class Victims {
   unsigned max_refusals_;
   double pause_;
   double next_request_ = 0;
-  unsigned refusals_ = 0;  // since the last transfer
+  // Since the last transfer:
+  unsigned refusals_ = 0;
+  bool drawn_refused_ = false;  // a rank drawn at random refused
 };
 
 }  // namespace kusabi::engine

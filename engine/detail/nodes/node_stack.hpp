@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/detail/nodes/open_nodes.hpp"
-#include "engine/detail/saved_list.hpp"
+#include "engine/detail/nodes/saved_list.hpp"
 
 namespace kusabi::engine {
 

@@ -16,7 +16,7 @@
 
 namespace kusabi::engine {
 
-/// Is saved as a std::vector<Value> is; only an output archive can serialise it.
+/// List that is saved as a std::vector<Value>; only an output archive can serialise it.
 template <class Value>
 struct SavedList {
   using Look = std::function<void(const Value&)>;
@@ -34,7 +34,7 @@ struct SavedList {
   }
 };
 
-/// Is saved as a Bundle is.
+/// Bundle that is saved as a Bundle<Node>.
 template <class Node>
 struct SavedBundle {
   std::span<const TrailStep> trail;
