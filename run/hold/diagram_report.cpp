@@ -23,8 +23,7 @@ ordered_json points_json(const Points& points) {
 
 // With several coefficients the first column is theirs, and one without intervals has a row.
 void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
-                     const std::vector<HeldPoint>& points) {
-  const bool several = points.size() > 1;
+                     const std::vector<HeldPoint>& points, bool several) {
   if (several) csv.word("mu");
   csv.word("interval").word("low").word("high").word("contact").end_row();
   for (const auto& point : points) {
@@ -70,10 +69,11 @@ std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Dia
   return text;
 }
 
-void write_held_csv(std::ostream& out, const wedged::LoadedProblem& loaded,
-                    const HoldFindings& findings) {
+void write_held_csv(std::ostream& out, const HoldOptions& options,
+                    const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
   CsvWriter csv(out);
-  if (!findings.diagram) return write_intervals(csv, loaded, findings.points);
+  if (!findings.diagram)
+    return write_intervals(csv, loaded, findings.points, options.points.size() > 1);
   csv.word("piece").word("what").word("first").word("second").word("contact").end_row();
   std::size_t number = 0;
   for (const auto& piece : findings.diagram->pieces) {

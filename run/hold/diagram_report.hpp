@@ -18,7 +18,7 @@ nlohmann::ordered_json diagram_json(const HoldOptions& options, const wedged::Lo
 std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram);
 
 /// One row per vertex or direction of a piece, or per interval.
-void write_held_csv(std::ostream& out, const wedged::LoadedProblem& loaded,
-                    const HoldFindings& findings);
+void write_held_csv(std::ostream& out, const HoldOptions& options,
+                    const wedged::LoadedProblem& loaded, const HoldFindings& findings);
 
 }  // namespace kusabi::run

@@ -1,7 +1,6 @@
 // `kusabi hold`: options, stages and results, on all ranks.
 #include "run/hold/hold.hpp"
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -238,20 +237,25 @@ void Hold::search_at(engine::Analysis& analysis, double mu) {
   }
   if (options_.grip && point.factors.status == engine::Status::solved)
     point.grip = wedged::grip_range(analysis, loaded_, mu, parameters, record.get());
-  findings_.points.push_back(std::move(point));
+  findings_.ended = point.status();
+  if (options_.points.size() > 1 && findings_.ended != engine::Status::solved)
+    findings_.costs_left = point.costs();
+  else
+    findings_.points.push_back(std::move(point));
   if (record) record->finish();
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {
-  const auto result = std::make_shared<const ResultReader>(
-      hold_json(options_, structure_, loaded_, findings_), "the result");
-  return {run.result([result] { return result->all(); }),
-          run.file("--csv", [this](auto& out) { write_held_csv(out, loaded_, findings_); }),
-          run.file("--svg",
-                   [this, result](auto& out) {
-                     write_chart(out, hold_chart(*result, headline(verdict())).value());
-                   }),
-          run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+  return {
+      run.result([this] { return hold_json(options_, structure_, loaded_, findings_); }),
+      run.file("--csv", [this](auto& out) { write_held_csv(out, options_, loaded_, findings_); }),
+      run.file("--svg",
+               [this](auto& out) {
+                 const ResultReader result(hold_json(options_, structure_, loaded_, findings_),
+                                           "the result");
+                 write_chart(out, hold_chart(result, headline(verdict())).value());
+               }),
+      run.answer([this] { return hold_table(options_, loaded_, findings_); })};
 }
 
 Verdict Hold::verdict() const {

@@ -3,6 +3,8 @@
 // can be held in addition.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,27 +41,33 @@ struct HeldPoint {
   [[nodiscard]] engine::Status status() const {
     return grip && grip->status != engine::Status::solved ? grip->status : factors.status;
   }
+  [[nodiscard]] std::vector<wedged::HoldCost> costs() const {
+    auto all = factors.costs;
+    if (grip) all.insert(all.end(), grip->costs.begin(), grip->costs.end());
+    return all;
+  }
 };
 
 /// `friction` or `diagram` is present after the search, or there are points.
 struct HoldFindings {
   std::optional<wedged::HoldingFriction> friction{};
-  std::vector<HeldPoint> points{};  ///< those of the options, up to that at which the search ended
+  std::vector<HeldPoint>
+      points{};  ///< of the options, in their order; of several, only complete ones
   std::optional<wedged::Diagram> diagram{};
+  engine::Status ended = engine::Status::solved;  ///< of the points
+  std::vector<wedged::HoldCost> costs_left{};     ///< of a point that is not complete
 
   [[nodiscard]] engine::Status status() const {
     if (friction) return friction->status;
     if (diagram) return diagram->status;
-    return points.empty() ? engine::Status::solved : points.back().status();
+    return ended;
   }
   [[nodiscard]] std::vector<wedged::HoldCost> costs() const {
     if (friction) return friction->costs;
     if (diagram) return diagram->costs;
     std::vector<wedged::HoldCost> all;
-    for (const auto& [mu, factors, grip] : points) {
-      all.insert(all.end(), factors.costs.begin(), factors.costs.end());
-      if (grip) all.insert(all.end(), grip->costs.begin(), grip->costs.end());
-    }
+    for (const auto& point : points) std::ranges::move(point.costs(), std::back_inserter(all));
+    std::ranges::copy(costs_left, std::back_inserter(all));
     return all;
   }
 };

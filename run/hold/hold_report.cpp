@@ -263,21 +263,21 @@ ordered_json result_json(const HoldOptions& options, const wedged::LoadedProblem
 
 std::string interval_row(const wedged::LoadedProblem& loaded, const std::string& first,
                          const wedged::HeldInterval& each) {
-  return fmt::format("{:>5}  {:>18}  {:>18}  {}\n", first, end_text(each.low, each.low_out, false),
+  return fmt::format("{}  {:>18}  {:>18}  {}\n", first, end_text(each.low, each.low_out, false),
                      end_text(each.high, each.high_out, true),
                      contact_of(loaded, each.block, each.pattern));
 }
 
-std::string interval_head(const char* first) {
-  return fmt::format("\n{:>5}  {:>18}  {:>18}  {}\n", first, "held from", "held to",
+std::string interval_head(const std::string& first) {
+  return fmt::format("\n{}  {:>18}  {:>18}  {}\n", first, "held from", "held to",
                      "in contact at an end");
 }
 
 std::string point_table(const wedged::LoadedProblem& loaded, const HeldPoint& point) {
-  auto text = interval_head("");
+  auto text = interval_head(fmt::format("{:>5}", ""));
   std::size_t number = 0;
   for (const auto& each : point.factors.intervals)
-    text += interval_row(loaded, std::to_string(++number), each);
+    text += interval_row(loaded, fmt::format("{:>5}", ++number), each);
   for (const auto& each : point.factors.intervals)
     text += reactions_text(loaded, each.block, each.pattern, each.state);
   text += fmt::format("(factors of the reference load at friction coefficient {})\n", point.mu);
@@ -288,14 +288,16 @@ std::string point_table(const wedged::LoadedProblem& loaded, const HeldPoint& po
 // One row for each interval, and one for a coefficient without any.
 std::string points_table(const wedged::LoadedProblem& loaded,
                          const std::vector<HeldPoint>& points) {
-  auto text = interval_head("mu");
+  auto text = interval_head(fmt::format("{:>8}", "mu"));
   for (const auto& point : points) {
-    const auto mu = fmt::format("{}", point.mu);
+    const auto mu = fmt::format("{:>8}", point.mu);
     for (const auto& each : point.factors.intervals) text += interval_row(loaded, mu, each);
-    if (point.factors.intervals.empty()) text += fmt::format("{:>5}  {:>18}\n", mu, "-");
-    if (point.grip) text += grip_table(*point.grip);
+    if (point.factors.intervals.empty()) text += fmt::format("{}  {:>18}\n", mu, "-");
   }
-  return text + "(factors of the reference load)\n";
+  text += "(factors of the reference load at friction coefficients mu)\n";
+  for (const auto& point : points)
+    if (point.grip) text += fmt::format("at {}: {}", point.mu, grip_table(*point.grip));
+  return text;
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ bool has_reference_load(const problems::Structure& structure) {
          problems::load_cases(structure).empty();
 }
 
-// Reports, once and after the progress, that a long list takes memory. @pre progress is shown
+// A message, once, that a long list takes memory. @pre progress is shown
 void report_memory(engine::AnalysisOptions& analysis_options) {
   constexpr std::uint64_t long_list = 100'000;
   constexpr std::uint64_t kilobytes = 5;  // for each pattern of 20 candidates
@@ -60,7 +60,8 @@ void report_memory(engine::AnalysisOptions& analysis_options) {
       if (reported || progress.found < long_list) return;
       reported = true;
       print_message(
-          "{}{} patterns so far take about {:.1f} GB of memory; --output FILE --format jsonl "
+          "{}the {} patterns found so far take about {:.1f} GB of memory; --output FILE --format "
+          "jsonl "
           "writes them during the search\n",
           isatty(STDERR_FILENO) != 0 ? "\n" : "", progress.found,
           static_cast<double>(kilobytes * progress.found) / 1e6);

@@ -21,10 +21,10 @@ using pictures::Chart;
 using pictures::ChartSeries;
 using Points = std::vector<Eigen::Vector2d>;
 
-/// Distance of a vertex that is not drawn, in terms of that of the nearest quarter.
+/// Distance of a vertex that is not drawn, relative to that of the vertex at the first quartile.
 constexpr double far_away = 20;
 
-constexpr double no_end = std::numeric_limits<double>::infinity();
+constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
 /// Intervals at one friction coefficient.
 struct HeldAt {
@@ -44,7 +44,8 @@ class HoldCharts {
                                                                        : Chart{};
     if (chart.title.empty()) return {};
     if (chart.series.empty())
-      chart.series.push_back({.name = "nothing is held", .line = {{0, 0}}, .marks = {}});
+      chart.series.push_back(
+          {.name = "no load is known to be held", .line = {{0, 0}}, .marks = {}});
     return chart;
   }
 
@@ -70,7 +71,7 @@ class HoldCharts {
       return ResultReader::find(interval, key) == nullptr ? otherwise
                                                           : reader_.number(interval, key);
     };
-    return {end("low", -no_end), end("high", no_end)};
+    return {end("low", -unbounded_end), end("high", unbounded_end)};
   }
 
   // Twice the largest finite end.

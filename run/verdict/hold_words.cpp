@@ -17,13 +17,11 @@ const char* of_each(bool factor) {
 
 constexpr const char* by_supports =
     "It can hold any load: the supports constrain every body, which then has a state of "
-    "equilibrium "
-    "under every load at any friction coefficient.";
+    "equilibrium under every load at any friction coefficient.";
 
 constexpr const char* by_no_friction =
     "It cannot hold the load at any friction coefficient: the load moves a body in a direction "
-    "that "
-    "no candidate resists.";
+    "that no candidate resists.";
 
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
@@ -47,12 +45,18 @@ bool is_everything(const HoldingFactors& found) {
          std::isinf(found.intervals.front().high);
 }
 
-// "from 1 to 2", "all", "none"; of a dead load "yes" or "no".
+// "from 1 to 2", "all", "none"; of a dead load "it can be held" or "it cannot be held".
 std::string factors_at(const HoldingFactors& found) {
   const bool reference = found.of_reference;
-  if (found.intervals.empty()) return found.open ? "not known" : reference ? "none" : "no";
-  if (!reference) return "yes";
-  return is_everything(found) ? "all" : parts(found);
+  if (found.intervals.empty()) {
+    if (found.open) return reference ? "not known" : "this is not known";
+    return fmt::format("{}{}", reference ? "none" : "it cannot be held",
+                       unless_proved(found.outside));
+  }
+  const char* const standing = unless_proved(found.intervals.front().standing);
+  if (!reference) return fmt::format("it can be held{}", standing);
+  if (is_everything(found)) return fmt::format("all{}", standing);
+  return parts(found) + (found.open ? " (others are not known)" : "");
 }
 
 }  // namespace
@@ -146,19 +150,26 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
 std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
   if (found.points.empty()) return "The loads that it can hold are not known.";
   if (found.points.front().reason == HoldReason::supports) return by_supports;
+  if (found.points.front().reason == HoldReason::unbalanced) return by_no_friction;
   const auto at = [](const HoldingFactors& point) {
     return fmt::format("at {}{} {}", point.friction, of_each(point.factor), factors_at(point));
   };
   const auto& points = found.points;
-  const auto known = points.size() == found.requested
-                         ? fmt::format("At {} friction coefficients", points.size())
-                         : fmt::format("At {} of {} friction coefficients, the only ones known,",
-                                       points.size(), found.requested);
-  const char* const what =
-      points.front().of_reference ? "these factors of the reference load" : "the dead load";
-  const auto others = points.size() > 2 ? "; the table has those between" : "";
-  return fmt::format("{} it can hold {}: {}{}{}.", known, what, at(points.front()),
-                     points.size() > 1 ? ", " + at(points.back()) : "", others);
+  const auto where =
+      points.size() == found.requested
+          ? fmt::format("at {} friction coefficients", points.size())
+          : fmt::format("at {} of {} friction coefficients (the others are not known)",
+                        points.size(), found.requested);
+  const auto& total = points.front().total;
+  const auto sum =
+      total ? fmt::format(" with normal reactions that add up to {}", *total) : std::string();
+  const auto what =
+      points.front().of_reference
+          ? fmt::format("It can hold these factors of the reference load {}{}", where, sum)
+          : fmt::format("The dead load {}{}", where, sum);
+  return fmt::format("{}: {}{}{}.", what, at(points.front()),
+                     points.size() > 1 ? ", " + at(points.back()) : "",
+                     points.size() > 2 ? "; the table has those between" : "");
 }
 
 std::string headline_of(const HoldingDiagram& found, engine::Status ended) {

@@ -125,7 +125,7 @@ struct HoldingFactors {
 /// The same at several coefficients: `hold --mu` with more than one.
 struct HoldingSweep {
   std::uint64_t requested = 0;           ///< number of coefficients
-  std::vector<HoldingFactors> points{};  ///< of the first of them, all if the search was not ended
+  std::vector<HoldingFactors> points{};  ///< in their order; fewer if the search was stopped
 };
 
 /// Pairs of factors of two reference loads that can be held at one coefficient: `hold --diagram`.

@@ -98,6 +98,30 @@ class HoldDiagram(KusabiCase):
                     checked[inside] += 1
         self.assertGreater(min(checked.values()), 20)
 
+    def test_parts_with_one_load_each(self):
+        # A moment on one peg, a side force on another, and a ladder with its weight only, which stands from 1/3 on.
+        parts = BOTH.split("\n[[loads]]")
+        body, dead, moments, side = parts[0], parts[1], parts[2:4], parts[4]
+        rest = body[body.index("[[mesh]]"):]
+        text = "\n[[loads]]".join([body, dead, *moments]) + "\n"
+        text += moved("\n[[loads]]".join([rest, dead, side]), 10).replace("peg", "second") + "\n"
+        ladder = (EXAMPLES / "ladder.toml").read_text()
+        ladder = moved(ladder[ladder.index("[[mesh]]"):ladder.index("[[loads]]\nkind = \"reference\"")], 20)
+        for mu, also, held in ((0.5, "", True), (0.5, ladder, True), (0.3, ladder, False)):
+            diagram = self.solve("hold", self.problem(text + also), "--diagram", "--mu", mu)["result"]["diagram"]
+            self.assertEqual((diagram["open"], bool(diagram["pieces"])), (False, held))
+            checked = {True: 0, False: 0}
+            for i in range(-20, 21):
+                for k in range(-20, 21):
+                    moment, side_force = 0.41 * i + 0.01, 0.23 * k + 0.003
+                    both = [jams(mu, moment + a, 0) and jams(mu, 0, side_force + b) and held
+                            for a in (-1e-3, 0, 1e-3) for b in (-1e-3, 0, 1e-3)]
+                    if any(both) == all(both):
+                        inside = any(contains(piece, moment, side_force, 1e-7) for piece in diagram["pieces"])
+                        self.assertEqual(inside, both[0], (mu, moment, side_force))
+                        checked[inside] += 1
+            self.assertGreater(min(checked[False], checked[True] if held else 21), 20)
+
     def test_lines_are_intervals_of_one_load(self):
         text = (EXAMPLES / "ladder.toml").read_text()
         first, second = text.replace('kind = "reference"', 'kind = "reference"\ncase = "climber"'), """

@@ -8,7 +8,7 @@ import pathlib
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import EXAMPLES, KusabiCase, main  # noqa: E402: beside the folder of this file
+from kusabi_case import EXAMPLES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
 
 LADDER = (EXAMPLES / "ladder.toml").read_text()
 PEG = (EXAMPLES / "peg-under-load.toml").read_text()
@@ -136,7 +136,7 @@ class Hold(KusabiCase):
         rows = list(csv.DictReader((self.folder / "a.csv").read_text().splitlines()))
         self.assertEqual([row["mu"] for row in rows], ["0.4", "0.4", "0.5", "0.5", "0.74", "0.74", "0.76", "2"])
         self.assertEqual([row["low"] == "" for row in rows], [True, False] * 3 + [True, True])
-        self.assertRegex(result["verdict"]["sentence"], r"^At 5 friction coefficients .* at 0.4 up to -1.875.* at 2 all;")
+        self.assertRegex(result["verdict"]["sentence"], r"at 5 friction coefficients: at 0.4 up to -1.875.* at 2 all;")
         for name in ("a.svg", "b.svg"):
             picture = (self.folder / name).read_text()
             self.assertEqual(picture.count("held from 0.4 to 0.74"), 2)
@@ -147,16 +147,62 @@ class Hold(KusabiCase):
         result = self.solve("hold", self.problem(text), "--mu", "0.31:0.35:0.01")
         held = {each["mu"]: len(each["intervals"]) for each in result["result"]["points"]}
         self.assertEqual(held, {0.31: 0, 0.32: 0, 0.33: 0, 0.34: 1, 0.35: 1})
-        self.assertEqual(result["verdict"]["sentence"], "At 5 friction coefficients it can hold the dead load: at 0.31 no, "
-                                                        "at 0.35 yes; the table has those between.")
+        self.assertEqual(result["verdict"]["sentence"], "The dead load at 5 friction coefficients: at 0.31 it cannot be held, "
+                                                        "at 0.35 it can be held; the table has those between.")
 
     def test_an_early_end_of_several_coefficients(self):
-        result = self.solve("hold", "peg-under-load.toml", "--mu", "0.4,0.5,0.6", "--node-limit", 90)
-        self.assertEqual(result["verdict"]["exit_code"], 3)
-        points = result["result"]["points"]
-        self.assertTrue(0 < len(points) < 3)
-        self.assertEqual(len(points[0]["intervals"]), 2)
-        self.assertIn("of 3 friction coefficients", result["verdict"]["sentence"])
+        mus = (0.4, 0.5, 0.6)
+        alone = [self.solve("hold", "peg-under-load.toml", "--mu", mu)["result"]["intervals"] for mu in mus]
+        numbers = set()
+        for limit in (20, 90, 150, 180, 200, 220):
+            result = self.solve("hold", "peg-under-load.toml", "--mu", ",".join(map(str, mus)), "--node-limit", limit,
+                                "--csv", self.folder / "a.csv", "--svg", self.folder / "a.svg")
+            self.assertEqual(result["verdict"]["exit_code"], 3)
+            points = result["result"]["points"]
+            self.assertEqual([each["intervals"] for each in points], alone[:len(points)])
+            sentence = result["verdict"]["sentence"]
+            if points:
+                self.assertIn(f"at {len(points)} of 3 friction coefficients (the others are not known):", sentence)
+            else:
+                self.assertEqual(sentence, "The loads that it can hold are not known.")
+                self.assertIn("no load is known to be held", (self.folder / "a.svg").read_text())
+            self.assertTrue((self.folder / "a.csv").read_text().startswith("mu,"))
+            numbers.add(len(points))
+        self.assertEqual(numbers, {0, 1, 2})
+
+    def test_parts_that_are_not_searched_may_hold_less(self):
+        # Two ladders, the second one with its weight higher up, which requires more friction and holds fewer climbers.
+        other = moved(LADDER[LADDER.index("[[mesh]]"):], 10).replace("ladder", "other").replace("other.5,0", "other.7,0")
+        place = self.problem(LADDER + other)
+        (held,) = self.solve("hold", place, "--mu", 0.5)["result"]["intervals"]
+        bracket = self.solve("hold", place)["result"]["holding_friction"]
+        known = set()
+        for limit in range(1, 13):
+            result = self.solve("hold", place, "--mu", 0.5, "--node-limit", limit)
+            if result["status"] == "solved":
+                continue
+            self.assertEqual(result["verdict"]["exit_code"], 3)
+            for each in result["result"]["intervals"]:
+                self.assertTrue(held["low"] <= each["low"] and each["high"] <= held["high"], (limit, each))
+            if not result["result"]["intervals"]:
+                self.assertIn("It is not known whether", result["verdict"]["sentence"])
+            known.add(len(result["result"]["intervals"]))
+        self.assertIn(0, known)
+        known = set()
+        for limit in range(1, 13):
+            result = self.solve("hold", place, "--node-limit", limit)
+            if result["status"] == "solved":
+                continue
+            self.assertEqual(result["verdict"]["exit_code"], 3)
+            found = result["result"]["holding_friction"]
+            known.add(found["upper"] is None)
+            if found["upper"] is None:
+                self.assertIsNone(found["pattern"])
+            else:
+                self.assertGreaterEqual(found["upper"], bracket["lower"], limit)
+            if found["lower"] is not None:
+                self.assertLessEqual(found["lower"], bracket["upper"], limit)
+        self.assertIn(True, known)
 
     def test_limits_leave_a_partial_answer(self):
         result = self.solve("hold", "peg-under-load.toml", "--mu", 0.5, "--node-limit", 3)

@@ -35,7 +35,7 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
     : certificate_(certificate) {
   const auto& header = certificate.header;
   const auto& [problem, loads] = enclosure;
-  for (const auto& load : loads) unseen_.push_back(load.work.others);
+  for (const auto& load : loads) work_on_other_modes_.push_back(load.work.others);
   for (const auto& block : header.blocks) {
     auto own = contact_block(header, problem.stiffness, problem.motions, block, loads);
     Part part{.unconstrained = own.motions.count > 0};
@@ -85,10 +85,10 @@ Judgement HoldProof::judgement(const HoldNode& node) const {
                                           numbers, grip);
 }
 
-std::optional<std::string> HoldProof::refusal_of_unseen(LoadShare share) const {
-  for (std::size_t mode = 0; mode < unseen_[0].size(); ++mode) {
-    const mpq_class work =
-        mpq_class(share.dead) * unseen_[0][mode] + mpq_class(share.reference) * unseen_[1][mode];
+std::optional<std::string> HoldProof::refusal_of_unbalanced(LoadShare share) const {
+  for (std::size_t mode = 0; mode < work_on_other_modes_[0].size(); ++mode) {
+    const mpq_class work = mpq_class(share.dead) * work_on_other_modes_[0][mode] +
+                           mpq_class(share.reference) * work_on_other_modes_[1][mode];
     if (sgn(work) != 0) return "its load does work on a motion that displaces no candidate";
   }
   return {};
@@ -105,7 +105,7 @@ std::optional<std::string> HoldProof::refusal(const HoldState& state) const {
       return "its contacts do not resist every rigid-body mode";
     return proof.refusal_of_feasible(contact, separated, state.numbers);
   }
-  if (auto why = refusal_of_unseen(*state.share)) return why;
+  if (auto why = refusal_of_unbalanced(*state.share)) return why;
   if (!certificate_.total)
     return proof.refusal_of_held_state(contact, separated, *state.share, state.numbers);
   BlockProof::Grip grip;
@@ -197,10 +197,11 @@ std::vector<FactorRange> HoldProof::held_by(std::size_t block,
 bool HoldProof::out_of_equilibrium() const {
   constexpr double rounded = 0x1p-30;
   double size = 0;
-  for (const auto& mode : unseen_[0]) size = std::max(size, std::abs(mode.get_d()));
+  for (const auto& mode : work_on_other_modes_[0]) size = std::max(size, std::abs(mode.get_d()));
   if (size == 0) return false;
-  for (std::size_t mode = 0; mode < unseen_[0].size(); ++mode) {
-    if (sgn(unseen_[1][mode]) == 0 && std::abs(unseen_[0][mode].get_d()) > rounded * size)
+  for (std::size_t mode = 0; mode < work_on_other_modes_[0].size(); ++mode) {
+    if (sgn(work_on_other_modes_[1][mode]) == 0 &&
+        std::abs(work_on_other_modes_[0][mode].get_d()) > rounded * size)
       return true;
   }
   return false;
@@ -282,10 +283,10 @@ HoldClaims HoldProof::claims(const std::vector<bool>& trees,
       claims.held = common(claims.held, held_by(block, states));
   }
   claims.grip = whole_grip(trees, states);
-  bool unseen = false;  // the reference load is in equilibrium at one factor at most
-  for (const auto& work : unseen_[1]) unseen = unseen || sgn(work) != 0;
-  for (const auto& work : unseen_[0]) unseen = unseen || sgn(work) != 0;
-  if (unseen) claims.held.clear();
+  bool unbalanced = false;  // the reference load is in equilibrium at one factor at most
+  for (const auto& work : work_on_other_modes_[1]) unbalanced = unbalanced || sgn(work) != 0;
+  for (const auto& work : work_on_other_modes_[0]) unbalanced = unbalanced || sgn(work) != 0;
+  if (unbalanced) claims.held.clear();
   for (std::size_t t = 0; t < trees.size(); ++t) {
     const auto range = trees[t] ? excluded(certificate_.trees[t]) : std::nullopt;
     if (range) claims.none.push_back(*range);

@@ -70,7 +70,7 @@ class HoldProof {
     bool dead = false;  ///< the dead load or a clearance
     bool reference = false;
   };
-  [[nodiscard]] std::optional<std::string> refusal_of_unseen(LoadShare share) const;
+  [[nodiscard]] std::optional<std::string> refusal_of_unbalanced(LoadShare share) const;
   [[nodiscard]] std::optional<FactorRange> excluded(const HoldTree& tree) const;
   [[nodiscard]] std::vector<FactorRange> held_by(std::size_t block,
                                                  const std::vector<bool>& states) const;
@@ -83,7 +83,7 @@ class HoldProof {
   const HoldCertificate& certificate_;
   std::vector<BlockProof> blocks_;
   std::vector<Part> parts_;
-  std::vector<Rationals> unseen_;  // work of each load on the modes that displace no candidate
+  std::vector<Rationals> work_on_other_modes_;  // of each load: modes that displace no candidate
   std::optional<Dyadic> least_;
 };
 

@@ -76,18 +76,18 @@ HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, doub
 HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
                          Standard standard) const {
   HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
-  const HoldResult sign = nodes.sign(pattern);
-  if (standard == Standard::proved) return sign;
-  if (sign == HoldResult::at_limit || sign == HoldResult::face) return HoldResult::feasible;
-  return sign == HoldResult::unloaded ? HoldResult::infeasible : sign;
+  const HoldResult result = nodes.solve(pattern);
+  if (standard == Standard::proved) return result;
+  if (result == HoldResult::at_limit || result == HoldResult::face) return HoldResult::feasible;
+  return result == HoldResult::unloaded ? HoldResult::infeasible : result;
 }
 
 std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
                                           double factor, double mu) const {
   if (!pattern || !std::isfinite(factor)) return {};
   HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, parameters_.precision, grip_);
-  const HoldResult sign = nodes.sign(*pattern);
-  if (sign != HoldResult::feasible && sign != HoldResult::at_limit) return {};
+  const HoldResult result = nodes.solve(*pattern);
+  if (result != HoldResult::feasible && result != HoldResult::at_limit) return {};
   auto leaf = nodes.leaf(*pattern);
   const double amount = leaf.amounts.front();
   if (!(amount > 0)) return {};
@@ -104,8 +104,8 @@ double BlockHold::factor_scale() const {
 
 // Bisection. Undecided points divide the interval; both sides then approach them separately.
 BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
-                                  const std::function<HoldResult(double)>& sign) const {
-  auto [feasible, infeasible, unbounded, wide] = ends;
+                                  const std::function<HoldResult(double)>& result_at) const {
+  auto [feasible, infeasible, unbounded_by_limit, wide] = ends;
   double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
   const auto narrow = [&](double from, double to) {
     return std::abs(to - from) <=
@@ -125,7 +125,7 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
       if (!met_open) break;
       continue;
     }
-    switch (sign(middle)) {
+    switch (result_at(middle)) {
       case HoldResult::feasible:
         feasible = middle;
         break;
@@ -141,27 +141,26 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
   wide = (met_open || stopped) &&
          std::abs(infeasible - feasible) >
              std::max(close_enough * std::max(std::abs(feasible), std::abs(infeasible)), floor);
-  return {feasible, infeasible, unbounded, wide};
+  return {feasible, infeasible, unbounded_by_limit, wide};
 }
 
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
                                   double mu, Standard standard) const {
-  const double unbounded = direction * unbounded_end;
+  const double end = direction * unbounded_end;
   // Any multiple of a state of the reference load alone may be added to a state.
   const LoadShare reference{0, static_cast<double>(direction)};
-  if (at(pattern, reference, mu, Standard::proved) == HoldResult::feasible)
-    return {unbounded, unbounded};
+  if (at(pattern, reference, mu, Standard::proved) == HoldResult::feasible) return {end, end};
   if (at(pattern, reference, mu, Standard::computed) == HoldResult::feasible)
-    return {unbounded, unbounded, true};
+    return {end, end, true};
   const double scale = factor_scale();
   double feasible = from;
   double step = std::max(std::abs(from), scale);
-  double infeasible = unbounded;
+  double infeasible = end;
   for (int doubling = 0; doubling < most_doublings && !ended(); ++doubling, step *= 2) {
     const double next = from + direction * step;
-    const HoldResult sign = at(pattern, {1, next}, mu, standard);
-    if (sign == HoldResult::feasible) feasible = next;
-    if (sign != HoldResult::infeasible) continue;
+    const HoldResult result = at(pattern, {1, next}, mu, standard);
+    if (result == HoldResult::feasible) feasible = next;
+    if (result != HoldResult::infeasible) continue;
     infeasible = next;
     break;
   }
@@ -196,7 +195,7 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     const bool held = !outcome.leaf.empty() || at_limit;
     if (at_limit) all.proved = false;
     if (!held && !outcome.is_infeasible()) found.proved = false;
-    if (!held && outcome.tally.unresolved() != 0) found.unresolved = true;
+    if (!held && outcome.is_unresolved()) found.unresolved = true;
     (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.is_infeasible();
     if (!held) continue;
     (direction < 0 ? all.low : all.high) = direction * unbounded_end;
@@ -336,7 +335,7 @@ HeldFactors BlockHold::dead_alone(double mu) {
   const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
   if (outcome.leaf.empty() && !at_limit) {
     found.proved = outcome.is_infeasible();
-    found.unresolved = outcome.tally.unresolved() != 0;
+    found.unresolved = outcome.is_unresolved();
     return found;
   }
   if (!at_limit) pieces_.push_back({outcome.leaf.front().pattern, 0, 0, 0});
@@ -465,15 +464,15 @@ void BlockHold::follow(HoldingFriction& found, double least) {
   while (*found.upper > least) {
     HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, parameters_.precision);
     const double start = std::max(found.lower, least);
-    const auto sign = [&](double mu) {
+    const auto result_at = [&](double mu) {
       nodes.set_friction(mu);
-      return nodes.sign(*found.pattern);
+      return nodes.solve(*found.pattern);
     };
-    if (start == least && sign(least) == HoldResult::feasible) {
+    if (start == least && result_at(least) == HoldResult::feasible) {
       found.upper = least;
       return;
     }
-    const Ends ends = bisect({*found.upper, start}, 0, sign);
+    const Ends ends = bisect({*found.upper, start}, 0, result_at);
     found.upper = ends.feasible;
     if (ends.infeasible <= found.lower || prove_lower(found, ends.infeasible)) return;
   }

@@ -87,7 +87,7 @@ class BlockHold {
                                       Standard standard) const;
   Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
               Standard standard) const;
-  Ends bisect(Ends ends, double floor, const std::function<HoldResult(double)>& sign) const;
+  Ends bisect(Ends ends, double floor, const std::function<HoldResult(double)>& result_at) const;
   void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<Gap>& unknown, double mu);

@@ -52,7 +52,7 @@ class PieceSearch {
   [[nodiscard]] LoadShare share(double dead, const Eigen::Vector2d& at) const {
     return {dead, at.x() * unit_.x(), at.y() * unit_.y()};
   }
-  HoldResult sign(LoadShare share);
+  HoldResult solve(LoadShare share);
   bool is_unbounded(const Eigen::Vector2d& along);
   Shot shoot(const Eigen::Vector2d& along);
   Shot shot_at(const Eigen::Vector2d& along);
@@ -74,28 +74,28 @@ class PieceSearch {
   std::vector<std::pair<Eigen::Vector2d, Shot>> shots_;
 };
 
-HoldResult PieceSearch::sign(LoadShare share) {
+HoldResult PieceSearch::solve(LoadShare share) {
   HoldNodes nodes(block_, std::array{share}, mu_, precision_);
-  const HoldResult sign = nodes.sign(pattern_);
-  if (sign == HoldResult::infeasible) works_ = nodes.works();
-  return sign;
+  const HoldResult result = nodes.solve(pattern_);
+  if (result == HoldResult::infeasible) works_ = nodes.works();
+  return result;
 }
 
 // A direction at a limit counts if directions beside it on one side have no end.
 bool PieceSearch::is_unbounded(const Eigen::Vector2d& along) {
-  const auto at = sign(share(0, along));
+  const auto at = solve(share(0, along));
   if (at == HoldResult::feasible) return true;
   if (at == HoldResult::infeasible) return false;
   const Eigen::Vector2d across(-along.y(), along.x());
-  return sign(share(0, along + small_turn * across)) == HoldResult::feasible ||
-         sign(share(0, along - small_turn * across)) == HoldResult::feasible ||
+  return solve(share(0, along + small_turn * across)) == HoldResult::feasible ||
+         solve(share(0, along - small_turn * across)) == HoldResult::feasible ||
          at == HoldResult::at_limit || at == HoldResult::face;
 }
 
 PieceSearch::Shot PieceSearch::shoot(const Eigen::Vector2d& along) {
   if (is_unbounded(along)) return {.unbounded = true};
   const auto feasible = [&](double distance) {
-    return sign(share(1, inside_ + distance * along)) == HoldResult::feasible;
+    return solve(share(1, inside_ + distance * along)) == HoldResult::feasible;
   };
   double held = 0;
   double out = std::max(1.0, inside_.norm());
@@ -110,7 +110,7 @@ PieceSearch::Shot PieceSearch::shoot(const Eigen::Vector2d& along) {
     (feasible(middle) ? held : out) = middle;
   }
   for (double beyond = diagram_width / 8; beyond < 1; beyond *= 4) {  // degenerate at the boundary
-    if (sign(share(1, inside_ + out * along)) == HoldResult::infeasible) {
+    if (solve(share(1, inside_ + out * along)) == HoldResult::infeasible) {
       enclose();
       break;
     }
@@ -150,7 +150,7 @@ std::optional<Eigen::Vector2d> PieceSearch::nearest_unbounded(
   Eigen::Vector2d outer = ray;
   while ((outer - inner).norm() > diagram_width) {
     const Eigen::Vector2d middle = (outer + inner).normalized();
-    (sign(share(0, middle)) == HoldResult::feasible ? inner : outer) = middle;
+    (solve(share(0, middle)) == HoldResult::feasible ? inner : outer) = middle;
   }
   return inner;
 }
@@ -241,14 +241,21 @@ struct Begin {
   Eigen::Vector2d point;
 };
 
+// Signs of a load in the quadrants; zero, once, for a load that does not act on the block.
+std::vector<double> signs_of(const LoadedProblem& block, Eigen::Index load) {
+  if (!acts(block, (block.has_dead ? 1 : 0) + load)) return {0};
+  return {1, -1};
+}
+
 std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& block, double mu,
                                Precision precision, const Eigen::Vector2d& unit, Diagram& found) {
   std::vector<Begin> all;
-  for (const double first : {1.0, -1.0}) {
-    for (const double second : {1.0, -1.0}) {
+  for (const double first : signs_of(block, 0)) {
+    for (const double second : signs_of(block, 1)) {
       const LoadShare corner{1, off_the_axes.x() * unit.x(), off_the_axes.y() * unit.y()};
-      const std::array shares{corner, LoadShare{0, first * unit.x(), 0},
-                              LoadShare{0, 0, second * unit.y()}};
+      std::vector shares{corner};
+      if (first != 0) shares.push_back({0, first * unit.x(), 0});
+      if (second != 0) shares.push_back({0, 0, second * unit.y()});
       HoldTree tree(block, shares, mu, precision);
       const auto outcome = all_leaves(analysis, tree);
       found.costs.push_back({mu, 0, 0, outcome.opened, outcome.tally.iterations});
@@ -263,7 +270,9 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
         const bool known = std::ranges::any_of(
             all, [&](const Begin& each) { return each.pattern == leaf.pattern; });
         if (known) continue;
-        const Eigen::Vector2d beside(first * leaf.amounts[1], second * leaf.amounts[2]);
+        Eigen::Vector2d beside(0, 0);
+        if (first != 0) beside.x() = first * leaf.amounts[1];
+        if (second != 0) beside.y() = second * leaf.amounts.back();
         all.push_back({leaf.pattern, off_the_axes + beside / leaf.amounts[0]});
       }
     }

@@ -24,7 +24,7 @@ struct Firmness {
 /// Firmness of one pattern after another, on this rank.
 class PatternFirmness {
  public:
-  /// @pre `analysis`, whose limits it obeys, outlives this object
+  /// @pre `analysis` outlives this object. Its limits do not interrupt a pattern.
   PatternFirmness(engine::Analysis& analysis, const LoadedProblem& loaded, double mu);
 
   /// Nothing for a leaf without margin, and where the load does not act.

@@ -86,7 +86,7 @@ double BlockGrip::sum_of(const LoadedLeaf& leaf) const {
 bool BlockGrip::reaches(const LoadedPattern& pattern,
                         const std::optional<GripRestriction>& grip) const {
   HoldNodes nodes(block_, std::array{dead_load}, mu_, parameters_.precision, grip);
-  return nodes.sign(pattern) == HoldResult::feasible;
+  return nodes.solve(pattern) == HoldResult::feasible;
 }
 
 // Moves `held` to the end of its pattern, and `out` beside it.

@@ -127,8 +127,8 @@ std::optional<Polygon> common_part(const Polygon& one, const Polygon& other) {
   if (!centre) return {};
   for (auto& plane : planes) plane.most -= plane.normal.dot(*centre);
   auto part = intersection(planes);
-  if (part.vertices
-          .empty()) {  // a half-plane or a strip: the points of its lines next to the centre
+  // A half-plane or a strip: the points of its lines next to the centre.
+  if (part.vertices.empty()) {
     for (const auto& plane : planes)
       if (inside(planes, plane.most * plane.normal))
         add(part.vertices, plane.most * plane.normal, same_direction * plane.most);

@@ -17,7 +17,8 @@ struct HalfPlane {
 
 /// The convex hull of the vertices, plus all multiples of the rays.
 struct Polygon {
-  std::vector<Eigen::Vector2d> vertices{};  ///< in the order of their angles about the origin
+  std::vector<Eigen::Vector2d> vertices{};  ///< of intersection(): in the order of their angles
+                                            ///< about the origin
   std::vector<Eigen::Vector2d> rays{};      ///< unit; none: bounded
 };
 

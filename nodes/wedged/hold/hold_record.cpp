@@ -73,7 +73,7 @@ void record_state(engine::Analysis& analysis, const RecordedBlock& block,
   std::vector<LoadShare> shares;
   if (share) shares.push_back(*share);
   HoldNodes nodes(block.problem, shares, block.mu, block.precision, grip);
-  if (nodes.sign(pattern) == HoldResult::feasible) {
+  if (nodes.solve(pattern) == HoldResult::feasible) {
     record.state(block.number, share, in_whole(pattern, block.candidates),
                  nodes.state_numbers(pattern));
   } else if (grip && grip->kind != GripRestriction::Kind::equal) {

@@ -30,6 +30,11 @@ struct HoldOutcome {
            tally.unresolved() == 0 && tally.limits.empty();
   }
 
+  /// True if states may be missing: the search was stopped, or leaves are undecided.
+  [[nodiscard]] bool is_unresolved() const {
+    return status != engine::Status::solved || tally.unresolved() != 0;
+  }
+
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& status& leaf& tally& opened;

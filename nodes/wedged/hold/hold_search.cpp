@@ -14,6 +14,15 @@
 namespace kusabi::wedged {
 namespace {
 
+using Candidates = std::vector<support::IndexSet>;
+
+// True if a load acts on one of the blocks from `first` on: it may hold less than those before.
+bool is_loaded_from(const LoadedProblem& loaded, const Candidates& blocks, std::size_t first) {
+  return std::ranges::any_of(std::span(blocks).subspan(first), [&](const auto& candidates) {
+    return is_loaded(loaded_block(loaded, candidates));
+  });
+}
+
 bool is_under_reference(const LoadedProblem& block) {
   return block.has_reference && acts(block, block.has_dead ? 1 : 0);
 }
@@ -54,10 +63,8 @@ std::optional<double> only_factor(const LoadedProblem& loaded) {
 // States at that one factor.
 HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                           const HoldParameters& parameters) {
-  HeldFactors found;
-  found.not_in_equilibrium = true;
   const auto factor = only_factor(loaded);
-  if (!factor) return found;
+  if (!factor) return {.not_in_equilibrium = true};
   LoadedProblem fixed = loaded;  // the dead load of that factor alone
   if (loaded.has_dead) {
     fixed.loads.displacements.col(0) +=
@@ -78,7 +85,7 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   fixed.loads.other_modes = numbers::PreciseMatrix(kept, 0);  // in equilibrium at this factor
   fixed.loads.sizes = Eigen::VectorXd(fixed.loads.sizes.head(kept));
   auto at = held_factors(analysis, fixed, mu, parameters);
-  at.not_in_equilibrium = true;
+  at.any_by_supports = false;
   for (auto& each : at.intervals) each.low = each.low_out = each.high = each.high_out = *factor;
   return at;
 }
@@ -142,7 +149,12 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     found.proved = found.proved && own.proved;
     found.unresolved = found.unresolved || own.unresolved;
     found.intervals = common(found.intervals, own.intervals);
-    if (found.status != engine::Status::solved) break;
+    if (found.status != engine::Status::solved) {
+      if (is_loaded_from(loaded, blocks, number + 1)) found.intervals.clear();
+      found.proved = false;
+      found.unresolved = true;
+      break;
+    }
     if (record != nullptr)
       hold.record({block, blocks[number], number, mu, parameters.precision}, *record);
   }
@@ -230,6 +242,11 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
       found.state = own.state;
     }
     if (!found.upper) found.most = own.most;
+    if (found.status != engine::Status::solved && is_loaded_from(loaded, blocks, number + 1)) {
+      found.upper.reset();
+      found.pattern.reset();
+      found.state.reset();
+    }
     if (found.status != engine::Status::solved || !found.upper) break;
   }
   if (parameters.recorder && found.status == engine::Status::solved)

@@ -54,8 +54,8 @@ struct HeldFactors {
   bool unresolved = false;                ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
-  bool not_in_equilibrium = false;        ///< the load moves a body where no candidate
-                                          ///< resists
+  bool not_in_equilibrium = false;        ///< at every factor the load moves a body where no
+                                          ///< candidate resists
   std::vector<HoldCost> costs{};
 };
 

@@ -73,7 +73,7 @@ void HoldNodes::set_friction(double mu) {
   solver_.set_friction(friction_with_loads(loaded_->problem, mu, loads_));
 }
 
-HoldResult HoldNodes::sign(const LoadedPattern& node) {
+HoldResult HoldNodes::solve(const LoadedPattern& node) {
   ++programs_;
   const bool leaf = (node.contact | node.separated) == all_;
   if (scales_.empty() && node.separated == all_) {
@@ -173,9 +173,9 @@ void HoldTree::expand(Node&& node, engine::Expansion<HoldTree>& out) {
 }
 
 void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
-  const HoldResult sign = nodes_.sign(node);
+  const HoldResult result = nodes_.solve(node);
   const IndexSet free = nodes_.all() - (node.contact | node.separated);
-  switch (sign) {
+  switch (result) {
     case HoldResult::infeasible:
       ++tally_.infeasible;
       if (reporter_) reporter_(node, nodes_.infeasible_numbers());

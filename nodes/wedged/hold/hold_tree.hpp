@@ -113,14 +113,14 @@ class HoldNodes {
   /// with such states, in all of which some candidate of U has no reaction, so that they are states
   /// of other leaves; `unloaded`: t* = 0 and no load acts; `unresolved`: neither is known, or a
   /// candidate remains to be decided.
-  HoldResult sign(const LoadedPattern& node);
+  HoldResult solve(const LoadedPattern& node);
 
   [[nodiscard]] const support::IndexSet& all() const { return all_; }
   [[nodiscard]] const problems::WedgedProblem& problem() const { return loaded_->problem; }
   [[nodiscard]] double friction() const { return mu_; }
-  /// The candidate by which a node is split, after sign().
+  /// The candidate by which a node is split, after solve().
   int candidate(const support::IndexSet& free) { return rule_.candidate(free, solver_); }
-  /// The leaf of all states of the last node, whose sign is `limit`.
+  /// The leaf of all states of the last node, whose result is `at_limit`.
   [[nodiscard]] const LoadedPattern& limit() const { return limit_; }
   /// The state of the last node.
   [[nodiscard]] LoadedLeaf leaf(const LoadedPattern& pattern) const;

@@ -260,18 +260,29 @@ TEST(HalfPlanes, TheCommonPartOfTwoHullsHasThePointsOfBoth) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto random_point = [&] { return Eigen::Vector2d(uniform(generator), uniform(generator)); };
-  int empty = 0, bounded = 0, endless = 0;
-  for (int trial = 0; trial < 90; ++trial) {
-    std::array<Polygon, 2> hulls;
-    for (auto& hull : hulls) {
-      const Eigen::Vector2d centre = random_point();
-      for (int k = 0; k < 5; ++k) hull.vertices.emplace_back(centre + 0.7 * random_point());
-      if (trial % 3 != 0) hull.rays = {random_point().normalized()};
-      if (trial % 3 == 2)
-        hull.rays.emplace_back(Eigen::Rotation2Dd(2 * uniform(generator)) * hull.rays.front());
-    }
+  // Bounded hulls, those with one direction, wedges, strips and half-planes, of any two kinds;
+  // some with parallel edges.
+  const auto random_hull = [&](int kind, const Eigen::Vector2d& along) {
+    Polygon hull;
+    const Eigen::Vector2d centre = random_point();
+    for (int k = 0; k < 3; ++k) hull.vertices.emplace_back(centre + 0.7 * random_point());
+    if (kind > 0) hull.rays = {along};
+    if (kind == 2) hull.rays.emplace_back(Eigen::Rotation2Dd(2 * uniform(generator)) * along);
+    if (kind > 2) hull.rays.emplace_back(-along);
+    if (kind == 4) hull.rays.emplace_back(-along.y(), along.x());
+    return hull;
+  };
+  int empty = 0, bounded = 0, endless = 0, lines = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Eigen::Vector2d along = random_point().normalized();
+    const Eigen::Vector2d other =
+        trial < 25 ? Eigen::Vector2d((trial % 2 - 0.5) * 2 * along) : random_point().normalized();
+    const std::array hulls{random_hull(trial % 5, along), random_hull(trial / 5 % 5, other)};
     const auto part = common_part(hulls[0], hulls[1]);
-    (!part ? empty : part->rays.empty() ? bounded : endless) += 1;
+    (!part                                ? empty
+     : part->rays.empty()                 ? bounded
+     : trial % 5 > 2 && trial / 5 % 5 > 2 ? lines
+                                          : endless) += 1;
     for (int k = 0; k < 40; ++k) {
       const Eigen::Vector2d point = 3 * random_point();
       const auto in_both = [&](double slack) {
@@ -281,7 +292,7 @@ TEST(HalfPlanes, TheCommonPartOfTwoHullsHasThePointsOfBoth) {
       EXPECT_EQ(part && is_within(*part, point, 0), in_both(0)) << trial;
     }
   }
-  EXPECT_GT(std::min({empty, bounded, endless}), 8);
+  EXPECT_GT(std::min({empty, bounded, endless, lines}), 4);
 }
 
 TEST(HalfPlanes, OnlyCornersAreVertices) {

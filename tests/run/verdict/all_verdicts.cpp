@@ -2,6 +2,7 @@
 #include "all_verdicts.hpp"
 
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -73,6 +74,33 @@ void add_critical(std::vector<AnyAnswer>& all) {
       }
     }
   }
+}
+
+void add_holding(std::vector<AnyAnswer>& all) {
+  const double end = std::numeric_limits<double>::infinity();
+  for (const auto standing : {Standing::computed, Standing::proved}) {
+    for (const bool open : {false, true}) {
+      for (const bool reference : {false, true}) {
+        HoldingFactors none{
+            .friction = 0.4, .of_reference = reference, .outside = standing, .open = open};
+        HoldingFactors held = none;
+        held.friction = 0.5;
+        held.intervals = {{.low = -end, .high = end, .standing = standing}};
+        HoldingFactors some = held;
+        some.friction = 0.45;
+        some.total = 2;
+        some.intervals = {{.low = -1, .high = 2, .standing = standing}};
+        all.insert(all.end(), {none, held});
+        if (reference) all.push_back(some);
+        for (const std::uint64_t requested : {3U, 4U})
+          all.push_back(HoldingSweep{.requested = requested,
+                                     .points = {none, reference ? some : none, held}});
+      }
+    }
+  }
+  for (const auto reason : {HoldReason::supports, HoldReason::unbalanced})
+    all.push_back(HoldingSweep{.requested = 2, .points = {2, HoldingFactors{.reason = reason}}});
+  all.push_back(HoldingSweep{.requested = 2});
 }
 
 void add_steps(std::vector<AnyAnswer>& all) {
@@ -194,6 +222,7 @@ std::vector<Verdict> all_verdicts() {
   std::vector<AnyAnswer> answers{std::monostate()};
   add_sticking(answers);
   add_critical(answers);
+  add_holding(answers);
   add_steps(answers);
   add_loads(answers);
   add_losses(answers);
