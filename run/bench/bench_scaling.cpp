@@ -87,8 +87,7 @@ template <class Tree>
 void print_table(const BenchScalingOptions& options, const Subject<Tree>& subject) {
   fmt::print(
       "A tree of {} nodes of {:.4g} us on average; latency {} us, {} us on machines of {}; {} us "
-      "at either "
-      "end; {} GB/s.\n"
+      "at either end; {} GB/s.\n"
       "Lost time in % of all ranks' time; transfers and refusals per rank; the reports follow the "
       "end.\n\n"
       "{:>6} {:>10} {:>12} {:>12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10}\n",
