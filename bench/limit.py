@@ -6,9 +6,9 @@
 One row for each grid: members, uncertain loads, user CPU seconds of `kusabi limit --certificate` on
 one rank and of `kusabi verify --problem`, relative width of the proved bracket, size of the
 certificate; then user CPU seconds of cbc and glpsol, if they are installed, on the exported program
-with the derived M, up to S each: "-" if not solved, and no further grids are tried by that one. An
-optimum outside of the bracket is printed. The last line is the exponent of the seconds in the number
-of members, between the first and the last grid with the same alpha.
+with the derived M, up to S seconds each (default 60): "-" if not solved, and no further grids are
+tried by that one. An optimum outside of the bracket is printed. The last line is the exponent of the
+seconds in the number of members, between the first and the last grid with the same alpha.
 """
 
 import argparse
@@ -68,7 +68,7 @@ def measure(kusabi, folder, bays, alpha):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--kusabi", default="build/kusabi")
-    parser.add_argument("--seconds", type=int, default=120)
+    parser.add_argument("--seconds", type=int, default=60)
     parser.add_argument("grids", nargs="*", default=USUAL, metavar="BAYS:ALPHA")
     arguments = parser.parse_args()
     print("bays  alpha  members  uncertain        s  verify, s    width      MB" + "".join(f"  {name + ', s':>9}" for name in PEERS))

@@ -206,7 +206,7 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
   auto findings = loads_at_strength(analysis, structure, problem, parameters);
   const bool collapses = findings.answer.status == LoadStatus::collapses;
   if (parameters.residual.size() == 0 || !collapses) return findings;
-  analysis.say("the same with all struts at their residual strength");
+  analysis.say("limit loads with all struts at their residual strength");
   auto residual = loads_after_buckling(analysis, structure, problem, parameters);
   findings.residual = std::move(residual.answer);
   findings.residual_loss = std::move(residual.loss);

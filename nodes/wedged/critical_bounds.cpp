@@ -189,11 +189,12 @@ void CriticalBounds::record_forms() {
   for (std::uint32_t block = 0; block < forms_.numbers.size() && analysis_.is_first(); ++block)
     record->add(form_of(block));
   record->end({}, BoundClaim::all_patterns, true);
+  forms_recorded_ = true;
 }
 
 // Of a run that was stopped: the form, and one cone program for the leaf.
 void CriticalBounds::record_proved_bounds() {
-  if (forms_are_the_bound()) record_forms();
+  if (forms_are_the_bound() && !forms_recorded_) record_forms();
   if (bracket_.upper_proved() && !parameters_.list)
     decide_leaf(*bracket_.leaf(), *bracket_.upper(), LeafRecord::after_stop);
 }
@@ -258,7 +259,7 @@ CriticalBounds::DecidedLeaf CriticalBounds::decide_leaf(const PatternNode& leaf,
 /// Decides all sign patterns at one coefficient and adds the costs.
 /// @param wanted true for results to be recorded
 template <class Wanted>
-DecidedBound CriticalBounds::decide(BracketSide end, double factor, CriticalPhase phase,
+DecidedBound CriticalBounds::decide(BracketSide side, double factor, CriticalPhase phase,
                                     const BoundRecorder& recorder, Wanted wanted,
                                     std::uint64_t nodes) {
   const auto friction = candidate_friction(problem_, factor);
@@ -272,7 +273,7 @@ DecidedBound CriticalBounds::decide(BracketSide end, double factor, CriticalPhas
   if (exact && exact->is_able() && !exact->proves_bounds()) remove_bounds(prepared);
   configure(tree, prepared);
   const auto bounds = proved_bounds(prepared);
-  const auto record = recorder ? recorder(end, factor, friction) : nullptr;
+  const auto record = recorder ? recorder(side, factor, friction) : nullptr;
   tree.test_with(test(exact), badly_scaled_);
   if (record) tree.report_to([&record](const auto& evidence) { record->add(evidence); });
   engine::Options search;

@@ -48,7 +48,7 @@ class BoundRecord {
 
 /// Begins a record, on every rank alike. @param factor the friction coefficient @param friction
 /// that of each candidate @return null: this bound is not recorded
-using BoundRecorder = std::function<std::unique_ptr<BoundRecord>(BracketSide end, double factor,
+using BoundRecorder = std::function<std::unique_ptr<BoundRecord>(BracketSide side, double factor,
                                                                  std::span<const double> friction)>;
 
 /// Parameters of the verification.
@@ -112,7 +112,7 @@ class CriticalBounds {
   [[nodiscard]] Test test(std::shared_ptr<const EvidenceCheck> check) const;
   [[nodiscard]] conic::Tolerances tolerances() const;
   template <class Wanted>
-  DecidedBound decide(BracketSide end, double factor, CriticalPhase phase,
+  DecidedBound decide(BracketSide side, double factor, CriticalPhase phase,
                       const BoundRecorder& recorder, Wanted wanted, std::uint64_t nodes);
   engine::Status bisect();
   engine::Status prove_lower();
@@ -139,6 +139,7 @@ class CriticalBounds {
                        ///< may be wrong
   double proved_lower_ = 0;
   QuadraticForms forms_;                   ///< none, or proved at their coefficient
+  bool forms_recorded_ = false;            ///< in a certificate
   std::vector<Configuration> known_;       ///< feasible at the upper bound
   std::optional<PatternNode> known_leaf_;  ///< leaf of the bracket at that time
 };

@@ -164,7 +164,7 @@ class SmallestStrategies {
     return stopped(CriticalPhase::form) || is_answered();
   }
 
-  // A first lower bound soon, in case that the search for patterns of a large block is interrupted.
+  // First lower bound of large blocks: the search for patterns after it may be interrupted.
   bool bound_by_first_forms() { return grid_.precision == Precision::doubles && bound_by_forms(0); }
 
   // Searches a feasible leaf at the largest coefficient, if the user specified one, as a descent
@@ -283,7 +283,7 @@ CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalParam
       std::min(default_max_friction, CriticalFriction::range(problem).most));
   int largest = 0;
   for (const auto& block : problems::blocks_of(problem)) largest = std::max(largest, block.size());
-  const bool in_doubles = largest >= fewest_for_doubles && !parameters.width;
+  const bool in_doubles = largest >= min_candidates_for_doubles && !parameters.width;
   if (in_doubles) grid.precision = Precision::doubles;
   grid.width = parameters.width.value_or(in_doubles ? default_width_in_doubles : default_width);
   if (!(grid.width < grid.most) || grid.most > max_multiples * grid.width) {
@@ -299,7 +299,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::WedgedProblem& problem,
                                         const CriticalParameters& parameters,
                                         const BoundRecorder& recorder) {
-  if (!finds_smallest_only(parameters.way) && !parameters.most) {
+  if (!finds_smallest_only(parameters.strategy) && !parameters.most) {
     throw std::invalid_argument(
         "the upper limit of the friction coefficient is missing; expected one for a search of all "
         "patterns");
@@ -310,7 +310,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   CriticalBounds ends(analysis, structure, problem,
                       {.grid = grid,
                        .tightening = parameters.tightening,
-                       .list = parameters.list && finds_smallest_only(parameters.way),
+                       .list = parameters.list && finds_smallest_only(parameters.strategy),
                        .list_nodes = parameters.list_nodes},
                       recorder, bracket, findings.costs);
   SmallestStrategies strategies(analysis, problem, parameters, grid, ends, bracket, findings);
@@ -324,7 +324,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
     if (findings.status != engine::Status::solved) findings.stopped_in = CriticalPhase::patterns;
     narrow_by_patterns(analysis, problem, findings, bracket);
   };
-  switch (parameters.way) {
+  switch (parameters.strategy) {
     case CriticalStrategy::automatic:
       strategies.automatic();
       break;

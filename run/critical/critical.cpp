@@ -49,7 +49,7 @@ class Critical final : public Subcommand {
 void Critical::describe(OptionTable& table) {
   table.problem(options_.input.file);
   table.choice(
-      "--method", options_.parameters.way,
+      "--method", options_.parameters.strategy,
       {{"auto", wedged::CriticalStrategy::automatic},
        {"descent", wedged::CriticalStrategy::descent},
        {"global", wedged::CriticalStrategy::global},
@@ -90,16 +90,16 @@ void Critical::describe(OptionTable& table) {
 }
 
 void Critical::check() const {
-  if (!finds_smallest_only(options_.parameters.way) && !options_.parameters.most) {
+  if (!finds_smallest_only(options_.parameters.strategy) && !options_.parameters.most) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient of the list of patterns, or "
         "--method auto");
   }
-  if (!finds_smallest_only(options_.parameters.way) && !vtu_.empty()) {
+  if (!finds_smallest_only(options_.parameters.strategy) && !vtu_.empty()) {
     throw WrongInput(
         "--vtu: this method stores no configurations; expected --method auto, descent or global");
   }
-  if (!finds_smallest_only(options_.parameters.way) && options_.parameters.list) {
+  if (!finds_smallest_only(options_.parameters.strategy) && options_.parameters.list) {
     throw WrongInput(
         "--list: this method lists all patterns that stick at --mu-max; expected --method auto, "
         "descent or global");
@@ -133,8 +133,8 @@ void Critical::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
   findings_ = wedged::find_critical_friction(
       analysis, contact_.structure, contact_.problem, options_.parameters,
-      end_recorder(run.session(), {options_.certificate, options_.input.file, run.quiet()},
-                   contact_.problem));
+      bound_recorder(run.session(), {options_.certificate, options_.input.file, run.quiet()},
+                     contact_.problem));
   if (!run.session().speaks()) return;
   const double answer = findings_.upper.value_or(findings_.lower);
   warn_of_facets(run, options_.input, contact_.facets, answer);

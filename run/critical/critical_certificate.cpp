@@ -14,11 +14,11 @@
 namespace kusabi::run {
 namespace {
 
-class EndCertificate final : public wedged::BoundRecord {
+class BoundCertificate final : public wedged::BoundRecord {
  public:
-  EndCertificate(Session& session, const EndCertificates& certificates, const std::string& name,
-                 std::uint64_t tree, const problems::WedgedProblem& problem,
-                 std::span<const double> friction)
+  BoundCertificate(Session& session, const BoundCertificates& certificates, const std::string& name,
+                   std::uint64_t tree, const problems::WedgedProblem& problem,
+                   std::span<const double> friction)
       : session_(session),
         quiet_(certificates.quiet),
         name_(name),
@@ -53,18 +53,18 @@ class EndCertificate final : public wedged::BoundRecord {
 
 }  // namespace
 
-wedged::BoundRecorder end_recorder(Session& session, EndCertificates certificates,
-                                   const problems::WedgedProblem& problem) {
+wedged::BoundRecorder bound_recorder(Session& session, BoundCertificates certificates,
+                                     const problems::WedgedProblem& problem) {
   if (certificates.name.empty()) return {};
   return [&session, &problem, certificates = std::move(certificates)](
-             wedged::BracketSide end, double factor,
+             wedged::BracketSide side, double factor,
              std::span<const double> friction) -> std::unique_ptr<wedged::BoundRecord> {
     support::Fingerprint fingerprint;
     fingerprint.add(problem.provenance.fingerprint);
     fingerprint.add(factor);
-    const char* const which = end == wedged::BracketSide::lower ? ".lower" : ".upper";
-    return std::make_unique<EndCertificate>(session, certificates, certificates.name + which,
-                                            fingerprint.value(), problem, friction);
+    const char* const which = side == wedged::BracketSide::lower ? ".lower" : ".upper";
+    return std::make_unique<BoundCertificate>(session, certificates, certificates.name + which,
+                                              fingerprint.value(), problem, friction);
   };
 }
 

@@ -9,14 +9,14 @@
 
 namespace kusabi::run {
 
-struct EndCertificates {
+struct BoundCertificates {
   std::string name;    ///< without its ending; empty: none is written
   std::string input;   ///< problem file
   bool quiet = false;  ///< file names are not printed
 };
 
 /// Recorder of both bounds. Session and problem must outlive it.
-wedged::BoundRecorder end_recorder(Session& session, EndCertificates certificates,
-                                   const problems::WedgedProblem& problem);
+wedged::BoundRecorder bound_recorder(Session& session, BoundCertificates certificates,
+                                     const problems::WedgedProblem& problem);
 
 }  // namespace kusabi::run

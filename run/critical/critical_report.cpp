@@ -20,8 +20,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* way_name(wedged::CriticalStrategy way) {
-  switch (way) {
+const char* strategy_name(wedged::CriticalStrategy strategy) {
+  switch (strategy) {
     case wedged::CriticalStrategy::automatic:
       return "auto";
     case wedged::CriticalStrategy::descent:
@@ -176,7 +176,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
                    contact_text(problem, entry.pattern));
   }
   text += '\n' + bracket_line(critical_bracket(options, problem, findings));
-  if (!finds_smallest_only(options.parameters.way) && findings.upper) {
+  if (!finds_smallest_only(options.parameters.strategy) && findings.upper) {
     fmt::format_to(out, "(of the {} at {})\n", counted(findings.patterns.size(), "pattern"),
                    options.parameters.most.value_or(0));
   }
@@ -190,7 +190,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
     const bool all = options.whole || i < whole_unless_requested;
     patterns.push_back(entry_json(problem, findings.patterns[i], all ? &whole : nullptr));
   }
-  ordered_json chosen = {{"method", way_name(options.parameters.way)},
+  ordered_json chosen = {{"method", strategy_name(options.parameters.strategy)},
                          {"cuts", name_of(options.parameters.tightening)},
                          {"width", wedged::grid_of(problem, options.parameters).width}};
   chosen["mu_max"] = number_or_null(options.parameters.most);

@@ -209,7 +209,7 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
     }
     verdict.answer = member_loss(cases);
   }
-  if (governs.found.residual) verdict.details.push_back(strut_sentence(governs.found));
+  if (auto text = strut_sentence(cases); !text.empty()) verdict.details.push_back(std::move(text));
   return verdict;
 }
 

@@ -1,8 +1,11 @@
 // Both factors of the bracket, each with its standing.
 #include "run/limit/strut_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -43,7 +46,7 @@ bool at_no_factor(const LimitAnswer& answer) {
                       : answer.status == limit::LoadStatus::not_carried;
 }
 
-// Of the worst loss of members, if it is asked for.
+// The factor after the worst loss of members, if that was requested.
 std::string factor_text(const LimitAnswer& answer, const std::optional<limit::LossAnswer>& loss) {
   if (loss && loss->is_fatal())
     return loss->proved ? "no load factor after a loss, proved" : "no load factor after a loss";
@@ -95,24 +98,49 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
   return json;
 }
 
-std::string strut_sentence(const limit::LimitFindings& found) {
-  const auto& residual = *found.residual;
-  const auto& loss = found.residual_loss;
-  if (at_no_factor(residual) || (loss && loss->is_fatal()))
-    return "With all struts at their residual strength no load factor is carried.";
-  if (loss && loss->ends.lower_proved) {
-    return fmt::format("With all struts at their residual strength it is at least {:.8g}.",
-                       loss->ends.lower);
+namespace {
+
+/// Lower bound of the load factor of a case with all struts at their residual strength.
+struct ResidualFactor {
+  double lower = -std::numeric_limits<double>::infinity();  ///< minus infinity: not known
+  bool proved = false;
+  bool is_nominal = false;  ///< computed for the loads as given, and not a bound
+};
+
+// @pre found.residual
+ResidualFactor residual_factor(const limit::LimitFindings& found) {
+  if (const auto& loss = found.residual_loss) return {loss->ends.lower, loss->ends.lower_proved};
+  const auto& [worst, nominal] = std::tie(found.residual->worst, found.residual->nominal);
+  if (worst) return {worst->ends.lower, worst->ends.lower_proved};
+  if (nominal) return {.lower = nominal->factor, .proved = false, .is_nominal = true};
+  return {};
+}
+
+}  // namespace
+
+std::string strut_sentence(std::span<const LimitCase> cases) {
+  const auto has_residual = [](const auto& each) { return each.found.residual.has_value(); };
+  if (std::ranges::none_of(cases, has_residual) ||
+      std::ranges::any_of(cases, [](const auto& each) { return at_no_factor(each.found.answer); }))
+    return {};
+  std::string text = "With all struts at their residual strength ";
+  ResidualFactor least{.lower = std::numeric_limits<double>::infinity(), .proved = true};
+  bool after_loss = false;
+  for (const auto& each : cases) {
+    const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);
+    if (residual && at_no_factor(*residual)) return text + "no load factor is carried.";
+    if (loss && loss->is_fatal()) return text + "no load factor remains after the worst loss.";
+    after_loss = after_loss || loss;
+    const auto own = residual ? residual_factor(each.found) : ResidualFactor{};
+    least.lower = std::min(least.lower, own.lower);
+    least.proved = least.proved && own.proved;
+    least.is_nominal = own.is_nominal;
   }
-  if (loss) return "With all struts at their residual strength it is not known.";
-  const auto& worst = residual.worst;
-  if (worst && std::isfinite(worst->ends.lower)) {
-    return fmt::format("With all struts at their residual strength it is at least {:.8g}{}.",
-                       worst->ends.lower, worst->ends.lower_proved ? "" : " (not proved)");
-  }
-  if (!residual.nominal) return "With all struts at their residual strength it is not known.";
-  return fmt::format("With all struts at their residual strength it is {:.8g}.",
-                     residual.nominal->factor);
+  if (!std::isfinite(least.lower)) return text + "it is not known.";
+  const bool bound = !least.is_nominal;
+  return text + fmt::format("it is {}{:.8g}{}{}.", bound ? "at least " : "", least.lower,
+                            after_loss ? " after the worst loss" : "",
+                            bound && !least.proved ? " (not proved)" : "");
 }
 
 }  // namespace kusabi::run

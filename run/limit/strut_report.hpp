@@ -2,11 +2,12 @@
 // buckling, and the struts at their strength.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/limit/limit_loads.hpp"
+#include "run/limit/limit_cases.hpp"
 #include "run/limit/limit_report.hpp"
 
 namespace kusabi::run {
@@ -17,7 +18,8 @@ std::string strut_text(const LimitReport& report);
 /// The key `struts` of a result. @pre report.residual
 nlohmann::ordered_json strut_json(const LimitReport& report);
 
-/// "With all struts at their residual strength it is at least 0.5." @pre found.residual
-std::string strut_sentence(const limit::LimitFindings& found);
+/// "With all struts at their residual strength it is at least 0.5.", of all cases together; empty
+/// if there are no struts, or if some case is carried at no factor without buckling.
+std::string strut_sentence(std::span<const LimitCase> cases);
 
 }  // namespace kusabi::run

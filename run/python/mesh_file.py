@@ -26,7 +26,7 @@ def groups_of_arrays(arrays, number):
     groups = {}
     for name, values in arrays.items():
         values = values[number] if number is not None else values
-        if getattr(values, "ndim", 1) != 1 or any(value != int(value) for value in values):
+        if getattr(values, "ndim", 1) != 1 or not all(float(value).is_integer() for value in values):
             continue
         for index, value in enumerate(values):
             if value >= 1:

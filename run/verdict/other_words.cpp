@@ -56,10 +56,9 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   }
   if (upper > factor.lower) return text;
   return text + fmt::format(
-                    "; every load factor from {:.17g} to the first of these numbers is carried "
-                    "under every "
-                    "admissible load, and no factor below {:.17g} is",
-                    upper, lower);
+                    "; every load factor from {:.17g} to {:.17g} is carried under every admissible "
+                    "load, and no factor below {:.17g} is",
+                    upper, factor.lower, lower);
 }
 
 namespace {

@@ -64,7 +64,8 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
                                                 const problems::CheckedStructure& structure,
                                                 const Eigen::VectorXd& residual) {
   if (statement.residual && residual.size() == 0)
-    return "claims at residual strength, but no member of the file has one";
+    return "the claim is for residual strength, but no member of the problem file has `residual`; "
+           "expected the file that was analysed";
   std::vector<std::string> whys;
   for (const auto& name : cases_for(statement, structure)) {
     const auto of_case =

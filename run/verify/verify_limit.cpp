@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -148,6 +149,20 @@ CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statemen
   return factor;
 }
 
+// Load cases of the claims at residual strength; empty: the same as those at strength.
+std::string cases_at_residual_text(std::span<const CheckedStatement> at_strength,
+                                   std::span<const CheckedStatement> after_buckling) {
+  const auto cases_of = [](std::span<const CheckedStatement> statements) {
+    std::set<std::string> cases;
+    for (const auto& each : statements) cases.insert(support::in_quotes(each.load_case));
+    return cases;
+  };
+  const auto cases = cases_of(after_buckling);
+  if (cases == cases_of(at_strength)) return {};
+  return fmt::format("the claims at residual strength are for load case{} {} only\n",
+                     cases.size() == 1 ? "" : "s", fmt::join(cases, ", "));
+}
+
 // Load cases of the file without a statement.
 std::string cases_left_text(const std::vector<CheckedStatement>& statements,
                             const problems::Structure& structure) {
@@ -191,8 +206,12 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   const auto after_buckling = std::ranges::stable_partition(
       statements, [](const CheckedStatement& each) { return !each.residual; });
   if (!after_buckling.empty()) {
-    summary += fmt::format("all struts at their residual strength, PROVED: {}\n",
-                           factor_claim(factor_of({after_buckling.begin(), after_buckling.end()})));
+    summary += cases_at_residual_text({statements.begin(), after_buckling.begin()},
+                                      {after_buckling.begin(), after_buckling.end()});
+    summary += fmt::format(
+        "all struts at {}, PROVED: {}\n",
+        structure ? "their residual strength" : "the residual strengths of the certificate",
+        factor_claim(factor_of({after_buckling.begin(), after_buckling.end()})));
   }
   statements.erase(after_buckling.begin(), after_buckling.end());
   findings.check.claim = factor_of(statements);

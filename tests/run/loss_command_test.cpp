@@ -1,6 +1,7 @@
 // kusabi limit --lose: factors after the loss of members, on one rank and on two, and wrong calls.
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@ namespace kusabi::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 // By hand: a load of 3 + lambda hangs on three vertical bars of strength 5, 4 and 2.
 const char* const hanger = R"(name = "hanger"
@@ -210,10 +212,13 @@ TEST_F(LossCommand, ProvesBothFactorsOfStruts) {
       shell(command + " limit " + argument("hanger16.toml") + " --certificate " + certificate);
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto verify = command + " verify " + certificate;
-  for (const std::string& call : {verify, verify + " --problem " + argument("hanger16.toml")}) {
+  const auto of_file = verify + " --problem " + argument("hanger16.toml");
+  for (const auto& [call, strength] :
+       {std::pair(verify, "the residual strengths of the certificate"),
+        std::pair(of_file, "their residual strength")}) {
     const auto proved = shell(call);
     EXPECT_EQ(proved.exit_code, 0) << proved.output;
-    EXPECT_THAT(proved.output, HasSubstr("all struts at their residual strength, PROVED"));
+    EXPECT_THAT(proved.output, HasSubstr(std::string("all struts at ") + strength + ", PROVED"));
     EXPECT_THAT(proved.output, HasSubstr("and 8.9"));
   }
   for (const char* const other : {"hanger18.toml", "hanger0.toml"}) {
@@ -221,6 +226,80 @@ TEST_F(LossCommand, ProvesBothFactorsOfStruts) {
     EXPECT_EQ(refused.exit_code, 1) << refused.output;
     EXPECT_THAT(refused.output, HasSubstr("NOT PROVED"));
   }
+}
+
+// By hand: case "hang" has 3 at both strengths; case "push" has 4, and 0.4 after buckling.
+std::string tie_and_strut(const std::string& more = {}) {
+  return R"(name = "tie and strut"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+a = [0, 0]
+b = [0, 1]
+c = [1, 0]
+[[members]]
+yield = 3
+between = [["a", "b"]]
+[[members]]
+yield = { tension = 1, compression = 4, residual = 0.1 }
+between = [["a", "c"]]
+[[supports]]
+nodes = ["b", "c"]
+[[loads]]
+kind = "reference"
+case = "hang"
+nodes = ["a"]
+force = [0, -1]
+[[loads]]
+kind = "reference"
+case = "push"
+nodes = ["a"]
+force = [1, 0]
+)" + more;
+}
+
+std::string dead_load(const std::string& force) {
+  return "[[loads]]\nkind = \"dead\"\ncase = \"hang\"\nnodes = [\"a\"]\nforce = " + force + "\n";
+}
+
+TEST_F(LossCommand, TheLeastFactorAfterBucklingMayBeThatOfAnotherCase) {
+  std::ofstream(in_folder("two.toml")) << tie_and_strut();
+  const auto sentences = [&](const std::string& options) {
+    return file_of(argument("two.toml") + options)["verdict"].dump();
+  };
+  EXPECT_NEAR(file_of(argument("two.toml"))["result"]["nominal"], 3, 1e-9);
+  EXPECT_THAT(sentences(""), HasSubstr("With all struts at their residual strength it is 0.4."));
+  const auto uncertain = sentences(" --alpha 0.1 --certificate " + argument("cert"));
+  EXPECT_THAT(uncertain,
+              HasSubstr("With all struts at their residual strength it is at least 0.4"));
+  EXPECT_THAT(uncertain, Not(HasSubstr("not proved")));
+  const auto proved =
+      shell(command + " verify " + argument("cert") + " --problem " + argument("two.toml"));
+  EXPECT_EQ(proved.exit_code, 0) << proved.output;
+  EXPECT_THAT(proved.output, Not(HasSubstr("only")));
+  EXPECT_THAT(sentences(" --lose 1"),
+              HasSubstr("With all struts at their residual strength it is at least"));
+}
+
+TEST_F(LossCommand, NamesTheLossInTheSentenceOnStruts) {
+  std::ofstream(in_folder("hanger.toml")) << hanger_with_strut(", residual = 0.3");
+  EXPECT_THAT(file_of(argument("hanger.toml") + " --lose 1")["verdict"].dump(),
+              HasSubstr(" after the worst loss."));
+  std::ofstream(in_folder("two.toml")) << tie_and_strut(dead_load("[0.2, 0]"));
+  EXPECT_THAT(file_of(argument("two.toml") + " --lose 1")["verdict"].dump(),
+              HasSubstr("no load factor remains after the worst loss."));
+}
+
+// Case "hang" is carried at no factor, so it is not analysed after buckling.
+TEST_F(LossCommand, NamesTheCasesOfClaimsAtResidualStrength) {
+  std::ofstream(in_folder("two.toml")) << tie_and_strut(dead_load("[5, 0]"));
+  const auto json = file_of(argument("two.toml") + " --certificate " + argument("cert"));
+  EXPECT_THAT(json["verdict"].dump(), Not(HasSubstr("residual strength")));
+  const auto proved =
+      shell(command + " verify " + argument("cert") + " --problem " + argument("two.toml"));
+  EXPECT_EQ(proved.exit_code, 0) << proved.output;
+  EXPECT_THAT(proved.output,
+              HasSubstr("the claims at residual strength are for load case \"push\" only"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class Mesh:
     pass
 
 def read(name):
-    data = eval(open(name).read())
+    data = eval(open(name).read(), {"nan": float("nan"), "inf": float("inf")})
     mesh = Mesh()
     mesh.points = data["points"]
     mesh.cells = [Block(*cell) for cell in data["cells"]]
@@ -90,7 +90,8 @@ class MeshFile(KusabiCase):
         run = self.convert({
             "points": points,
             "cells": [("hexahedron", [[0, 1, 2, 3, 4, 5, 6, 7], [4, 5, 6, 7, 8, 9, 10, 11]]), ("quad", [[0, 1, 2, 3]])],
-            "cell_data": {"part": [[1, 2], [0]], "stress": [[0.5, 1.5], [0.5]]},
+            "cell_data": {"part": [[1, 2], [0]], "stress": [[0.5, 1.5], [0.5]],
+                          "gap": [[float("nan"), float("inf")], [2]]},
             "cell_sets": {"bottom": [None, [0]]}, "point_data": {"held": [0] * 8 + [2] * 4},
             "point_sets": {"corner": [0]}})
         self.assertEqual((run.returncode, run.stderr), (0, ""))

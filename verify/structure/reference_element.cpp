@@ -54,8 +54,8 @@ Shape shape_of(std::size_t dimension, std::size_t count) {
 
 // Monomials of degree at most 1 or 2 on simplices; on prisms products of those in xi and eta with
 // those in zeta, without those of degree 2 in both; on pyramids 1, and zeta times those linear in
-// xi and in eta, which is one value at zeta = 0, the apex; otherwise those of superlinear degree at
-// most 1 or 2 (serendipity space of Arnold and Awanou).
+// xi and in eta, which have one value at the apex, zeta = 0; otherwise those of superlinear degree
+// at most 1 or 2 (serendipity space of Arnold and Awanou).
 std::vector<Exponents> monomials(const Shape& shape) {
   const int last = shape.dimension == 3 ? 2 : 0;
   std::vector<Exponents> all;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t dive_nodes_a_candidate = 100;
 
 /// Larger blocks are not bounded, since the programs take longer than the dives.
-constexpr int most_to_bound = 100;
+constexpr int max_candidates_to_bound = 100;
 
 SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
                         const CriticalGrid& grid, const BlockBounds& bounds) {
@@ -89,11 +89,12 @@ BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem&
   BlockBounds result;
   result.blocks.resize(blocks.size());
   if (tightening == Tightening::never) return result;
-  const int fewest = tightening == Tightening::always ? 1 : min_candidates_to_bound;
+  const int min_candidates = tightening == Tightening::always ? 1 : min_candidates_to_bound;
   const auto friction = candidate_friction(problem, factor);
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
-    if (blocks[block].size() < fewest) continue;
-    if (tightening == Tightening::automatic && blocks[block].size() > most_to_bound) continue;
+    if (blocks[block].size() < min_candidates) continue;
+    if (tightening == Tightening::automatic && blocks[block].size() > max_candidates_to_bound)
+      continue;
     auto root = bound_candidates(analysis, problem, friction, block, CriticalFriction::tolerances);
     result.programs += root.programs;
     result.blocks[block] = std::move(root.bounds);

@@ -23,9 +23,9 @@ enum class CriticalStrategy {
 };
 
 /// True if the search is for the smallest coefficient only, instead of one for each pattern.
-constexpr bool finds_smallest_only(CriticalStrategy way) {
-  return way == CriticalStrategy::automatic || way == CriticalStrategy::descent ||
-         way == CriticalStrategy::global;
+constexpr bool finds_smallest_only(CriticalStrategy strategy) {
+  return strategy == CriticalStrategy::automatic || strategy == CriticalStrategy::descent ||
+         strategy == CriticalStrategy::global;
 }
 
 /// Default upper limit of the search; physical obstacles have smaller coefficients.
@@ -36,12 +36,12 @@ inline constexpr double max_multiples = 1e15;
 
 /// Blocks with at least this many candidates are solved in doubles only, with wider brackets by
 /// default, since higher precision levels take minutes for each program.
-inline constexpr int fewest_for_doubles = 101;
+inline constexpr int min_candidates_for_doubles = 101;
 inline constexpr double default_width = 1e-8;
 inline constexpr double default_width_in_doubles = 1e-6;
 
 struct CriticalParameters {
-  CriticalStrategy way = CriticalStrategy::automatic;
+  CriticalStrategy strategy = CriticalStrategy::automatic;
   /// Upper limit of the search, mu^0 of the paper; methods that treat each pattern require it.
   /// Nothing: default_max_friction, or the largest possible coefficient.
   std::optional<double> most{};

@@ -35,8 +35,8 @@ struct PrimalPattern {
   }
 };
 
-/// Parts of the search of a block with clusters: those of `first` begin with the clusters, those of
-/// `later` with modes of all candidates. Other blocks have a first part only.
+/// Parts of the search: `first` begins with the patterns of clusters, `later` with modes of all
+/// candidates. Blocks without clusters have a first part only.
 enum class PrimalPart { first, later, both };
 
 struct PrimalParameters {

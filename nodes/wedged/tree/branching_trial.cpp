@@ -36,10 +36,10 @@ std::uint64_t few_nodes(int candidates) {
 
 /// Blocks up to this size are searched for about twenty nodes for each candidate before sampling,
 /// since few dives may be wrong by a factor of ten. Larger ones take too long on one rank.
-constexpr int most_to_look_through = 100;
+constexpr int max_candidates_to_look_through = 100;
 
 std::uint64_t looked_through(int candidates) {
-  if (candidates > most_to_look_through) return few_nodes(candidates);
+  if (candidates > max_candidates_to_look_through) return few_nodes(candidates);
   const auto many = static_cast<std::uint64_t>(std::min(20 * candidates, 100'000 / candidates));
   return std::max(few_nodes(candidates), many);
 }
@@ -124,7 +124,8 @@ class Trial {
     const auto least = std::ranges::min_element(sum);
     const auto best =
         *least * times_fewer < sum.front() ? static_cast<std::size_t>(least - sum.begin()) : 0;
-    const bool known_large = best == 0 && candidates <= most_to_look_through && !first.much;
+    const bool known_large =
+        best == 0 && candidates <= max_candidates_to_look_through && !first.much;
     return {rules_[best], known_large ? unknown : mean(sum[best], round)};
   }
 

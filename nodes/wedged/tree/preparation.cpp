@@ -14,12 +14,12 @@ namespace {
 constexpr double nodes_a_candidate = 15;
 
 /// Larger blocks are not bounded, since a sweep takes too long.
-constexpr int largest_to_bound = 200;
+constexpr int max_candidates_to_bound = 200;
 
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
   if (tightening == Tightening::never) return false;
   if (tightening == Tightening::always) return true;
-  return candidates <= largest_to_bound && tree.nodes > nodes_a_candidate * candidates;
+  return candidates <= max_candidates_to_bound && tree.nodes > nodes_a_candidate * candidates;
 }
 
 }  // namespace

@@ -73,13 +73,17 @@ void AbaqusGravity::read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& 
     if (direction.isZero(0))
       line.fail("gravity without a direction; expected SET, GRAV, g, x, y, z");
     const std::string set = all ? "" : assembly.groups.surface_name(line, 0);
-    loads_[set] = {set, magnitude * direction.normalized(), text.here()};
+    auto& own = loads_[set];
+    if (own.step != step_) own.acceleration.setZero();
+    own.acceleration += magnitude * direction.normalized();
+    own.step = step_;
+    own.at = text.here();
   }
 }
 
 void AbaqusGravity::finish(MeshData& mesh) const {
   for (const auto& [set, load] : loads_)
-    if (!load.acceleration.isZero(0)) mesh.gravity.push_back(load);
+    if (!load.acceleration.isZero(0)) mesh.gravity.push_back({set, load.acceleration, load.at});
 }
 
 }  // namespace kusabi::problems

@@ -33,7 +33,8 @@ class AbaqusLoads {
   std::map<std::pair<int, int>, Component> components_{};  // by node and axis
 };
 
-/// Gravity at the end of the last step. That of a step replaces earlier one of the same set.
+/// Gravity at the end of the last step. That of a step replaces earlier gravity of the same set,
+/// and adds up among itself.
 class AbaqusGravity {
  public:
   /// Data lines: SET, GRAV, MAGNITUDE, DIRECTION; without a set all elements. Other distributed
@@ -44,9 +45,15 @@ class AbaqusGravity {
   void finish(MeshData& mesh) const;
 
  private:
+  struct Load {
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+    int step = 0;
+    MeshPlace at{};
+  };
+
   int step_ = 0;
-  int cleared_in_ = -1;                         // step with OP=NEW
-  std::map<std::string, MeshGravity> loads_{};  // by the name of the set
+  int cleared_in_ = -1;                  // step with OP=NEW
+  std::map<std::string, Load> loads_{};  // by the name of the set
 };
 
 }  // namespace kusabi::problems

@@ -40,37 +40,62 @@ struct DeckWeight {
   std::vector<bool> of_section;
 };
 
-/// True if gravity is on all elements of a section and these have a density. Gravity on a part of
-/// them is left out with a warning.
-bool has_weight(DeckDraft& draft, const MeshGravity& load, const MeshSection& section) {
-  if (section.density == 0 || section.elements.empty()) return false;
-  if (load.group.empty()) return true;
+/// Acceleration of the elements of a section: the sum of the gravity that acts on them.
+struct SectionGravity {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  MeshPlace at{};  ///< of the last gravity
+};
+
+/// Number of elements of a section on which gravity acts.
+std::ptrdiff_t loaded_elements(const DeckDraft& draft, const MeshGravity& load,
+                               const MeshSection& section) {
+  if (load.group.empty()) return std::ssize(section.elements);
   const MeshGroup* group = draft.group(load.group);
   const std::set<int> loaded(group->elements.begin(), group->elements.end());
-  const auto count = std::ranges::count_if(section.elements,
-                                           [&](int element) { return loaded.contains(element); });
-  if (count != 0 && count < std::ssize(section.elements)) {
-    draft.warn(load.at, fmt::format("gravity on a part of the elements of {} is left out",
-                                    draft.line(section.at)));
+  return std::ranges::count_if(section.elements,
+                               [&](int element) { return loaded.contains(element); });
+}
+
+/// Adds gravity to the sections with a density that it covers. Gravity on a part of their elements,
+/// and gravity on none of them, is left out with a warning.
+void add_gravity(DeckDraft& draft, const MeshGravity& load, std::vector<SectionGravity>& all) {
+  const auto& sections = draft.mesh().sections;
+  bool used = false;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const auto& section = sections[i];
+    const auto count = section.density == 0 ? 0 : loaded_elements(draft, load, section);
+    if (count == 0) continue;
+    used = true;
+    if (count == std::ssize(section.elements)) {
+      all[i].acceleration += load.acceleration;
+      all[i].at = load.at;
+    } else {
+      draft.warn(load.at, fmt::format("gravity on a part of the elements of {} is left out",
+                                      draft.line(section.at)));
+    }
   }
-  return count != 0 && count == std::ssize(section.elements);
+  if (!used) draft.warn(load.at, "gravity on elements without *DENSITY is left out");
 }
 
 DeckWeight weight_of(DeckDraft& draft) {
   const MeshData& mesh = draft.mesh();
-  DeckWeight weight{Eigen::Vector3d::Zero(), std::vector<bool>(mesh.sections.size(), false)};
-  for (const MeshGravity& load : mesh.gravity) {
-    if (!weight.gravity.isZero(0) && weight.gravity != load.acceleration) {
-      draft.warn(load.at, "gravity of another size or direction is left out");
-      continue;
+  std::vector<SectionGravity> all(mesh.sections.size());
+  for (MeshGravity load : mesh.gravity) {
+    if (draft.dimension() == 2 && load.acceleration.z() != 0) {
+      draft.warn(load.at, "gravity across the plane is left out");
+      load.acceleration.z() = 0;
     }
-    bool any = false;
-    for (std::size_t i = 0; i < mesh.sections.size(); ++i) {
-      if (!has_weight(draft, load, mesh.sections[i])) continue;
-      any = weight.of_section[i] = true;
-    }
-    if (any) weight.gravity = load.acceleration;
-    if (!any) draft.warn(load.at, "gravity on elements without *DENSITY is left out");
+    if (!load.acceleration.isZero(0)) add_gravity(draft, load, all);
+  }
+  DeckWeight weight{Eigen::Vector3d::Zero(), std::vector<bool>(all.size(), false)};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].acceleration.isZero(0)) continue;
+    if (weight.gravity.isZero(0)) weight.gravity = all[i].acceleration;
+    weight.of_section[i] = weight.gravity == all[i].acceleration;
+    if (weight.of_section[i]) continue;
+    draft.warn(all[i].at, fmt::format("gravity of another size or direction on the elements of {} "
+                                      "is left out",
+                                      draft.line(mesh.sections[i].at)));
   }
   return weight;
 }

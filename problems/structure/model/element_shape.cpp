@@ -53,7 +53,7 @@ constexpr std::array<NaturalPoint<double>, 15> prism{{{0, 0, -1},
                                                       {1, 0, 0},
                                                       {0, 1, 0}}};
 
-// The vertices of the base, and the apex, which all points with zeta = 0 are.
+// Vertices of the base, then the apex, with which all points with zeta = 0 coincide.
 constexpr std::array<NaturalPoint<double>, 5> pyramid{
     {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {0, 0, 0}}};
 

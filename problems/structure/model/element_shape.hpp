@@ -20,7 +20,7 @@ enum class ShapeFamily {
   simplex,  ///< xi, eta, zeta >= 0 with a sum up to 1
   product,  ///< from -1 to 1 each
   prism,    ///< xi, eta >= 0 with a sum up to 1; zeta from -1 to 1
-  pyramid,  ///< xi, eta from -1 to 1; zeta from -1 at the base to 0, where all are the apex
+  pyramid,  ///< xi, eta from -1 to 1; zeta from -1 at the base to 0 at the apex
 };
 
 /// Data common to all elements of one shape.

@@ -50,9 +50,9 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
     const auto [findings, problem] = found(truss, {.alpha = alpha});
     const auto least = PlainTruss(all).least_of_all_corners(1);
     if (!least) continue;
-    const auto& [answer, statements, residual, loss, residual_loss] = findings;
-    ASSERT_TRUE(answer.worst && !statements.empty());
-    const auto& certificate = statements.front().evidence;
+    const auto& answer = findings.answer;
+    ASSERT_TRUE(answer.worst && !findings.statements.empty());
+    const auto& certificate = findings.statements.front().evidence;
     EXPECT_TRUE(answer.whole());
     EXPECT_NEAR(answer.worst->ends.upper, *least, near);
     for (const auto* file : {&truss, &all}) {

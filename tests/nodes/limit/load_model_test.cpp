@@ -107,13 +107,12 @@ TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
     EXPECT_EQ(limit_problem(written).fingerprint, problem->fingerprint);
     const PlainTruss plain(truss);
     const auto nominal = plain.factor(Eigen::VectorXd::Zero(plain.uncertain.cols()));
-    const auto [answer, statements, residual, loss, residual_loss] =
-        findings(truss, {.alpha = alpha});
-    EXPECT_TRUE(answer.whole());
-    ASSERT_EQ(answer.nominal.has_value(), nominal.has_value());
+    const auto found = findings(truss, {.alpha = alpha});
+    EXPECT_TRUE(found.answer.whole());
+    ASSERT_EQ(found.answer.nominal.has_value(), nominal.has_value());
     if (!nominal) continue;
-    EXPECT_NEAR(answer.nominal->factor, *nominal, near);
-    const auto& worst = *answer.worst;
+    EXPECT_NEAR(found.answer.nominal->factor, *nominal, near);
+    const auto& worst = *found.answer.worst;
     const auto least = plain.least_of_all_corners(alpha);
     if (!least) {
       EXPECT_EQ(worst.status, RootStatus::not_carried);
@@ -122,11 +121,11 @@ TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
     }
     EXPECT_NEAR(worst.ends.upper, *least, near);
     EXPECT_NEAR(worst.ends.lower, *least, near);
-    expect_least_factors(truss, alpha, answer);
+    expect_least_factors(truss, alpha, found.answer);
     trees += worst.nodes > 1 ? 1 : 0;
     ++compared;
-    ASSERT_FALSE(statements.empty());
-    const auto text = verify::limit_certificate_text(statements);
+    ASSERT_FALSE(found.statements.empty());
+    const auto text = verify::limit_certificate_text(found.statements);
     const auto read = verify::read_limit_certificate(text, "certificate").front().evidence;
     const auto claim = shown(read, truss);
     EXPECT_EQ(claim.why, "");
@@ -148,13 +147,12 @@ TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
   for (const std::uint32_t seed : {1807U, 2041U, 2064U, 2685U, 3981U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
-    const auto [answer, statements, residual, loss, residual_loss] =
-        findings(truss, {.alpha = alpha});
-    EXPECT_GT(answer.worst->nodes, 1U);
-    EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
-                near);
-    ASSERT_FALSE(statements.empty());
-    const auto& certificate = statements.front().evidence;
+    const auto found = findings(truss, {.alpha = alpha});
+    EXPECT_GT(found.answer.worst->nodes, 1U);
+    EXPECT_NEAR(found.answer.worst->ends.upper,
+                PlainTruss(truss).least_of_all_corners(alpha).value(), near);
+    ASSERT_FALSE(found.statements.empty());
+    const auto& certificate = found.statements.front().evidence;
     EXPECT_GT(certificate.nodes.size(), 1U);
     expect_other_columns_refused(certificate, truss);
     expect_nothing_wrong_is_shown(certificate, truss);

@@ -199,14 +199,13 @@ TEST(LoadModel, MayActAlongTheReferenceLoad) {
       EXPECT_NEAR(PlainTruss(truss).least_of_all_corners(alpha).value(), *before - alpha / 4, near);
     }
     parameters.push_back({"component", {along.components.front()}});
-    const auto [answer, statements, residual, loss, residual_loss] =
-        findings(truss, {.alpha = alpha});
+    const auto found = findings(truss, {.alpha = alpha});
     const auto least = PlainTruss(truss).least_of_all_corners(alpha);
     if (!least) continue;
-    ASSERT_TRUE(answer.worst && !statements.empty());
-    EXPECT_TRUE(answer.whole());
-    EXPECT_NEAR(answer.worst->ends.upper, *least, near);
-    const auto claim = test::shown(statements.front().evidence, truss);
+    ASSERT_TRUE(found.answer.worst && !found.statements.empty());
+    EXPECT_TRUE(found.answer.whole());
+    EXPECT_NEAR(found.answer.worst->ends.upper, *least, near);
+    const auto claim = test::shown(found.statements.front().evidence, truss);
     EXPECT_EQ(claim.why, "");
     EXPECT_LE(claim.lower, *least + near);
     EXPECT_NEAR(claim.lower, claim.upper, near);

@@ -325,28 +325,27 @@ TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
     if (!problem_of(truss)) continue;
-    const auto [answer, statements, residual, loss, residual_loss] =
-        findings(truss, {.alpha = alpha, .split_from = 1});
-    EXPECT_TRUE(answer.whole());
-    if (!answer.worst) continue;
+    const auto found = findings(truss, {.alpha = alpha, .split_from = 1});
+    EXPECT_TRUE(found.answer.whole());
+    if (!found.answer.worst) continue;
     const auto least = PlainTruss(truss).least_of_all_corners(alpha);
     if (!least) {
-      EXPECT_EQ(answer.worst->status, RootStatus::not_carried);
+      EXPECT_EQ(found.answer.worst->status, RootStatus::not_carried);
       continue;
     }
     ++compared;
-    EXPECT_NEAR(answer.worst->ends.upper, *least, test::near);
-    EXPECT_NEAR(answer.worst->ends.lower, *least, test::near);
-    ASSERT_FALSE(statements.empty());
-    EXPECT_EQ(shown(statements.front().evidence, truss).why, "");
+    EXPECT_NEAR(found.answer.worst->ends.upper, *least, test::near);
+    EXPECT_NEAR(found.answer.worst->ends.lower, *least, test::near);
+    ASSERT_FALSE(found.statements.empty());
+    EXPECT_EQ(shown(found.statements.front().evidence, truss).why, "");
     const double from = greatest_least_factor(truss, alpha).value();
-    const auto interval = guaranteed_interval(answer);
+    const auto interval = guaranteed_interval(found.answer);
     EXPECT_LE(interval.least.lower, from + test::near);
     EXPECT_GE(interval.least.upper, from - test::near);
     if (std::abs(from - *least) < test::near) continue;
     EXPECT_EQ(interval.is_empty(), from > *least);
-    ASSERT_EQ(statements.size(), 2U);
-    if (!statements.back().evidence.nodes.empty()) continue;
+    ASSERT_EQ(found.statements.size(), 2U);
+    if (!found.statements.back().evidence.nodes.empty()) continue;
     ++empty;
     EXPECT_TRUE(interval.is_empty());
   }
@@ -358,12 +357,11 @@ TEST(Splitting, LeavesTrueGapsToTheTree) {
   for (const std::uint32_t seed : {1807U, 2041U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
-    const auto [answer, statements, residual, loss, residual_loss] =
-        findings(truss, {.alpha = alpha, .split_from = 1});
-    EXPECT_GT(answer.worst->nodes, 1U);
-    EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
-                test::near);
-    EXPECT_FALSE(statements.empty());
+    const auto found = findings(truss, {.alpha = alpha, .split_from = 1});
+    EXPECT_GT(found.answer.worst->nodes, 1U);
+    EXPECT_NEAR(found.answer.worst->ends.upper,
+                PlainTruss(truss).least_of_all_corners(alpha).value(), test::near);
+    EXPECT_FALSE(found.statements.empty());
   }
 }
 

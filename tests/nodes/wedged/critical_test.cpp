@@ -154,13 +154,13 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
 TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
   const auto structure =
       problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml");
-  const auto found = [&](CriticalStrategy way, double factor, std::optional<double> most) {
+  const auto found = [&](CriticalStrategy strategy, double factor, std::optional<double> most) {
     auto problem = problems::wedged_problem(structure);
     problem.friction.assign(problem.contact_names.size(), 0.470279645 / factor);
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
     return find_critical_friction(analysis, structure, problem,
-                                  {.way = way, .most = most, .width = 1e-6});
+                                  {.strategy = strategy, .most = most, .width = 1e-6});
   };
   for (const double factor : {0.9, 0.9985, 0.99999, 1.00001, 3.99, 4.01}) {
     for (const auto most : {std::optional<double>(), std::optional(factor * 1.002)}) {
@@ -203,13 +203,13 @@ struct Trials {
 void compare_trials(const problems::Structure& structure, std::optional<double> most,
                     Trials& trials) {
   CriticalParameters parameters{
-      .way = CriticalStrategy::global, .most = most, .width = 1e-6, .list = true};
+      .strategy = CriticalStrategy::global, .most = most, .width = 1e-6, .list = true};
   const auto up = found_of(structure, parameters);
-  parameters.way = CriticalStrategy::descent;
+  parameters.strategy = CriticalStrategy::descent;
   const auto down = found_of(structure, parameters);
   if (!up.doubts.empty() || !down.doubts.empty()) return;
   expect_same_answer(down, up);
-  parameters.way = CriticalStrategy::automatic;
+  parameters.strategy = CriticalStrategy::automatic;
   for (const int nodes : {0, 1, 3, 9}) {  // 0: the default number
     SCOPED_TRACE(nodes);
     if (nodes > 0) parameters.trial_nodes = static_cast<std::uint64_t>(nodes);
@@ -299,7 +299,7 @@ TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
 
 TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
   const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
-  const auto up = found_of(structure, {.way = CriticalStrategy::global, .list = true});
+  const auto up = found_of(structure, {.strategy = CriticalStrategy::global, .list = true});
   const auto either = found_of(structure, {.list = true});
   expect_same_answer(either, up);
   const auto trial = std::ranges::find(either.costs, CriticalPhase::trial, &CriticalCost::phase);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -100,6 +101,34 @@ TEST(DeckProblem, HasTheWeightOfItsGravity) {
   const auto none = imported(deck.erase(deck.find("*DENSITY"), 16));
   EXPECT_THAT(none.text, Not(HasSubstr("gravity")));
   EXPECT_THAT(none.warnings, Contains(HasSubstr("without *DENSITY")));
+}
+
+TEST(DeckProblem, AddsUpTheGravityOfAStep) {
+  std::string deck = blocks + contact + "*ELSET, ELSET=ONE\n1\n";
+  deck.insert(deck.find("*ELASTIC"), "*DENSITY\n7.8e-9\n");
+  const auto loaded = [&](const std::string& lines) { return imported(deck + "*STEP\n" + lines); };
+  const auto twice = loaded("*DLOAD\nUP, GRAV, 2, 0, -1\nUP, GRAV, 3, 0, -1\n");
+  EXPECT_THAT(twice.text, HasSubstr("gravity = [0, -5]"));
+  const auto replaced = loaded(
+      "*DLOAD\nUP, GRAV, 2, 0, -1\n*END STEP\n*STEP\n*DLOAD\nUP, GRAV, 3, 0, -1\n*END STEP\n");
+  EXPECT_THAT(replaced.text, HasSubstr("gravity = [0, -3]"));
+  for (const auto* problem : {&twice, &replaced})
+    EXPECT_THAT(problem->warnings, Not(Contains(HasSubstr("gravity"))));
+  const auto both = loaded("*DLOAD\n, GRAV, 1, 0, -1\nUP, GRAV, 1, 0, -1\n");
+  EXPECT_THAT(both.text, HasSubstr("gravity = [0, -2]"));
+  EXPECT_THAT(both.warnings, ElementsAre(HasSubstr("*STEP"), HasSubstr("gravity of another size")));
+}
+
+TEST(DeckProblem, WarnsOnceOfGravityThatIsLeftOut) {
+  std::string deck = blocks + contact + "*ELSET, ELSET=ONE\n1\n";
+  deck.insert(deck.find("*ELASTIC"), "*DENSITY\n7.8e-9\n");
+  for (const auto& [line, warning] :
+       {std::pair("ONE, GRAV, 1, 0, -1\n", "gravity on a part of the elements"),
+        std::pair("UP, GRAV, 1, 0, 0, 1\n", "gravity across the plane")}) {
+    const auto problem = imported(deck + "*STEP\n*DLOAD\n" + line);
+    EXPECT_THAT(problem.warnings, ElementsAre(HasSubstr("*STEP"), HasSubstr(warning)));
+    EXPECT_THAT(problem.text, Not(HasSubstr("gravity")));
+  }
 }
 
 TEST(DeckProblem, IsTheProblemOfTheSameStructureByHand) {
