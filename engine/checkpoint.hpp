@@ -33,7 +33,7 @@ struct Manifest {
   std::uint64_t epoch = 0;        ///< 1 for the first checkpoint of a search
   int ranks = 0;                  ///< number of parts
   std::uint64_t opened = 0;       ///< nodes opened so far
-  std::uint64_t fingerprint = 0;  ///< sum of the path hashes of these nodes
+  std::uint64_t fingerprint = 0;  ///< mark sum of these nodes
   std::uint64_t open = 0;         ///< nodes in the parts
   std::string goal = {};          ///< of the search: name_of(Goal)
   std::string node = {};          ///< mangled name of the node type

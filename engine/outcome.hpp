@@ -87,7 +87,7 @@ struct Outcome {
   }
 
   /// Mark sum: the sum of the path marks of all opened nodes. Two searches of one tree have the
-  /// same mark sum if and only if (but for a probability of 2^-64) both opened the same nodes, each
+  /// same mark sum if and only if (except with probability 2^-64) both opened the same nodes, each
   /// once.
   [[nodiscard]] std::uint64_t fingerprint() const { return total().fingerprint; }
 };

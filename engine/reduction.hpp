@@ -32,7 +32,7 @@ struct Reduction {
   std::uint64_t opened = 0;         ///< nodes opened
   std::uint64_t open = 0;           ///< open nodes
   std::uint64_t found = 0;          ///< solutions found
-  std::uint64_t fingerprint = 0;    ///< sum of the path hashes of the opened nodes
+  std::uint64_t fingerprint = 0;    ///< mark sum of the opened nodes
   std::uint64_t request_flags = 0;  ///< bits of `RequestFlag`
   double closed = 0;                ///< closed share of the tree, 0 to 1
   double objective = std::numeric_limits<double>::infinity();  ///< of the incumbent: minimum

@@ -1,5 +1,5 @@
 // A doorstop: a wedge of rubber, 120 mm long, with 8 degrees between its sole and its back, in six-node triangles.
-// What touches the floor and what touches the door are physical groups of their own.
+// The edges that touch the floor and the door are physical groups.
 //
 //     gmsh -2 -format msh41 examples/doorstop.geo
 angle = 8 * Pi / 180;

@@ -1,23 +1,22 @@
-# What both README commands share: find out what is missing, say so, install it, build.
-# Sourced by run/quickstart and run/test; not a command of its own.
+# Installation of missing packages, and the build: functions that run/quickstart, run/test and other scripts source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 say() { printf '\n== %s\n' "$*"; }
 give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
 
-# What the program itself needs, by the names of Debian 12.
+# Packages that the program requires, by their names in Debian 12.
 build_packages=(g++ cmake make ninja-build libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libgmp-dev libmpfr-dev libglpk-dev
   libqd-dev zlib1g-dev)
-# What the tests need besides.
+# Further packages that the tests require.
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema python3-numpy mkdocs)
 
 # install_missing PACKAGE...: installs those that are not there yet.
 install_missing() {
   local missing=() package
   if ! command -v dpkg-query >/dev/null; then
-    say "not a Debian system: nothing is installed; what these Debian packages hold must be there: $*"
+    say "dpkg-query is missing, so no package is installed; required are the contents of these Debian packages: $*"
     return
   fi
   for package in "$@"; do
@@ -25,14 +24,14 @@ install_missing() {
       missing+=("$package")
   done
   if [[ ${#missing[@]} -eq 0 ]]; then
-    say "everything needed is installed"
+    say "all required packages are installed"
     return
   fi
   say "installing with apt-get: ${missing[*]}"
   local as_root=()
   if [[ $(id -u) -ne 0 ]]; then
     local ask="ask an administrator for: apt-get install ${missing[*]}"
-    command -v sudo >/dev/null || give_up "an ordinary user cannot install without sudo; $ask"
+    command -v sudo >/dev/null || give_up "sudo is missing, so an ordinary user cannot install packages; $ask"
     sudo true || give_up "sudo was refused; $ask"
     as_root=(sudo)
   fi
@@ -43,9 +42,9 @@ install_missing() {
     give_up "apt-get could not install: ${missing[*]}"
 }
 
-# build TARGET CMAKE_OPTION...: configures build/ and builds one target there. A build/ that is there
-# already stays of the kind it is; a new one is made for building everything once: sources joined, and
-# with Ninja, which does not wait for one library to be whole before it compiles the next.
+# build TARGET CMAKE_OPTION...: configures build/ and builds one target there. An existing build/ keeps its settings.
+# A new one is configured for a single complete build: with joined sources, and with Ninja, which compiles a library
+# before those that it links are complete.
 build() {
   local target=$1
   shift
@@ -65,11 +64,10 @@ build() {
   say "built in $((SECONDS - begin)) s"
 }
 
-# Open MPI refuses to run as root, or more ranks than cores, unless told; and what pays on a cluster
-# (ranks pinned to cores, which hand their core over when they poll in vain) does not on a machine
-# that others use as well. In a container one process may not read the memory of another, which the
-# last setting does without. From version 5 on what places and pins ranks is called PRTE_... Other
-# launchers ignore these.
+# Settings of Open MPI, which other launchers ignore: permission to run as root and with more ranks than cores; ranks
+# are neither bound to cores nor yield them at every poll, since either costs time on a machine with other processes;
+# no rank reads the memory of another, which containers forbid. From version 5 on, the names of the settings for
+# placement and binding begin with PRTE_.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_hwloc_base_binding_policy=none
@@ -77,5 +75,5 @@ export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 export PRTE_MCA_hwloc_default_binding_policy=none
 export OMPI_MCA_mpi_yield_when_idle=0
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
-# Defaults that somebody keeps for calls of his own are none of ours.
+# No defaults of options from files of the user.
 export KUSABI_CONFIG=

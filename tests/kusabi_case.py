@@ -41,13 +41,13 @@ class KusabiCase(unittest.TestCase):
         return json.loads(self.result.read_text())
 
     def refused(self, *words):
-        """The one line with which a call is refused as wrong."""
+        """Standard error of a call that is refused: exit code 2 and one line."""
         run = self.kusabi(*words)
         self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
         return run.stderr
 
     def check_refusals(self, command, broken_texts, *words):
-        """Each pair is a text that is no result and what is said of it."""
+        """Expects a refusal of each text. @param broken_texts pairs of a malformed result and a part of its message"""
         text = self.result.read_text()
         for broken, why in broken_texts:
             with self.subTest(why):
@@ -68,7 +68,7 @@ def without(content, *way):
 
 
 def nested(depth):
-    """The text of an object that has lists so deep that with it there are `depth` levels."""
+    """The text of an object with nested lists, of `depth` levels including the object."""
     return '{"result": ' + "[" * (depth - 1) + "]" * (depth - 1) + "}"
 
 

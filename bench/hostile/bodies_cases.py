@@ -93,9 +93,9 @@ def _ends(kusabi, case, path):
     bracket = result["result"]["critical_friction"]
     dead, feasible = case["critical"]
     if bracket["lower_proved"] and feasible is not None and bracket["lower"] > feasible:
-        yield f"critical: nothing below {bracket['lower']}, it says, but something at {feasible}"
+        yield f"critical: the proved lower bound is {bracket['lower']}, but a pattern is feasible at {feasible}"
     if bracket["upper"] is not None and bracket.get("upper_proved") and bracket["upper"] < dead:
-        yield f"critical: something at {bracket['upper']}, it says, but nothing up to {dead}"
+        yield f"critical: the proved upper bound is {bracket['upper']}, but no pattern is feasible up to {dead}"
     if code == 0 and not bracket["lower_proved"]:
         yield "critical: exit code 0 with a lower end that is not proved"
     if code != 0 and not case["far"]:

@@ -114,7 +114,8 @@ def main():
                         if truth != (cone_program.ALIVE if value > 0 else cone_program.DEAD):
                             wrong += 1
                             print(f"{case.name} {contact}: {truth}, but t* = {value} in doubles")
-    print(f"{arguments.count} structures: {judged} leaves agree or not, {wrong} do not; {unsure} too close, {gave_up} given up on")
+    print(f"{arguments.count} structures: {judged} leaves compared, {wrong} differ; "
+          f"{unsure} too close to zero, {gave_up} not solved")
     return 1 if wrong else 0
 
 

@@ -13,7 +13,7 @@ from cone_program import ALIVE, DEAD, TIED, UNSURE, Leaf, equilibrated, sign
 from structure import dot
 
 #: In the equilibrated problem: smaller values are zero, since t* = 0 is reached to 10^-24 and
-#: vanishing components : to about its square root.
+#: vanishing components to about its square root.
 REST = Decimal("1e-9")
 
 

@@ -12,7 +12,7 @@ DIGITS = 80
 getcontext().prec = DIGITS
 
 #: Relative size below which an entry of the compliance is an exact zero: far above 10^-80 times
-#: the condition numbers : here, far below the rounding errors of sums in doubles.
+#: the condition numbers here, far below the rounding errors of sums in doubles.
 ZERO = Decimal("1e-45")
 
 

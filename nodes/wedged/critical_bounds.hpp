@@ -59,7 +59,7 @@ struct BoundsParameters {
   std::uint64_t list_nodes = 0;  ///< see CriticalParameters
 };
 
-/// Configurations at one coefficient.
+/// Result of the tree at one coefficient: its leaves, and counts of the exact test.
 struct DecidedBound;
 
 /// Verification on all ranks, which make the same calls. @pre arguments outlive this object
@@ -78,7 +78,7 @@ class CriticalBounds {
   /// hold exactly, the bound stays.
   void prove_by_forms(QuadraticForms forms);
 
-  /// Proves the bounds or widens the bracket. Stores open points and the phase of a stop; patterns
+  /// Proves the bounds or widens the bracket. Stores the doubts and the phase of a stop; patterns
   /// are stored on rank 0.
   void prove(CriticalFindings& findings);
 
@@ -96,7 +96,7 @@ class CriticalBounds {
   }
   void record_forms();
   void record_proved_bounds();
-  /// Record of one leaf; `after_stop`: also if the run is to stop.
+  /// Recording of the evidence of one leaf; `after_stop`: also if the run is to stop.
   enum class LeafRecord { none, within_limits, after_stop };
   DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, LeafRecord kind);
   /// True if the error of the search may exceed the largest relaxation of a bound, while the exact

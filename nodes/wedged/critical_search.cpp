@@ -288,8 +288,8 @@ CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalParam
   grid.width = parameters.width.value_or(in_doubles ? default_width_in_doubles : default_width);
   if (!(grid.width < grid.most) || grid.most > max_multiples * grid.width) {
     throw std::invalid_argument(
-        "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
-        "of it");
+        "the width of a bracket is out of range; expected less than the largest friction "
+        "coefficient, and no less than 1e-15 of it");
   }
   return grid;
 }

@@ -125,6 +125,44 @@ void count_kept(PatternFindings& findings) {
   findings.largest = std::move(tally.largest);
 }
 
+// Every node is tested exactly; nodes that fail are refused.
+void test_all_nodes(SignPatternTree& tree, const EvidenceCheck& check, bool unconstrained,
+                    PatternFindings& findings) {
+  findings.exact.done = check.is_able();
+  // For constrained bodies the bounds of the solver are valid without the test. For unconstrained
+  // ones they depend on its tolerances for rigid-body modes.
+  if (!check.is_able() && unconstrained)
+    findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
+  if (check.is_able() || unconstrained)
+    tree.test_with([&check](const auto& evidence) { return check.holds(evidence); }, true);
+}
+
+void test_degenerate_nodes(SignPatternTree& tree, const EvidenceCheck& check) {
+  tree.test_with(
+      [&check](const auto& evidence) {
+        return evidence.kind != Evidence::Kind::marginal || check.holds(evidence);
+      },
+      false);
+}
+
+// The maximal cones of all leaves, and the counts of the exact test.
+// @param known patterns found before the search, up to `most`
+void collect_leaves(PatternFindings& findings, std::vector<Configuration>& known,
+                    std::uint64_t most) {
+  std::vector<Configuration> leaves;
+  for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
+  if (!findings.whole()) add_missing(known, most, leaves);
+  findings.leaves = maximal_cones(std::move(leaves));
+  const auto tally = findings.outcome.tally();
+  findings.tested = tally.tested;
+  std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
+    return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
+  });
+  findings.exact.refused = tally.refused;
+  findings.exact.unproved = tally.unproved;
+  findings.exact.doubted = tally.doubted;
+}
+
 }  // namespace
 
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -167,22 +205,8 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   if (parameters.recorder) tree.report_to(parameters.recorder);
   if (parameters.kept) tree.keep_found(parameters.kept);
   findings.bounds = proved_bounds(prepared);
-  if (enclosed) {
-    findings.exact.done = check->is_able();
-    // For constrained bodies the bounds of the solver are valid without the test. For unconstrained
-    // ones they depend on its tolerances for rigid-body modes.
-    if (!check->is_able() && problem.modes.matrix.cols() > 0)
-      findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
-    if (check->is_able() || problem.modes.matrix.cols() > 0)
-      tree.test_with([&check](const auto& evidence) { return check->holds(evidence); }, true);
-  }
-  if (of_unconstrained) {
-    tree.test_with(
-        [&check](const auto& evidence) {
-          return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
-        },
-        false);
-  }
+  if (enclosed) test_all_nodes(tree, *check, problem.modes.matrix.cols() > 0, findings);
+  if (of_unconstrained) test_degenerate_nodes(tree, *check);
   findings.outcome = analysis.search(tree, search);
   if (parameters.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
     search.limits.solutions = engine::Limits{}.solutions;
@@ -190,17 +214,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     findings.outcome = analysis.search(tree, search);
   }
   if (enough) findings.outcome.status = engine::Status::solution_limit;
-  std::vector<Configuration> leaves;
-  for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
-  if (!findings.whole()) add_missing(known, most, leaves);
-  findings.leaves = maximal_cones(std::move(leaves));
-  findings.tested = findings.outcome.tally().tested;
-  std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
-    return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
-  });
-  findings.exact.refused = findings.outcome.tally().refused;
-  findings.exact.unproved = findings.outcome.tally().unproved;
-  findings.exact.doubted = findings.outcome.tally().doubted;
+  collect_leaves(findings, known, most);
   sort_by_blocks(problem, prepared, findings);
   if (parameters.kept) count_kept(findings);
   return findings;

@@ -1,10 +1,10 @@
 #!/bin/bash
-# One question on many ranks, in as many turns as it takes, for LSF: a job that ends with code 75 goes back into the
-# queue (-Q), and so does one whose host fails (-r).
+# Job of LSF for one analysis on many ranks. A job that ends with code 75 is requeued (-Q), as is one whose host fails
+# (-r), until the analysis is complete.
 #
 #     bsub < run/jobs/lsf.sh              # the call is below, since bsub reads the script from its standard input
 #
-# LSF does not tell a job when it ends: the time limit is that of -W, with room to write.
+# --time-limit is a few minutes less than -W, for writing the results, since LSF does not announce the end of a job.
 #BSUB -J kusabi
 #BSUB -n 8
 #BSUB -W 4:00

@@ -1,9 +1,10 @@
 #!/bin/bash
-# One question on many ranks, in as many turns as it takes, for PBS Professional, OpenPBS and Torque.
+# Job of PBS Professional, OpenPBS or Torque for one analysis on many ranks, resubmitted until it is complete.
 #
 #     qsub -v CALL="patterns FILE --mu 0.65" run/jobs/pbs.sh
 #
-# PBS does not tell a job when it ends: TIME is what it may take of the walltime below, with room to write.
+# TIME is a few minutes less than the walltime below, for writing the results, since PBS does not announce the end of a
+# job.
 #PBS -N kusabi
 #PBS -l select=1:ncpus=8:mpiprocs=8
 #PBS -l walltime=04:00:00

@@ -1,10 +1,10 @@
 #!/bin/bash
-# A question at many points, each a job by itself with a state of its own: here the patterns at ten friction
-# coefficients. Each goes back into the queue until it is done, as with slurm.sh.
+# Job array of Slurm for one analysis at many points, each with its own state: in the call below, the patterns at ten
+# friction coefficients. Each task is requeued until it is complete, as in slurm.sh.
 #
 #     sbatch --array=1-10 run/jobs/slurm-array.sh patterns FILE --mu 'n * 0.1'
 #
-# Of each argument that is a product with n, n is the number of the task.
+# n is the number of the task in each argument of the form 'n * NUMBER'.
 #SBATCH --job-name=kusabi
 #SBATCH --ntasks=1
 #SBATCH --time=04:00:00

@@ -1,10 +1,10 @@
 #!/bin/bash
-# One question on the cores of this machine, until it is done, whatever ends it in between: a machine that is switched
-# off and on (call it from cron's @reboot), a process that is killed, Ctrl-C and the same call again.
+# One analysis on the cores of this machine. It restarts kusabi after a rank was killed; after Ctrl-C or a restart of
+# the machine the same call resumes the analysis (@reboot in a crontab calls it).
 #
 #     run/jobs/workstation.sh NAME patterns FILE --mu 0.65
 #
-# NAME.state and NAME.json are where the state and the result go. The ranks are KUSABI_RANKS, or one a core.
+# NAME.state is the state, NAME.json the result. KUSABI_RANKS is the number of ranks; default: one for each core.
 set -u
 if [ $# -lt 3 ]; then
   echo "usage: ${0##*/} NAME SUBCOMMAND FILE [OPTIONS]" >&2
@@ -14,16 +14,15 @@ name=$1
 shift
 ranks=${KUSABI_RANKS:-$(nproc)}
 most_turns=${KUSABI_MOST_TURNS:-100}
-# Half the time, in seconds, that Open MPI's mpirun gives its ranks to keep their state and to write: see
-# docs/long-runs.md.
+# Half of the time, in seconds, for which mpirun of Open MPI waits while its ranks save their state and write
+# (docs/long-runs.md).
 export OMPI_MCA_odls_base_sigkill_timeout=${OMPI_MCA_odls_base_sigkill_timeout:-10}
 
 for ((turn = 1; turn <= most_turns; ++turn)); do
   mpirun -np "$ranks" \
     kusabi "$@" --resume "$name.state" --output "$name.json"
   code=$?
-  # A rank that was killed, as Open MPI and as MPICH tell it; anything else is an answer, or an error that would come
-  # again.
+  # Exit codes of Open MPI and of MPICH for a killed rank. All others are an answer, or an error that would recur.
   [ "$code" -gt 128 ] || [ "$code" -eq 9 ] || exit "$code"
 done
 exit "$code"

@@ -181,7 +181,7 @@ class ReadVtu(unittest.TestCase):
                 np.testing.assert_array_equal(drawn.reshape(np.shape(pattern[key])), pattern[key])
 
     def check_structure(self, structure, d, names, grid):
-        """What the JSON says of the structure is what the grid has."""
+        """The structure of the grid is that of the JSON."""
         self.assertEqual(structure["node_names"], names)
         np.testing.assert_array_equal(grid.points[:, :d], structure["positions"])
         self.assertEqual([list(nodes) for kind, nodes in grid.cells if kind == 3], structure.get("members", []))

@@ -117,7 +117,7 @@ def friction_rows(k):
 
 
 def null_vector(rows):
-    """What 2N - 1 independent rows of 2N numbers leave, up to a factor."""
+    """Null vector of 2N - 1 independent rows of 2N numbers, up to a factor."""
     rows = [list(row) for row in rows]
     unknowns = len(rows[0])
     pivots = []
@@ -213,7 +213,7 @@ class Enumeration:
 
     @staticmethod
     def third(common, a, b, larger_sets, zero_sets):
-        """Whether another ray is on the smallest face of two."""
+        """True if another ray is on the smallest face that contains both."""
         for place, z in enumerate(larger_sets):
             if z & common == common and z not in (a, b):
                 larger_sets.insert(0, larger_sets.pop(place))
@@ -226,7 +226,7 @@ class Enumeration:
         return False
 
     def check(self):
-        """That the numbers are as the zero sets say: equalities hold, all else is positive."""
+        """Asserts that the numbers match the zero sets: zero where these contain the inequality, otherwise positive."""
         for zeros, u in self.rays:
             for i in range(self.rows):
                 for bit, value in enumerate((dot(self.p[i], u), dot(self.q[i], u), u[2 * i])):
@@ -238,13 +238,13 @@ class Enumeration:
 
 
 def supports(state):
-    """Where a ray has a reaction, and where it has a gap."""
+    """Candidates with a reaction and candidates with a gap of a ray."""
     reaction = frozenset(i for i, s in enumerate(state) if s[:2] in ("st", "sl"))
     return reaction, frozenset(i for i, s in enumerate(state) if s == "separates")
 
 
 def maximal_cliques(vertices):
-    """By Bron and Kerbosch with pivots. Rays with the same supports are one vertex."""
+    """Maximal cliques by Bron and Kerbosch with pivots. Rays with the same supports are one vertex."""
     neighbours = [sum(1 << k for k, (r, g) in enumerate(vertices)
                       if k != j and not r & gap and not g & reaction)
                   for j, (reaction, gap) in enumerate(vertices)]

@@ -85,7 +85,7 @@ class Leaf:
         return best, above
 
     def sign(self, mu):
-        """1: alive, -1: dead, 0: undecided."""
+        """1: feasible, -1: infeasible, 0: undecided."""
         below, above = self.bracket(mu, lambda below, above: below > ZERO or above < -ZERO)
         return 1 if below > ZERO else -1 if above < -ZERO else 0
 
@@ -94,7 +94,7 @@ class Leaf:
 
 
 def critical(leaf, near):
-    """Where t* changes its sign within BESIDE of `near`, by secants and halves in turn: it may have a kink."""
+    """Zero of t* within BESIDE of `near`, alternately by secants and bisection, since t* may have a kink."""
     dead, alive = near - BESIDE, near + BESIDE
     low, high = leaf.margin(dead), leaf.margin(alive)
     if not low < 0 < high:
@@ -123,7 +123,7 @@ def main():
             print(f"{what}: differs from the file")
 
     leaves = [Leaf(f, contact) for size in range(1, m + 1) for contact in itertools.combinations(range(m), size)]
-    # The largest first: what is dead there is dead with less friction.
+    # The largest coefficient first: a leaf that is infeasible there is infeasible at smaller ones.
     for mu, number in sorted(known_file["counts"].items(), key=lambda each: -float(each[0])):
         signs = [leaf.sign(float(mu)) for leaf in leaves]
         compare(f"mu = {mu}: leaves within the tolerance", 0 not in signs)

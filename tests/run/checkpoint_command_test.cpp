@@ -100,7 +100,7 @@ TEST_F(Command, ASignalEndsItWithAStateToResumeFrom) {
 TEST_F(Command, SIGUSR1AsksForACheckpointAndTheSearchGoesOn) {
   shell(command + " example space-truss --rows 10 --depth 4 --output " + argument("long.toml"));
   const auto state = in_folder("state");
-  // It heeds signals from just after it has said what it does.
+  // The command handles signals from shortly after its first line of output on.
   const auto run = shell(fmt::format(
       "{{ {} patterns {} --mu 0.55 --cuts none --resume {} >{} 2>{} & p=$!;"
       "   while [ ! -s {} ] && kill -0 $p; do sleep 0.01; done; sleep 0.2; kill -USR1 $p;"

@@ -171,7 +171,7 @@ TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
               HasSubstr("It cannot stick at friction coefficient 0.3."));
 }
 
-// 233 candidates of which all can be in contact at once: no tree comes upon that soon.
+// 233 candidates, all of which can be in contact at once: a tree takes long to find this pattern.
 TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
   const auto file =
       quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/c_lc6_o2.toml");  // tan 3 deg = 0.0524

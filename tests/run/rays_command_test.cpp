@@ -215,8 +215,8 @@ TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
   EXPECT_THAT(refused.output, HasSubstr("or another method"));
 }
 
-// The tip of the two bars moves along the surface, which is across the third bar but for 1e-12:
-// what the second candidate moves by is neither zero nor not.
+// The tip of the two bars moves along the surface, orthogonal to the third bar up to 1e-12:
+// it is numerically undecided whether the displacement of the second candidate is zero.
 TEST_F(Command, SaysWhenSmallNumbersCannotBeDistinguishedFromZero) {
   const auto file = in_folder("almost.toml");
   std::ofstream(file) << R"(

@@ -73,7 +73,7 @@ class Surfaces(Problems):
 
 
 class Shown(Problems):
-    """What `kusabi show` says before anything is solved."""
+    """Output of `kusabi show`, which solves nothing."""
 
     def test_the_surfaces_that_touch(self):
         text = self.said("show", EXAMPLES / "peg-in-hole.toml").stdout

@@ -52,7 +52,7 @@ TEST(TwoBodies, HaveCertificatesThatAreProved) {
 
 // An unconstrained peg, tapered by 1 in 4, between two elastic walls, and its nodes between theirs:
 // it wedges from 1/4 on. Either body may be the unconstrained one.
-TEST(TwoBodies, MayBeLoose) {
+TEST(TwoBodies, MayBeUnconstrained) {
   const auto mesh = [](const std::string& name, const std::string& corners, int rows) {
     return "[[mesh]]\nname = \"" + name + "\"\ncorners = " + corners + "\ndivisions = [2, " +
            std::to_string(rows) +

@@ -67,6 +67,7 @@ struct Judgement {
   bool unloaded = false;
 };
 
+/// Proofs of claims on one block. A refusal is the predicate or sentence of a message.
 class BlockProof {
  public:
   explicit BlockProof(ContactBlock block);

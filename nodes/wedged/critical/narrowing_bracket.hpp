@@ -1,5 +1,5 @@
-// Current bracket of the critical friction coefficient. Searches only make it narrower, and each
-// change is shown in the progress output.
+// Current bracket of the critical friction coefficient. Searches make it narrower; verification may
+// widen it (move_lower, move_upper). Each change is shown in the progress output.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace kusabi::wedged {
 
-/// The same on all ranks.
+/// The bracket, equal on all ranks.
 class NarrowingBracket {
  public:
   NarrowingBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
@@ -33,10 +33,13 @@ class NarrowingBracket {
 
   /// Records that the lower bound was verified, possibly at a smaller coefficient.
   void prove_lower(double lower);
+  /// Records that the upper bound was verified, possibly with another leaf at a larger coefficient.
   void prove_upper(double upper, const PatternNode& leaf);
   /// Replaces a lower bound that cannot be verified.
   void move_lower(double lower);
+  /// Replaces an upper bound that cannot be verified. @param upper nothing: none is known
   void move_upper(std::optional<double> upper);
+  /// The same with another leaf.
   void move_upper(double upper, const PatternNode& leaf);
 
   /// Reports changes since the last call, unless the run is still short.

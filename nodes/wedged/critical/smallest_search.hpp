@@ -1,6 +1,8 @@
 // A single search for the smallest critical coefficient, and its contribution to the bracket.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
@@ -37,9 +39,11 @@ struct SmallestCoefficient {
   void narrow(NarrowingBracket& bracket, double width) const;
 };
 
+/// The multiple of the width nearest to `most`.
 std::int64_t multiples(double most, double width);
 
-/// @param known no configuration is wedged below  @param most upper limit of the search
+/// The bracket that the outcome of a search implies.
+/// @param known no configuration is wedged below
 SmallestCoefficient smallest_coefficient(const engine::OutcomeOf<CriticalTree>& outcome,
                                          const CriticalGrid& grid, double known);
 

@@ -51,7 +51,8 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
                                     : problem.friction),
       friction_(own_),
       solver_(problem, own_, tolerances, precision) {
-  if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
+  if (!(width > 0))
+    throw std::invalid_argument("the width of a bracket is not positive; expected one above 0");
   const auto m = static_cast<Eigen::Index>(own_.size());
   normal_compliance_.resize(m + problem.modes.matrix.cols(), problem.compliance.matrix.cols());
   for (Eigen::Index i = 0; i < m; ++i)

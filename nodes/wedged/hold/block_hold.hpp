@@ -1,4 +1,5 @@
-// Searches for states of one block under load: a tree, the ends of a leaf, and their sequence.
+// Searches for states of one block under load: trees over ranges of load factors or coefficients,
+// and bisection of both ends of the interval of a leaf.
 #pragma once
 
 #include <functional>
@@ -12,6 +13,7 @@
 
 namespace kusabi::wedged {
 
+/// Load factors and friction coefficients that one block holds, with their evidence.
 class BlockHold {
  public:
   /// @pre arguments outlive this object  @param recorded true: for record()
@@ -103,8 +105,8 @@ class BlockHold {
     ended_ = ended_ || (together_ && analysis_.ended());
     return ended_;
   }
-  // Status of an answer that such an end has left open.
-  [[nodiscard]] engine::Status why_ended() const {
+  // Status of an incomplete answer after such an end.
+  [[nodiscard]] engine::Status stop_status() const {
     return engine::from_first_rank(analysis_.transport(),
                                    [&] { return analysis_.budget().stop_reason(); });
   }

@@ -44,8 +44,8 @@ SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedP
   const auto& [most, width] = parameters;
   if (!(width > 0 && width < most) || most > max_multiples * width) {
     throw std::invalid_argument(
-        "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
-        "of it");
+        "the width of a bracket is out of range; expected less than the largest friction "
+        "coefficient, and no less than 1e-15 of it");
   }
   const FrictionGrid grid(width);
   const auto top = not_below(most, grid);

@@ -36,7 +36,7 @@ using EvidenceRecorder = std::function<void(const Evidence&)>;
 /// configurations all belong to other nodes.
 using ExactNodeTest = std::function<bool(const Evidence&)>;
 
-/// Gate to the exact test and to the recorder, either of which may be absent.
+/// Exact test and recorder of evidence, either of which may be absent.
 class EvidenceGate {
  public:
   void report_to(EvidenceRecorder recorder) { recorder_ = std::move(recorder); }
@@ -53,7 +53,7 @@ class EvidenceGate {
   /// Records a claim. @return false: the test refuses it, and refused claims are not used
   bool passes(const Evidence& claim, SignPatternTally& tally) const;
 
-  /// Records a closed node without claim.
+  /// Records a closed node without claim; counts it as unproved unless the test accepts it.
   void pass_open(const Evidence& node, SignPatternTally& tally) const;
 
  private:

@@ -36,6 +36,7 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_li
 /// structures with long levers, small rotations cause such displacements.
 enum class LargeDisplacements { left_out, counted };
 
+/// Exact test of evidence for one friction coefficient of each candidate.
 class EvidenceCheck {
  public:
   /// Proves that K is positive definite up to rigid-body modes.

@@ -30,7 +30,7 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
   const bool is_unconstrained = problem.modes.matrix.cols() > 0;
   // The tree size is not estimated if an option decides on candidate bounds.
   const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
-                     : is_unconstrained                          ? fewest_unconstrained_to_bound
+                     : is_unconstrained                          ? min_unconstrained_to_bound
                                                                  : min_candidates_to_bound;
   const auto trees = tried_trees(analysis, problem, friction, options, fewest);
   const auto blocks = problems::blocks_of(problem);

@@ -16,7 +16,7 @@ namespace kusabi::wedged {
 inline constexpr int min_candidates_to_bound = 24;
 /// The same for unconstrained bodies, whose bounds cost more: a candidate opened by a rigid-body
 /// mode has no bound of its gap.
-inline constexpr int fewest_unconstrained_to_bound = 56;
+inline constexpr int min_unconstrained_to_bound = 56;
 
 /// Branching rule and candidate bounds of one block.
 struct Preparation {

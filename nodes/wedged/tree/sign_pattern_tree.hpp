@@ -123,7 +123,7 @@ class SignPatternTree {
   bool closes(const Node& node, Evidence::Kind kind, std::span<const double> numbers);
   NodeResult doubt(const Node& node);
   NodeResult close(const Node& node, Configuration leaf);
-  void report_open(const Node& node);
+  void record_unclaimed(const Node& node);
 
   conic::Tolerances tolerances_;
   int probes_;

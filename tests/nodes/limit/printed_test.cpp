@@ -153,8 +153,7 @@ TEST(AsPrinted, StartsFromTheBestSample) {
   }
 }
 
-// ---- (45)
-// ----------------------------------------------------------------------------------------
+// ---- (45) -------------------------------------------------------------------------------------
 
 /// (42) with u and gamma free, as in the paper.
 linear::MixedProgram relaxation_of(const LimitModel& model, double alpha,

@@ -444,7 +444,7 @@ TEST(CriticalFriction, AllMethodsAgreeOnRandomProblems) {
 
 // A pattern is infeasible at the lower bound of its bracket and below, feasible at the upper one
 // and above.
-TEST(CriticalFriction, LifeIsMonotoneInFriction) {
+TEST(CriticalFriction, FeasibilityIsMonotoneInFriction) {
   const auto problem = example("space-truss.toml");
   const auto found = all_cells(problem, 0.7, CriticalMethod::newton);
   EXPECT_FALSE(found.cells.empty());

@@ -130,7 +130,7 @@ TEST(Superelement, IsRefusedIfItIsUnconstrained) {
   EXPECT_EQ(error_of(structure), "no error");
 }
 
-TEST(Superelement, IsRefusedIfARotationIsLoose) {
+TEST(Superelement, IsRefusedIfARotationIsNotPrevented) {
   Structure structure = cantilever(1);
   Superelement& beam = structure.superelements[0];
   beam.rows.push_back({-1, 0});
