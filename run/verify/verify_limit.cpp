@@ -203,17 +203,17 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   }
   summary += summary_of(statements);
   if (structure) summary += cases_left_text(statements, *structure);
-  const auto after_buckling = std::ranges::stable_partition(
-      statements, [](const CheckedStatement& each) { return !each.residual; });
+  const auto is_at_strength = [](const CheckedStatement& each) { return !each.residual; };
+  const auto split = std::stable_partition(statements.begin(), statements.end(), is_at_strength);
+  const std::vector<CheckedStatement> after_buckling(split, statements.end());
+  statements.erase(split, statements.end());
   if (!after_buckling.empty()) {
-    summary += cases_at_residual_text({statements.begin(), after_buckling.begin()},
-                                      {after_buckling.begin(), after_buckling.end()});
+    summary += cases_at_residual_text(statements, after_buckling);
     summary += fmt::format(
         "all struts at {}, PROVED: {}\n",
         structure ? "their residual strength" : "the residual strengths of the certificate",
-        factor_claim(factor_of({after_buckling.begin(), after_buckling.end()})));
+        factor_claim(factor_of(after_buckling)));
   }
-  statements.erase(after_buckling.begin(), after_buckling.end());
   findings.check.claim = factor_of(statements);
   return findings;
 }

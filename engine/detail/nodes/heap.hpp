@@ -66,7 +66,7 @@ class Heap {
   Bundle<Node> take() {
     auto best = remove_best().second;
     taken_ = {best.trail, best.open.depth};
-    return bundle_of(std::move(best));
+    return bundle_of(best);
   }
 
   /// True if a node can be given away and one is left here.
@@ -84,7 +84,7 @@ class Heap {
     for (auto left = size() / 2; left > 0; --left) {
       kept.push_back(remove_best());
       auto [key, entry] = remove_best();
-      auto bundle = bundle_of(std::move(entry));
+      auto bundle = bundle_of(entry);
       bytes += packed_size(bundle);
       if (!transfer.empty() && bytes > limit) {
         entry.open = std::move(bundle.nodes.front());
@@ -176,7 +176,7 @@ class Heap {
   }
 
   // Moves the node only: the entry keeps its trail.
-  static Bundle<Node> bundle_of(Entry&& entry) {
+  static Bundle<Node> bundle_of(Entry& entry) {
     Bundle<Node> bundle{entry.trail->first(entry.open.depth), {}};
     bundle.nodes.push_back(std::move(entry.open));
     return bundle;
