@@ -167,11 +167,11 @@ SignPatternTree::NodeResult SignPatternTree::decide_undecided(const Node& node,
       case Kind::infeasible:
         if (answer.upper < 0) return prune(node, found.multipliers);
         ++tally_.infeasible;
-        report_open(node);
+        record_unclaimed(node);
         return {};
       case Kind::redundant:
         ++tally_.faces;
-        report_open(node);
+        record_unclaimed(node);
         return {};
       case Kind::leaf:
         return close(node, std::move(*found.leaf));
@@ -261,7 +261,7 @@ SignPatternTree::NodeResult SignPatternTree::doubt(const Node& node) {
   if (free.size() > most_free) {
     ++tally_.infeasible;
     ++tally_.doubted;
-    report_open(node);
+    record_unclaimed(node);
     return {};
   }
   if (block.outer) block.solver.solve(node.pattern.contact, node.pattern.separated, {});
@@ -325,11 +325,11 @@ SignPatternTree::NodeResult SignPatternTree::close(const Node& node, Configurati
       ++tally_.undecided;
       break;
   }
-  if (leaf.state != LeafState::feasible) report_open(node);
+  if (leaf.state != LeafState::feasible) record_unclaimed(node);
   return {.children = {}, .leaf = std::move(leaf)};
 }
 
-void SignPatternTree::report_open(const Node& node) {
+void SignPatternTree::record_unclaimed(const Node& node) {
   evidence_.pass_open({.kind = Evidence::Kind::marginal,
                        .block = node.block,
                        .node = blocks_[node.block].in_whole(node.pattern),
