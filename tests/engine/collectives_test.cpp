@@ -24,20 +24,20 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(Together, BroadcastsWithinOneProcess) {
+TEST(Collectives, BroadcastsWithinOneProcess) {
   SingleProcess alone;
   EXPECT_EQ(from_first_rank(alone, [] { return std::string("said"); }), "said");
   EXPECT_EQ(all_reduce(alone, {.ranks = 1, .found = 7}).found, 7U);
   EXPECT_NO_THROW(require_equal_on_all_ranks(alone, 0xBAD));
 }
 
-TEST(Together, AnExceptionOfAProcessThatIsAloneReachesTheCaller) {
+TEST(Collectives, AnExceptionOfAProcessThatIsAloneReachesTheCaller) {
   SingleProcess alone;
   EXPECT_THROW(from_first_rank(alone, []() -> int { throw std::runtime_error("no file"); }),
                std::runtime_error);
 }
 
-TEST(Together, SimulatedRanksMayNotWaitForEachOther) {
+TEST(Collectives, SimulatedRanksMayNotWaitForEachOther) {
   SimulatedNetwork network(2, 1, {});
   EXPECT_THROW(from_first_rank(network.transport(0), [] { return 1; }), ContractBroken);
 }
