@@ -57,10 +57,11 @@ lint() {
     --warnings-as-errors='*'
 }
 
-# build_sanitized TARGET...
+# build_sanitized TARGET...: with the CMake options in sanitized_options, if there are any.
+sanitized_options=()
 build_sanitized() {
   local ninja=()
   if [[ ! -e build-sanitize/CMakeCache.txt ]]; then ninja=(-G Ninja); fi
-  cmake --preset sanitize "${ninja[@]}" >/dev/null
+  cmake --preset sanitize "${ninja[@]}" "${sanitized_options[@]}" >/dev/null
   cmake --build --preset sanitize --parallel "$(nproc)" --target "$@"
 }
