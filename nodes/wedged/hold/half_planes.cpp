@@ -132,7 +132,7 @@ std::optional<Polygon> common_part(const Polygon& one, const Polygon& other) {
     for (const auto& plane : planes)
       if (inside(planes, plane.most * plane.normal))
         add(part.vertices, plane.most * plane.normal, same_direction * plane.most);
-    if (part.vertices.size() == 1) part.rays.push_back(-part.vertices.front().normalized());
+    if (part.vertices.size() == 1) part.rays.emplace_back(-part.vertices.front().normalized());
   }
   for (auto& vertex : part.vertices) vertex = *centre + (1 - moved_inwards) * vertex;
   return part;
