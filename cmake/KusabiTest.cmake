@@ -1,6 +1,9 @@
 # Tests are compiled without optimisation, which takes half of the compile time, under the sanitizers
 # a third. The libraries under test are optimised as in a release.
-set(KUSABI_TEST_OPTIONS $<$<OR:$<CONFIG:Release>,$<BOOL:${KUSABI_SANITIZE}>>:-O0>)
+set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O0>)
+if(KUSABI_SANITIZE)
+  set(KUSABI_TEST_OPTIONS -O0)
+endif()
 
 # Precompiled headers for nearly all tests.
 kusabi_precompile(kusabi_test_headers

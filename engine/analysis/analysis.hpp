@@ -125,6 +125,7 @@ class Analysis {
     std::vector<Result> results;
     const auto packed =
         share_packed(pieces, [&](std::uint64_t number) { return pack(piece(number)); });
+    results.reserve(packed.size());
     for (const auto& bytes : packed) results.push_back(unpack<Result>(bytes));
     return results;
   }
