@@ -144,6 +144,11 @@ class Analysis {
     return from_first_rank(transport_, [this] { return budget_.spent(); });
   }
 
+  /// Budget::stop_reason() of rank 0, on all ranks.
+  Status stop_reason() {
+    return from_first_rank(transport_, [this] { return budget_.stop_reason(); });
+  }
+
   /// engine::search on this rank alone, within the remaining budget and with progress output, for
   /// use inside by_first_rank(). The caller of that counts the nodes.
   template <class P>

@@ -10,7 +10,7 @@
 
 namespace kusabi::engine {
 
-class SingleProcess final : public Transport {
+class SingleProcess : public Transport {
  public:
   [[nodiscard]] int rank() const override { return 0; }
   [[nodiscard]] int size() const override { return 1; }

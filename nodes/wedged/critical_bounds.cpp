@@ -73,11 +73,6 @@ constexpr double growth = 8;
 /// a grid point is undecided there, so its bracket has two widths.
 constexpr double wide = 2.5;
 
-engine::Status stop_reason(engine::Analysis& analysis) {
-  return engine::from_first_rank(analysis.transport(),
-                                 [&] { return analysis.budget().stop_reason(); });
-}
-
 CriticalEntry entry_of(const Configuration& leaf, const NarrowingBracket& bracket) {
   return {.block = leaf.block,
           .pattern = leaf.pattern,
@@ -376,7 +371,7 @@ engine::Status CriticalBounds::prove_upper() {
   double step = parameters_.grid.width;
   for (int move = 0; move < most_moves && factor <= parameters_.grid.most; ++move, step *= growth) {
     auto decided = decide_leaf(leaf, factor, recorded);
-    if (analysis_.ended() && !decided.holds) return stop_reason(analysis_);
+    if (analysis_.ended() && !decided.holds) return analysis_.stop_reason();
     if (decided.holds) {
       bracket_.prove_upper(factor, leaf);
       set_known(std::move(decided.found));
@@ -481,7 +476,7 @@ void CriticalBounds::prove(CriticalFindings& findings) {
   };
   bracket_.show();
   if (findings.status == engine::Status::solved && !enclose())
-    stopped(CriticalPhase::lower_bound, stop_reason(analysis_));
+    stopped(CriticalPhase::lower_bound, analysis_.stop_reason());
   if (findings.status == engine::Status::solved && needs_bisection())
     stopped(CriticalPhase::lower_bound, bisect());
   if (findings.status == engine::Status::solved &&

@@ -195,8 +195,7 @@ class SmallestStrategies {
 
   bool stopped(CriticalPhase phase) {
     if (!analysis_.ended()) return false;
-    findings_.status = engine::from_first_rank(analysis_.transport(),
-                                               [&] { return analysis_.budget().stop_reason(); });
+    findings_.status = analysis_.stop_reason();
     findings_.stopped_in = phase;
     return true;
   }

@@ -63,21 +63,12 @@ TEST(SharedWork, EndsWithTheLimitsOfTheAnalysis) {
 }
 
 // One rank whose clock is a second ahead at each call, so that a reduction is due at each step.
-class OneRank final : public Transport {
+class OneRank final : public SingleProcess {
  public:
-  [[nodiscard]] int rank() const override { return 0; }
-  [[nodiscard]] int size() const override { return 1; }
   [[nodiscard]] double now() const override { return ++now_; }
-  void send(int /*to*/, MessageTag /*tag*/, Bytes /*body*/) override {}
-  std::optional<Message> receive() override { return std::nullopt; }
-  void join_reduction(const Reduction& own) override { wave_ = own; }
-  std::optional<Reduction> reduction() override { return std::exchange(wave_, std::nullopt); }
-  void broadcast(Bytes& /*bytes*/) override {}
-  void abandon(const std::string& /*reason*/) override {}
 
  private:
   mutable double now_ = 0;
-  std::optional<Reduction> wave_;
 };
 
 TEST(SharedWork, DoesNotEndWithTheNumberOfSolutionsOfASearch) {

@@ -130,8 +130,7 @@ class CriticalDescent {
   }
 
   bool stopped(CriticalPhase phase) {
-    findings_.status = engine::from_first_rank(analysis_.transport(),
-                                               [&] { return analysis_.budget().stop_reason(); });
+    findings_.status = analysis_.stop_reason();
     findings_.stopped_in = phase;
     return false;
   }

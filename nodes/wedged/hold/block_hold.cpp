@@ -311,7 +311,7 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   if (!with_dead && !grip_) return homogeneous_factors(mu);
   std::vector<Gap> gaps;
   explore(found, gaps, mu);
-  if (ended_ && found.status == engine::Status::solved) found.status = stop_status();
+  if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
   found.intervals = joined(std::move(found.intervals));
   for (const Gap& gap : gaps) {
     found.proved = found.proved && gap.proved;
@@ -420,7 +420,7 @@ HoldingFriction BlockHold::friction() {
   found.most = most == 0 ? 0 : std::min(parameters_.most, max_friction / most);
   if (!first_bracket(found)) return found;
   follow(found, least);
-  if (ended_ && found.status == engine::Status::solved) found.status = stop_status();
+  if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
   if (found.status == engine::Status::solved) narrow(found);
   return found;
 }

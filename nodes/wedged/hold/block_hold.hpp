@@ -105,11 +105,6 @@ class BlockHold {
     ended_ = ended_ || (together_ && analysis_.ended());
     return ended_;
   }
-  // Status of an incomplete answer after such an end.
-  [[nodiscard]] engine::Status stop_status() const {
-    return engine::from_first_rank(analysis_.transport(),
-                                   [&] { return analysis_.budget().stop_reason(); });
-  }
 
   engine::Analysis& analysis_;
   const LoadedProblem& block_;

@@ -315,8 +315,7 @@ Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, doub
     std::vector<DiagramPiece> own;
     for (const auto& [pattern, point] : begins) {
       if (found.status == engine::Status::solved && analysis.ended()) {
-        found.status = engine::from_first_rank(analysis.transport(),
-                                               [&] { return analysis.budget().stop_reason(); });
+        found.status = analysis.stop_reason();
       }
       if (found.status != engine::Status::solved) break;
       own.push_back(PieceSearch(block, mu, precision, pattern, unit).around(point));
