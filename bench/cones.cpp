@@ -39,8 +39,8 @@ using nlohmann::json;
 
 constexpr int dimension = 3;
 
-// Instances of more than `most_small` candidates have fewer nodes and fewer rounds.
-constexpr int most_small = 60;
+// Instances of more than `max_small` candidates have fewer nodes and fewer rounds.
+constexpr int max_small = 60;
 constexpr std::size_t node_count = 200, large_node_count = 24;
 constexpr int rounds = 15, large_rounds = 3;
 
@@ -64,7 +64,7 @@ IndexSet set_of(const json& word) {
 }
 
 json word_of(const IndexSet& set, int m) {
-  if (m <= most_small) return set.word(0);
+  if (m <= max_small) return set.word(0);
   return support::hexadecimal(set);
 }
 
@@ -102,7 +102,7 @@ std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
   const IndexSet all = IndexSet::below(m);
   std::vector<Node> nodes;
   Node node;
-  while (nodes.size() < (m <= most_small ? node_count : large_node_count)) {
+  while (nodes.size() < (m <= max_small ? node_count : large_node_count)) {
     nodes.push_back(node);
     const IndexSet open = all - (node.contact | node.separated);
     if (solver.solve(node.contact, node.separated).sign == Sign::infeasible || open.empty()) {
@@ -110,12 +110,12 @@ std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
       continue;
     }
     int split = 0;
-    double most = -1;
+    double maximum = -1;
     for (const int i : open) {
       const Eigen::Index normal = dimension * i;
       const double product = solver.displacement()[normal] * solver.reaction()[normal];
-      if (product <= most) continue;
-      most = product;
+      if (product <= maximum) continue;
+      maximum = product;
       split = i;
     }
     (generator() % 2 == 0 ? node.contact : node.separated).insert(split);

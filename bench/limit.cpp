@@ -24,7 +24,7 @@ using namespace kusabi::limit;
 
 struct Solved {
   RootResult root;
-  double least = 0;  // scaled
+  double minimum = 0;  // scaled
   std::uint64_t nodes = 1;
 };
 
@@ -38,14 +38,14 @@ std::optional<Solved> solve(const problems::LimitModel& model, double alpha) {
                              return price_alone(pricing, z, columns);
                            });
   if (!solved.root.worst) return solved;
-  solved.least = solved.root.worst->collapse.factor;
+  solved.minimum = solved.root.worst->collapse.factor;
   if (solved.root.status != RootStatus::open) return solved;
   SignTree tree(model, alpha, solved.root, false);
   engine::Options options;
   options.goal = engine::Goal::best;
   const auto outcome = engine::search(tree, options);
   solved.nodes = outcome.opened();
-  if (!outcome.solutions.empty()) solved.least = outcome.solutions.front().solution.factor;
+  if (!outcome.solutions.empty()) solved.minimum = outcome.solutions.front().solution.factor;
   return solved;
 }
 
@@ -86,13 +86,13 @@ void gaps(std::uint32_t count) {
       const auto solved = solve(model, alpha / model.force_unit);
       if (!solved || !solved->root.worst) continue;
       ++solved_count;
-      const double gap = solved->least - solved->root.lower;
+      const double gap = solved->minimum - solved->root.lower;
       constexpr double visible = 1e-6;
       if (solved->root.status != RootStatus::open || gap < visible) continue;
       ++gap_count;
       nodes += solved->nodes;
       fmt::print("seed {}: alpha {}, bound {:.6f}, least factor {:.6f}, {} nodes\n", seed, alpha,
-                 solved->root.lower * model.factor_unit, solved->least * model.factor_unit,
+                 solved->root.lower * model.factor_unit, solved->minimum * model.factor_unit,
                  solved->nodes);
     } catch (const support::InputError&) {
       continue;  // two nodes at one point, or a mechanism

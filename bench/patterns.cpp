@@ -81,7 +81,7 @@ class Search {
     }
     const auto ranked = rank(rest);
     auto best = ranked.front();
-    double least = 1e300;
+    double minimum = 1e300;
     for (std::size_t i = 0; i < static_cast<std::size_t>(strategy_.tried) && i < ranked.size();
          ++i) {
       const auto split = ranked[i];
@@ -89,8 +89,8 @@ class Search {
       if (touching.sign == Sign::infeasible) return close_and_open(contact, separated | split);
       const auto apart = solve(contact, separated | split);
       if (apart.sign == Sign::infeasible) return close_and_open(contact | split, separated);
-      if (touching.upper + apart.upper < least) {
-        least = touching.upper + apart.upper;
+      if (touching.upper + apart.upper < minimum) {
+        minimum = touching.upper + apart.upper;
         best = split;
       }
     }

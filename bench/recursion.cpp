@@ -96,8 +96,9 @@ struct Salesman {
     return length;
   }
   void open(double length) {
-    const double least = bound(length);
-    if (least > best || (least == best && best < std::numeric_limits<double>::infinity())) return;
+    const double minimum = bound(length);
+    if (minimum > best || (minimum == best && best < std::numeric_limits<double>::infinity()))
+      return;
     ++nodes;
     if (tour.size() == distance.size()) {
       best = std::min(best, length + distance[static_cast<std::size_t>(tour.back())][0]);

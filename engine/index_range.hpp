@@ -19,12 +19,12 @@ struct IndexRange {
   }
 };
 
-/// Branches a range of more than `most` indices into its halves.
+/// Branches a range of more than `maximum` indices into its halves.
 /// @return true if the range was branched; otherwise the caller processes it
 /// @tparam Expansion that of a problem whose nodes are ranges
 template <class Expansion>
-bool branch_into_halves(const IndexRange& range, std::uint64_t most, Expansion& out) {
-  if (range.size() <= most) return false;
+bool branch_into_halves(const IndexRange& range, std::uint64_t maximum, Expansion& out) {
+  if (range.size() <= maximum) return false;
   const auto middle = range.first + range.size() / 2;
   out.branch(IndexRange{range.first, middle});
   out.branch(IndexRange{middle, range.last});

@@ -88,14 +88,14 @@ class Simulation {
     }
   }
 
-  /// @throws std::runtime_error after `most_steps` steps of all ranks
-  Simulated<P> run(std::uint64_t most_steps) {
+  /// @throws std::runtime_error after `max_steps` steps of all ranks
+  Simulated<P> run(std::uint64_t max_steps) {
     while (!events_.empty()) {
       const auto [time, number, rank] = events_.top();
       events_.pop();
       visit(rank, time);
-      if (steps_ > most_steps) {
-        throw std::runtime_error("no end after " + std::to_string(most_steps) + " steps");
+      if (steps_ > max_steps) {
+        throw std::runtime_error("no end after " + std::to_string(max_steps) + " steps");
       }
     }
     return {std::move(*ranks_.front().worker).outcome(), last_, network_.largest_message(),
@@ -190,17 +190,16 @@ class Simulation {
 };
 
 /// Searches the tree of `problem` (copied for every rank) with `ranks` simulated ranks.
-/// @throws std::runtime_error if the search does not end within `most_steps` steps of all ranks
+/// @throws std::runtime_error if the search does not end within `max_steps` steps of all ranks
 template <class P>
 SimulatedOf<P> simulate(const P& problem, int ranks, std::uint64_t seed,
                         const MachineModel& machine = {}, Options options = {},
-                        std::uint64_t most_steps = 100'000'000,
-                        Stepping stepping = Stepping::lazy) {
+                        std::uint64_t max_steps = 100'000'000, Stepping stepping = Stepping::lazy) {
   if constexpr (CheckedSimulation<P>::sound) {
     options.seed = seed;
     // Virtual clocks do not advance within a step, so the stride cannot be measured.
     if (options.nodes_per_step == 0) options.nodes_per_step = 1;
-    return Simulation<P>(problem, ranks, machine, options, stepping).run(most_steps);
+    return Simulation<P>(problem, ranks, machine, options, stepping).run(max_steps);
   }
 }
 

@@ -60,11 +60,11 @@ struct RankTrace {
   std::uint64_t dropped = 0;       ///< number of later events, for which there was no room
   std::vector<TraceEvent> events;  ///< in order of time
 
-  /// The trace in pieces of at most `most` events, to be joined again by `append`.
-  [[nodiscard]] std::vector<RankTrace> pieces(std::size_t most) const {
+  /// The trace in pieces of at most `maximum` events, to be joined again by `append`.
+  [[nodiscard]] std::vector<RankTrace> pieces(std::size_t maximum) const {
     std::vector<RankTrace> list;
     for (auto first = events.begin(); first != events.end();) {
-      const auto count = std::min(static_cast<std::ptrdiff_t>(most), events.end() - first);
+      const auto count = std::min(static_cast<std::ptrdiff_t>(maximum), events.end() - first);
       list.push_back({joined, began, ended, dropped, {first, first + count}});
       first += count;
     }

@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
   if (transport.rank() != 0) return 0;
 
   // About 2 to 5 % is usual; a spinning rank uses as much as a working one.
-  constexpr double most = 0.20;
+  constexpr double maximum = 0.20;
   bool good = true;
   for (std::size_t rank = 1; rank < ranks; ++rank) {
     const double* const its = all.data() + figures * rank;
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
         "requests; "
         "awake %.2f ms after the first node to share\n",
         rank, its[1], its[2], 100 * share, its[3], 1e3 * (its[0] - all[0]));
-    good = good && all[2] > 1.9 && share < most;
+    good = good && all[2] > 1.9 && share < maximum;
   }
   return good ? 0 : 1;
 }

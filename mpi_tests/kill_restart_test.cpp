@@ -131,7 +131,7 @@ TEST_F(KillRestart, ManyKillsChangeNothing) {
   // ranks in turn occur before the end of a tree of 193,480 nodes even if all nodes opened in
   // between are kept.
   constexpr int deaths = kusabi::test::thorough ? 24 : 12;
-  constexpr std::uint64_t most_nodes = 3500;
+  constexpr std::uint64_t max_nodes = 3500;
   int kills = 0;
   int kept = 0;  // kills after which the checkpoint had grown
   int from_outside = 0;
@@ -140,12 +140,12 @@ TEST_F(KillRestart, ManyKillsChangeNothing) {
     const int ranks = 1 + attempt % 3;
     const auto victim = between(0, static_cast<std::uint64_t>(ranks - 1));
     const auto who = ":" + std::to_string(victim) + ":";
-    std::string event = "node:-1:" + std::to_string(most_nodes) + " ";
+    std::string event = "node:-1:" + std::to_string(max_nodes) + " ";
     std::function<void(pid_t)> killer = [](pid_t) {};
     const auto before = engine::newest_epoch(state_);
     switch (attempt / 3 % 4) {
       case 0:
-        event += "node" + who + std::to_string(between(500, most_nodes));
+        event += "node" + who + std::to_string(between(500, max_nodes));
         break;
       case 1:
       case 2:

@@ -30,8 +30,8 @@ ExactCount ExactCount::product(std::span<const std::uint64_t> factors) {
 }
 
 std::optional<ExactCount> ExactCount::read(std::string_view text) {
-  constexpr std::size_t most_digits = 1'000'000;
-  if (text.empty() || text.size() > most_digits ||
+  constexpr std::size_t max_digits = 1'000'000;
+  if (text.empty() || text.size() > max_digits ||
       text.find_first_not_of("0123456789") != std::string_view::npos)
     return {};
   const auto first = text.find_first_not_of('0');
@@ -39,10 +39,10 @@ std::optional<ExactCount> ExactCount::read(std::string_view text) {
 }
 
 std::optional<std::uint64_t> ExactCount::number() const {
-  constexpr std::uint64_t most = std::uint64_t{1} << 53U;
+  constexpr std::uint64_t maximum = std::uint64_t{1} << 53U;
   std::uint64_t number = 0;
   const auto* const end = digits_.data() + digits_.size();
-  if (std::from_chars(digits_.data(), end, number).ec != std::errc() || number > most) return {};
+  if (std::from_chars(digits_.data(), end, number).ec != std::errc() || number > maximum) return {};
   return number;
 }
 

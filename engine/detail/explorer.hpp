@@ -129,13 +129,13 @@ class Explorer {
   [[nodiscard]] double bound() const {
     if (!has_nodes()) return std::numeric_limits<double>::infinity();
     if (!looks_at_bounds()) return bound_of_any();
-    double least = std::numeric_limits<double>::infinity();
-    if (!heap_.empty()) least = bound_of(heap_.best());
-    frontier_.for_each([&](const Node& node) { least = std::min(least, bound_of(node)); });
+    double minimum = std::numeric_limits<double>::infinity();
+    if (!heap_.empty()) minimum = bound_of(heap_.best());
+    frontier_.for_each([&](const Node& node) { minimum = std::min(minimum, bound_of(node)); });
     for (const auto& bundle : waiting_) {
-      for (const auto& open : bundle.nodes) least = std::min(least, bound_of(open.node));
+      for (const auto& open : bundle.nodes) minimum = std::min(minimum, bound_of(open.node));
     }
-    return least;
+    return minimum;
   }
 
   // ---- giving and taking ------------------------------------------------------------------------
@@ -144,10 +144,10 @@ class Explorer {
     return heap_.can_give() || frontier_.can_give() || stores() >= 2;
   }
 
-  /// Half of the nodes for another rank, but not more than about `most` pieces of about `limit`
-  /// bytes (in_pieces) or `most` bundles. A heap gives one piece, since its best nodes count, not
-  /// their number.
-  std::vector<Transfer<Node>> give(std::size_t limit, std::size_t most) {
+  /// Half of the nodes for another rank, but not more than about `maximum` pieces of about `limit`
+  /// bytes (in_pieces) or `maximum` bundles. A heap gives one piece, since its best nodes count,
+  /// not their number.
+  std::vector<Transfer<Node>> give(std::size_t limit, std::size_t maximum) {
     std::vector<Transfer<Node>> transfers;
     const auto add = [&](Bundle<Node>&& bundle) {
       for (auto& piece : in_pieces(std::move(bundle), limit)) {
@@ -157,15 +157,15 @@ class Explorer {
     if (heap_.can_give()) {
       transfers.push_back(heap_.give(limit));
     } else if (waiting_.size() >= 2) {
-      for (auto& bundle : give_waiting(most)) add(std::move(bundle));
+      for (auto& bundle : give_waiting(maximum)) add(std::move(bundle));
     } else if (frontier_.can_give()) {
-      add(frontier_.give(limit * most));
+      add(frontier_.give(limit * maximum));
     } else if (!heap_.empty()) {
       add(heap_.take());
     } else {
       auto& bundle = waiting_.back();
       waiting_nodes_ -= bundle.nodes.size();
-      add({bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit * most)});
+      add({bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit * maximum)});
       waiting_nodes_ += bundle.nodes.size();
       if (bundle.nodes.empty()) waiting_.pop_back();
     }
@@ -266,11 +266,11 @@ class Explorer {
     }
   }
 
-  // Removes and returns every other bundle that follows the frontier, at most `most`.
-  std::vector<Bundle<Node>> give_waiting(std::size_t most) {
+  // Removes and returns every other bundle that follows the frontier, at most `maximum`.
+  std::vector<Bundle<Node>> give_waiting(std::size_t maximum) {
     std::vector<Bundle<Node>> given;
     const auto begin = waiting_.begin();
-    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(2 * most, waiting_.size()));
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(2 * maximum, waiting_.size()));
     auto kept = begin;
     for (auto bundle = begin; bundle != end; ++bundle) {
       if ((bundle - begin) % 2 == 0) {

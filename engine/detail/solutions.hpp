@@ -90,7 +90,7 @@ class Solutions {
   [[nodiscard]] const Incumbent& incumbent() const { return incumbent_; }
 
   /// Least objective of the solutions reported on this rank; infinity if there is none.
-  [[nodiscard]] double objective() const { return least_; }
+  [[nodiscard]] double objective() const { return minimum_; }
 
   /// True if this rank improved the incumbent since the last call.
   [[nodiscard]] bool just_improved() { return std::exchange(improved_, false); }
@@ -136,12 +136,12 @@ class Solutions {
   /// Begins the first of two expansions of a node: stores the state that `end_trial_expansion`
   /// restores. Nothing is emitted until then.
   void begin_trial_expansion() {
-    trial_state_ = {incumbent_, least_, kept_, all_.size(), improved_};
+    trial_state_ = {incumbent_, minimum_, kept_, all_.size(), improved_};
     in_trial_ = true;
   }
   void end_trial_expansion() {
-    std::tie(incumbent_, least_, kept_, improved_) = std::tie(
-        trial_state_.incumbent, trial_state_.least, trial_state_.kept, trial_state_.improved);
+    std::tie(incumbent_, minimum_, kept_, improved_) = std::tie(
+        trial_state_.incumbent, trial_state_.minimum, trial_state_.kept, trial_state_.improved);
     all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(trial_state_.all), all_.end());
     in_trial_ = false;
   }
@@ -187,19 +187,19 @@ class Solutions {
     const auto age = ++age_;
     kept_.push_back({value, age, std::move(found)});
     std::push_heap(kept_.begin(), kept_.end(), before);
-    least_ = std::min(least_, value);
+    minimum_ = std::min(minimum_, value);
     if (kept_.size() > pool_.count && drop_worst() == age) return false;
     if (kept_.size() == pool_.count) {
       tighten({true, kept_.front().objective, kept_.front().found.path});
     }
-    if (gap() < unlimited) tighten({true, least_ + gap(), after_all_paths});
+    if (gap() < unlimited) tighten({true, minimum_ + gap(), after_all_paths});
     drop_unwanted();
     return true;
   }
 
   [[nodiscard]] double gap() const {
     if (pool_.relative_gap == unlimited) return pool_.gap;
-    return std::min(pool_.gap, pool_.relative_gap * std::abs(least_));
+    return std::min(pool_.gap, pool_.relative_gap * std::abs(minimum_));
   }
 
   void tighten(const Incumbent& candidate) {
@@ -229,7 +229,7 @@ class Solutions {
 
   struct TrialState {
     Incumbent incumbent;
-    double least = 0;
+    double minimum = 0;
     std::vector<Kept> kept;
     std::size_t all = 0;
     bool improved = false;
@@ -242,7 +242,7 @@ class Solutions {
   std::vector<FoundSolution<P>> all_;  // of Goal::all
   std::vector<Kept> kept_;             // of the other goals: a heap, the worst first
   Incumbent incumbent_;
-  double least_ = unlimited;
+  double minimum_ = unlimited;
   std::uint64_t age_ = 0;
   bool improved_ = false;
   bool in_trial_ = false;

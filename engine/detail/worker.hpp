@@ -41,9 +41,9 @@ class LocalExplorer final : public LocalSearch {
   [[nodiscard]] RankStatistics& statistics() override { return explorer_.statistics(); }
 
   [[nodiscard]] bool can_give() const override { return explorer_.can_give(); }
-  std::vector<PackedTransfer> give(std::size_t limit, std::size_t most) override {
+  std::vector<PackedTransfer> give(std::size_t limit, std::size_t maximum) override {
     std::vector<PackedTransfer> pieces;
-    for (auto& transfer : explorer_.give(limit, most)) {
+    for (auto& transfer : explorer_.give(limit, maximum)) {
       pieces.push_back({pack(transfer), size_of(transfer)});
       transfer = {};
     }

@@ -144,10 +144,10 @@ void MpiTransport::broadcast(Bytes& bytes) {
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, reductions_);
   bytes.resize(length);
   // MPI counts in int; a broadcast may be longer.
-  constexpr std::size_t most = std::size_t{1} << 30U;
-  for (std::size_t from = 0; from < bytes.size(); from += most) {
-    MPI_Bcast(bytes.data() + from, static_cast<int>(std::min(most, bytes.size() - from)), MPI_BYTE,
-              0, reductions_);
+  constexpr std::size_t maximum = std::size_t{1} << 30U;
+  for (std::size_t from = 0; from < bytes.size(); from += maximum) {
+    MPI_Bcast(bytes.data() + from, static_cast<int>(std::min(maximum, bytes.size() - from)),
+              MPI_BYTE, 0, reductions_);
   }
 }
 

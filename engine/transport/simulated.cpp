@@ -60,7 +60,7 @@ Transport& SimulatedNetwork::transport(int rank) {
 // Every step takes some time, or an idle rank would stop the clock.
 double SimulatedNetwork::step_duration(int rank, double work) {
   auto& mine = mailbox(rank);
-  double duration = least_step + work + machine_.handling * std::exchange(mine.handled, 0U);
+  double duration = min_step + work + machine_.handling * std::exchange(mine.handled, 0U);
   if (machine_.stall_probability > 0 &&
       std::bernoulli_distribution(machine_.stall_probability)(mine.random)) {
     duration += machine_.stall;

@@ -53,7 +53,7 @@ class SimulatedNetwork {
   double step_duration(int rank, double work);
 
   /// Lower bound of the duration of a step.
-  static constexpr double least_step = 0.1e-6;
+  static constexpr double min_step = 0.1e-6;
 
   /// Information that is available to a rank from a moment on: a message, or a reduction's result.
   struct Notice {

@@ -11,7 +11,7 @@
 namespace kusabi::benchmark {
 namespace {
 
-constexpr std::uint32_t most_children = 100;
+constexpr std::uint32_t max_children = 100;
 
 // Uniform in [0, 1): the lower 31 bits of the state.
 double random_number(const UnbalancedTree::Node& node) {
@@ -42,7 +42,7 @@ std::uint32_t geometric_children(double mean, double random) {
   if (mean <= 0) return 0;
   const double p = 1.0 / (1.0 + mean);
   const double children = std::floor(std::log(1.0 - random) / std::log(1.0 - p));
-  return static_cast<std::uint32_t>(std::min<double>(children, most_children));
+  return static_cast<std::uint32_t>(std::min<double>(children, max_children));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::uint32_t UnbalancedTree::children(const Node& node) const {
   const bool geometric = tree.type == TreeType::geometric ||
                          (tree.type == TreeType::hybrid && node.depth < 0.5 * tree.depth);
   if (geometric) return geometric_children(mean_children(tree, node.depth), random);
-  return random < tree.probability ? std::min(tree.binomial_children, most_children) : 0;
+  return random < tree.probability ? std::min(tree.binomial_children, max_children) : 0;
 }
 
 }  // namespace kusabi::benchmark

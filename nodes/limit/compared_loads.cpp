@@ -60,26 +60,27 @@ SampledLoads sampled_loads(RootSearch& search, const LimitParameters& parameters
     return factors;
   };
   SampledLoads result;
-  std::optional<std::pair<double, std::uint64_t>> least;
+  std::optional<std::pair<double, std::uint64_t>> minimum;
   const auto pieces = (parameters.samples + samples_a_piece - 1) / samples_a_piece;
   for (const auto& some : search.analysis().share<Factors>(pieces, piece)) {
     for (const auto& [sample, factor] : some) {
       result.factors.push_back(factor);
-      if (std::isfinite(factor) && (!least || factor < least->first)) least = {factor, sample};
+      if (std::isfinite(factor) && (!minimum || factor < minimum->first))
+        minimum = {factor, sample};
     }
   }
-  if (!least) return result;
+  if (!minimum) return result;
   // All ranks use the decision of the first one.
   const auto motion = engine::from_first_rank(search.analysis().transport(), [&] {
     std::vector<double> found;
-    if (solve(least->second) != LoadStatus::collapses) return found;
+    if (solve(minimum->second) != LoadStatus::collapses) return found;
     const auto scaled = load_factor.collapse().motion;
     found.assign(scaled.begin(), scaled.end());
     return found;
   });
   if (motion.empty()) return result;
   const Eigen::Map<const Eigen::VectorXd> scaled(motion.data(), model.free_count());
-  result.best = ZeroOneStart{least->first, problems::motion_in_units(model, scaled)};
+  result.best = ZeroOneStart{minimum->first, problems::motion_in_units(model, scaled)};
   return result;
 }
 

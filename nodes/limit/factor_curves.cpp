@@ -99,7 +99,7 @@ CurveSample WorstCurve::at(double beta) {
   }
   if (worst.status != RootStatus::closed || !worst.collapse) return {};
   if (worst.ends.lower_proved) lower_[beta] = worst.ends.lower;
-  auto& [factor, least, forces, motion] = *worst.collapse;
+  auto& [factor, minimum, forces, motion] = *worst.collapse;
   const double slope = -growth(motion);
   return CurvePoint{beta, factor, slope, std::move(motion)};
 }

@@ -31,24 +31,25 @@ FactorBracket negative(const FactorBracket& bracket) {
 }
 
 // Uses the known least factors of single loads, which require no search.
-void raise_by_collapse(FactorBracket& least, const std::optional<LimitCollapse>& collapse) {
-  if (collapse && collapse->least) raise(least.lower, least.lower_proved, *collapse->least, false);
+void raise_by_collapse(FactorBracket& minimum, const std::optional<LimitCollapse>& collapse) {
+  if (collapse && collapse->minimum)
+    raise(minimum.lower, minimum.lower_proved, *collapse->minimum, false);
 }
 
 }  // namespace
 
 bool GuaranteedInterval::decided() const {
   if (at_none) return at_none_proved;
-  if (is_empty()) return least.lower_proved && largest.upper_proved;
-  return has_factors() && least.upper_proved && largest.lower_proved;
+  if (is_empty()) return minimum.lower_proved && largest.upper_proved;
+  return has_factors() && minimum.upper_proved && largest.lower_proved;
 }
 
 std::optional<bool> GuaranteedInterval::passed() const {
-  if (has_factors() && least.upper_proved && largest.lower_proved && least.upper <= 0 &&
+  if (has_factors() && minimum.upper_proved && largest.lower_proved && minimum.upper <= 0 &&
       largest.lower >= 1) {
     return true;
   }
-  const bool fails = at_none_proved || (least.lower_proved && least.lower > 0) ||
+  const bool fails = at_none_proved || (minimum.lower_proved && minimum.lower > 0) ||
                      (largest.upper_proved && largest.upper < 1) || (is_empty() && decided());
   return fails ? std::optional(false) : std::nullopt;
 }
@@ -69,10 +70,10 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   const auto& ends = answer.worst->ends;
   interval.largest = {ends.lower, ends.upper, ends.lower_proved, ends.upper_proved};
   if (answer.reversed) {
-    interval.least = reversed(answer.reversed->ends);
+    interval.minimum = reversed(answer.reversed->ends);
   } else {
-    raise_by_collapse(interval.least, answer.nominal);
-    raise_by_collapse(interval.least, answer.worst->collapse);
+    raise_by_collapse(interval.minimum, answer.nominal);
+    raise_by_collapse(interval.minimum, answer.worst->collapse);
   }
   return interval;
 }
@@ -80,7 +81,7 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
 GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases) {
   auto all = cases.front();
   for (const auto& each : cases.subspan(1)) {
-    raise(all.least, each.least);
+    raise(all.minimum, each.minimum);
     auto largest = negative(all.largest);
     raise(largest, negative(each.largest));
     all.largest = negative(largest);

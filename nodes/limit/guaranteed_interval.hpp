@@ -19,15 +19,15 @@ struct FactorBracket {
 };
 
 struct GuaranteedInterval {
-  FactorBracket least;    ///< of the smallest guaranteed factor L
+  FactorBracket minimum;  ///< of the smallest guaranteed factor L
   FactorBracket largest;  ///< of the largest guaranteed factor H
   bool at_none = false;   ///< some admissible load has no factor
   bool at_none_proved = false;
 
   /// True if the bounds prove that no factor is carried under all admissible loads.
-  [[nodiscard]] bool is_empty() const { return at_none || least.lower > largest.upper; }
+  [[nodiscard]] bool is_empty() const { return at_none || minimum.lower > largest.upper; }
   /// True if the bounds prove that some factor is.
-  [[nodiscard]] bool has_factors() const { return !at_none && least.upper <= largest.lower; }
+  [[nodiscard]] bool has_factors() const { return !at_none && minimum.upper <= largest.lower; }
   /// True if one of the two is proved.
   [[nodiscard]] bool decided() const;
   /// True if every factor from 0 to 1, the stages of loading up to the design load, is proved to be

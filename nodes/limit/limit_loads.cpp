@@ -88,9 +88,9 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
       search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
     }
     const LimitParameters parameters{.alpha = asked.alpha};
-    WorstCaseSearch least(search, parameters, mirrored_truss);
-    const auto& worst = findings.answer.reversed.emplace(least.solve());
-    add_statement(least, worst, LimitClaim::least, findings);
+    WorstCaseSearch minimum(search, parameters, mirrored_truss);
+    const auto& worst = findings.answer.reversed.emplace(minimum.solve());
+    add_statement(minimum, worst, LimitClaim::minimum, findings);
   } else if (search.ended()) {
     findings.answer.rest = analysis.budget().stop_reason();
   }

@@ -66,7 +66,7 @@ struct CriticalBounds::DecidedLeaf {
 namespace {
 
 /// A bound is relaxed by the width first, then by eight times as much in each step.
-constexpr int most_moves = 7;
+constexpr int max_moves = 7;
 constexpr double growth = 8;
 
 /// A bracket of at least this many widths counts as wider than requested. A critical coefficient at
@@ -294,10 +294,10 @@ DecidedBound CriticalBounds::decide(BracketSide side, double factor, CriticalPha
 engine::Status CriticalBounds::bisect() {
   const double width = parameters_.grid.width;
   const FrictionGrid grid(width);
-  const auto most = multiples(parameters_.grid.most, width);
-  const double least = CriticalFriction::range(problem_).least;
+  const auto maximum = multiples(parameters_.grid.maximum, width);
+  const double minimum = CriticalFriction::range(problem_).minimum;
   const std::array ends{multiples(bracket_.lower(), width),
-                        bracket_.upper() ? multiples(*bracket_.upper(), width) : most, most};
+                        bracket_.upper() ? multiples(*bracket_.upper(), width) : maximum, maximum};
   std::int64_t infeasible = 0;
   auto not_infeasible = std::numeric_limits<std::int64_t>::max();
   bracket_.prove_lower(0);
@@ -321,10 +321,10 @@ engine::Status CriticalBounds::bisect() {
   auto status = engine::Status::solved;
   const auto goes_on = [&] { return status == engine::Status::solved; };
   for (const auto end : ends)
-    if (goes_on() && end > infeasible && end < not_infeasible && grid.at(end) > least)
+    if (goes_on() && end > infeasible && end < not_infeasible && grid.at(end) > minimum)
       status = ask(end);
-  while (goes_on() && not_infeasible <= most && not_infeasible - infeasible > 1 &&
-         grid.at(std::midpoint(infeasible, not_infeasible)) > least)
+  while (goes_on() && not_infeasible <= maximum && not_infeasible - infeasible > 1 &&
+         grid.at(std::midpoint(infeasible, not_infeasible)) > minimum)
     status = ask(std::midpoint(infeasible, not_infeasible));
   return status;
 }
@@ -337,12 +337,12 @@ engine::Status CriticalBounds::prove_lower() {
     record_forms();
     return engine::Status::solved;
   }
-  const double least = CriticalFriction::range(problem_).least;
+  const double minimum = CriticalFriction::range(problem_).minimum;
   const auto all_infeasible = [](const DecidedBound& decided) { return decided.all_infeasible(); };
   std::optional<double> infeasible;  // by the bounds of the solver
   double factor = bracket_.lower();
   double step = parameters_.grid.width;
-  for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
+  for (int move = 0; move < max_moves && factor >= minimum; ++move, step *= growth) {
     const auto decided = decide(BracketSide::lower, factor, CriticalPhase::lower_bound, recorder_,
                                 all_infeasible, engine::Limits{}.nodes);
     if (!decided.solved()) return decided.status;
@@ -369,7 +369,8 @@ engine::Status CriticalBounds::prove_upper() {
   bool others_decided = false;  // by the other patterns, after the first degenerate point
   double factor = *bracket_.upper();
   double step = parameters_.grid.width;
-  for (int move = 0; move < most_moves && factor <= parameters_.grid.most; ++move, step *= growth) {
+  for (int move = 0; move < max_moves && factor <= parameters_.grid.maximum;
+       ++move, step *= growth) {
     auto decided = decide_leaf(leaf, factor, recorded);
     if (analysis_.ended() && !decided.holds) return analysis_.stop_reason();
     if (decided.holds) {
@@ -390,7 +391,7 @@ engine::Status CriticalBounds::prove_upper() {
     factor += step;
   }
   bracket_.move_upper(feasible);
-  return prove_by_any(feasible.value_or(std::min(factor, parameters_.grid.most)));
+  return prove_by_any(feasible.value_or(std::min(factor, parameters_.grid.maximum)));
 }
 
 // Proves the upper bound by any feasible pattern, if the known leaf is degenerate.
@@ -417,7 +418,7 @@ engine::Status CriticalBounds::prove_by_any(double factor) {
 }
 
 engine::Status CriticalBounds::list(CriticalFindings& findings) {
-  const double factor = bracket_.upper().value_or(parameters_.grid.most);
+  const double factor = bracket_.upper().value_or(parameters_.grid.maximum);
   const auto decided = decide(
       BracketSide::upper, factor, CriticalPhase::list, recorder_,
       [](const DecidedBound& all) {
@@ -461,7 +462,7 @@ void CriticalBounds::note_patterns(CriticalFindings& findings) const {
 void CriticalBounds::note_undecided(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
   const double width = parameters_.grid.width;
-  if (!findings.upper && findings.lower < parameters_.grid.most)
+  if (!findings.upper && findings.lower < parameters_.grid.maximum)
     findings.doubts.push_back(CriticalDoubt::no_upper_bound);
   if (findings.upper && *findings.upper - findings.lower > wide * width)
     findings.doubts.push_back(CriticalDoubt::wide_bracket);

@@ -29,7 +29,7 @@ namespace {
 /// Maximum number of nodes of a global search for each candidate, and in all; larger trees use
 /// descent.
 constexpr std::uint64_t trial_nodes_a_candidate = 15;
-constexpr std::uint64_t most_trial_nodes = 600;
+constexpr std::uint64_t max_trial_nodes = 600;
 
 /// In doubles a leaf is numerically undecided within this many cells of its critical coefficient,
 /// for every tree.
@@ -41,10 +41,10 @@ double or_infinity(const std::optional<double>& number) {
 
 // Feasible or undecided leaves at the largest coefficient: maximal cones and undecided leaves.
 TreeLeaves feasible_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                             double most, std::vector<CriticalCost>& costs) {
-  SignPatternTree tree(problem, candidate_friction(problem, most));
+                             double maximum, std::vector<CriticalCost>& costs) {
+  SignPatternTree tree(problem, candidate_friction(problem, maximum));
   auto outcome = analysis.search(tree, {});
-  costs.push_back({CriticalPhase::patterns, most, outcome.opened(), outcome.opened()});
+  costs.push_back({CriticalPhase::patterns, maximum, outcome.opened(), outcome.opened()});
   auto found = tree_leaves(analysis, outcome);
   found.leaves = maximal_cones(std::move(found.leaves));
   return found;
@@ -68,13 +68,13 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
                             const CriticalParameters& parameters, const CriticalGrid& grid,
                             double known) {
   auto trial = analysis.by_first_rank([&] {
-    CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), CriticalDirection::up,
-                      known, grid.precision);
+    CriticalTree tree(problem, grid.width, multiples(grid.maximum, grid.width),
+                      CriticalDirection::up, known, grid.precision);
     engine::Options options;
     options.goal = engine::Goal::best;
     options.order = engine::Order::best_first;
     options.limits.nodes = parameters.trial_nodes.value_or(std::min(
-        most_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
+        max_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
     auto outcome = analysis.search_alone(tree, options);
     return BelowTrial{.smallest = smallest_coefficient(outcome, grid, known),
                       .opened = outcome.opened(),
@@ -103,7 +103,7 @@ class SmallestStrategies {
   // descent.
   void automatic() {
     if (start() || bound_by_first_forms() || search_patterns(PrimalPart::first) ||
-        bound_by_forms(most_form_rounds) || search_patterns(PrimalPart::later) || known_at_most())
+        bound_by_forms(max_form_rounds) || search_patterns(PrimalPart::later) || known_at_most())
       return;
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
@@ -139,7 +139,7 @@ class SmallestStrategies {
 
   [[nodiscard]] bool is_answered() const {
     const double cells = grid_.precision == Precision::doubles ? cells_in_doubt : 1;
-    return bracket_.is_one_cell(cells * grid_.width) || bracket_.lower() >= grid_.most;
+    return bracket_.is_one_cell(cells * grid_.width) || bracket_.lower() >= grid_.maximum;
   }
 
   // Search without a tree for patterns that stick at less friction than is known. @return true: the
@@ -170,11 +170,12 @@ class SmallestStrategies {
   // Searches a feasible leaf at the largest coefficient, if the user specified one, as a descent
   // would do first. @return true: there is none
   bool known_at_most() {
-    if (!parameters_.most || bracket_.leaf()) return false;
+    if (!parameters_.maximum || bracket_.leaf()) return false;
     const auto dive =
-        dive_at(analysis_, problem_, multiples(*parameters_.most, grid_.width), grid_, {});
-    findings_.costs.push_back({CriticalPhase::dive, *parameters_.most, dive.opened, dive.opened});
-    if (dive.all_infeasible) bracket_.raise_lower(*parameters_.most);
+        dive_at(analysis_, problem_, multiples(*parameters_.maximum, grid_.width), grid_, {});
+    findings_.costs.push_back(
+        {CriticalPhase::dive, *parameters_.maximum, dive.opened, dive.opened});
+    if (dive.all_infeasible) bracket_.raise_lower(*parameters_.maximum);
     if (std::isfinite(dive.feasible)) bracket_.reduce_upper(dive.feasible, dive.leaf);
     return dive.all_infeasible;
   }
@@ -184,7 +185,7 @@ class SmallestStrategies {
   // @return true: it found the answer
   bool try_from_below() {
     CriticalGrid below = grid_;
-    if (bracket_.leaf()) below.most = *bracket_.upper();
+    if (bracket_.leaf()) below.maximum = *bracket_.upper();
     auto trial = trial_from_below(analysis_, problem_, parameters_, below, bracket_.lower());
     if (analysis_.is_first()) findings_.global_ranks = std::move(trial.ranks);
     findings_.costs.push_back({CriticalPhase::trial, 0, trial.opened, trial.programs});
@@ -211,15 +212,17 @@ class SmallestStrategies {
 
 CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
-                                    double width, double most, std::vector<CriticalCost>& costs) {
+                                    double width, double maximum,
+                                    std::vector<CriticalCost>& costs) {
   CriticalFindings findings;
-  const auto feasible = feasible_patterns(analysis, problem, most, costs);
+  const auto feasible = feasible_patterns(analysis, problem, maximum, costs);
   findings.status = feasible.status;
   // A partial list does not determine the answer.
   if (findings.status != engine::Status::solved) return findings;
-  auto outcome =
-      bracket_patterns(analysis, problem, feasible.leaves, method, width, multiples(most, width));
-  costs.push_back({CriticalPhase::coefficients, most, outcome.opened(), outcome.tally().programs});
+  auto outcome = bracket_patterns(analysis, problem, feasible.leaves, method, width,
+                                  multiples(maximum, width));
+  costs.push_back(
+      {CriticalPhase::coefficients, maximum, outcome.opened(), outcome.tally().programs});
   findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });
   if (!analysis.is_first()) return findings;
   const FrictionGrid grid(width);
@@ -236,7 +239,7 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
     findings.patterns.push_back(std::move(entry));
   }
   findings.bisection_ranks = std::move(outcome.ranks);
-  findings.conclude(findings.status == engine::Status::solved ? most : 0);
+  findings.conclude(findings.status == engine::Status::solved ? maximum : 0);
   return findings;
 }
 
@@ -278,14 +281,14 @@ void CriticalFindings::conclude(double infeasible) {
 CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalParameters& parameters) {
   CriticalGrid grid;
   // The limit is also that of the candidate with the largest relative friction.
-  grid.most = parameters.most.value_or(
-      std::min(default_max_friction, CriticalFriction::range(problem).most));
+  grid.maximum = parameters.maximum.value_or(
+      std::min(default_max_friction, CriticalFriction::range(problem).maximum));
   int largest = 0;
   for (const auto& block : problems::blocks_of(problem)) largest = std::max(largest, block.size());
   const bool in_doubles = largest >= min_candidates_for_doubles && !parameters.width;
   if (in_doubles) grid.precision = Precision::doubles;
   grid.width = parameters.width.value_or(in_doubles ? default_width_in_doubles : default_width);
-  if (!(grid.width < grid.most) || grid.most > max_multiples * grid.width) {
+  if (!(grid.width < grid.maximum) || grid.maximum > max_multiples * grid.width) {
     throw std::invalid_argument(
         "the width of a bracket is out of range; expected less than the largest friction "
         "coefficient, and no less than 1e-15 of it");
@@ -298,14 +301,14 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::WedgedProblem& problem,
                                         const CriticalParameters& parameters,
                                         const BoundRecorder& recorder) {
-  if (!finds_smallest_only(parameters.strategy) && !parameters.most) {
+  if (!finds_smallest_only(parameters.strategy) && !parameters.maximum) {
     throw std::invalid_argument(
         "the upper limit of the friction coefficient is missing; expected one for a search of all "
         "patterns");
   }
   const auto grid = grid_of(problem, parameters);
   CriticalFindings findings;
-  NarrowingBracket bracket(analysis, grid.most);
+  NarrowingBracket bracket(analysis, grid.maximum);
   CriticalBounds ends(analysis, structure, problem,
                       {.grid = grid,
                        .tightening = parameters.tightening,
@@ -315,7 +318,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   SmallestStrategies strategies(analysis, problem, parameters, grid, ends, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
     auto costs = std::move(findings.costs);
-    auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.most, costs);
+    auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.maximum, costs);
     found.costs = std::move(costs);
     findings = std::move(found);
     findings.status =

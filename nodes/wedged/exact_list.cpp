@@ -19,7 +19,7 @@ namespace kusabi::wedged {
 namespace {
 
 /// Maximum number of steps of a sweep that are tested, since each takes a tree.
-constexpr std::size_t most_tested = 400;
+constexpr std::size_t max_tested = 400;
 
 using Cones = std::set<std::pair<rays::Candidates, rays::Candidates>>;
 
@@ -114,7 +114,7 @@ ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& param
   if (!is_wanted(test)) return test;
   const auto coefficients = engine::from_first_rank(analysis.transport(), [&] {
     std::set<double> all(points.begin(), points.end());
-    all.insert(found.most);
+    all.insert(found.maximum);
     for (const auto& cone : found.cones) {
       all.insert({cone.begins.lower, cone.begins.upper});
       if (cone.absorbed) all.insert({cone.absorbed->lower, cone.absorbed->upper});
@@ -122,7 +122,7 @@ ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& param
     all.erase(all.begin(), all.upper_bound(0));
     return std::vector<double>(all.begin(), all.end());
   });
-  if (coefficients.size() > most_tested) {
+  if (coefficients.size() > max_tested) {
     test.unable = fmt::format("{} coefficients are more than are tested", coefficients.size());
     return test;
   }

@@ -18,13 +18,13 @@ namespace kusabi::wedged {
 namespace {
 
 // Adds known patterns that a stopped search has not found, up to a maximum number in all.
-void add_missing(std::vector<Configuration>& known, std::uint64_t most,
+void add_missing(std::vector<Configuration>& known, std::uint64_t maximum,
                  std::vector<Configuration>& leaves) {
   for (auto& leaf : known) {
     const bool found = std::ranges::any_of(leaves, [&](const auto& other) {
       return other.block == leaf.block && other.pattern == leaf.pattern;
     });
-    if (!found && leaves.size() < most) leaves.push_back(std::move(leaf));
+    if (!found && leaves.size() < maximum) leaves.push_back(std::move(leaf));
   }
 }
 
@@ -146,12 +146,12 @@ void test_degenerate_nodes(SignPatternTree& tree, const EvidenceCheck& check) {
 }
 
 // The maximal cones of all leaves, and the counts of the exact test.
-// @param known patterns found before the search, up to `most`
+// @param known patterns found before the search, up to `maximum`
 void collect_leaves(PatternFindings& findings, std::vector<Configuration>& known,
-                    std::uint64_t most) {
+                    std::uint64_t maximum) {
   std::vector<Configuration> leaves;
   for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
-  if (!findings.whole()) add_missing(known, most, leaves);
+  if (!findings.whole()) add_missing(known, maximum, leaves);
   findings.leaves = maximal_cones(std::move(leaves));
   const auto tally = findings.outcome.tally();
   findings.tested = tally.tested;
@@ -181,8 +181,8 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   auto search = parameters.search;
   if (parameters.exists) search.limits.solutions = 1;
   // No search if the known patterns suffice.
-  const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
-  const bool enough = known.size() >= most;
+  const auto maximum = std::min(analysis.budget().left().solutions, search.limits.solutions);
+  const bool enough = known.size() >= maximum;
   if (enough) search.limits.nodes = 0;
   const SignPatternOptions as_it_is{.tolerances = options.tolerances,
                                     .branching = Branching::relative,
@@ -214,7 +214,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     findings.outcome = analysis.search(tree, search);
   }
   if (enough) findings.outcome.status = engine::Status::solution_limit;
-  collect_leaves(findings, known, most);
+  collect_leaves(findings, known, maximum);
   sort_by_blocks(problem, prepared, findings);
   if (parameters.kept) count_kept(findings);
   return findings;

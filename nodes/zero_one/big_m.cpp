@@ -15,13 +15,13 @@ namespace {
 using linear::rounded::sum_down;
 using linear::rounded::sum_up;
 
-constexpr std::uint64_t most_rounds = 20;
+constexpr std::uint64_t max_rounds = 20;
 // Another round follows if one reduces the Ms by at least this share.
 constexpr double worth_a_round = 0.01;
 // Smallest M other than 0, relative to the largest term of its row and to its given value; smaller
 // ones would be rounding errors.
-constexpr double least_share = 1e-6;
-constexpr double least_share_of_given = 1e-12;
+constexpr double min_share = 1e-6;
+constexpr double min_share_of_given = 1e-12;
 // An M that decreases by less than this share is not changed.
 constexpr double worth_a_change = 1e-3;
 
@@ -111,10 +111,10 @@ class BigMs::Round {
     if (!std::isfinite(range.upper)) return 0;
     // Rounded such that neither side is stricter than given, or than necessary.
     const double tight = big.m > 0 ? sum_up(big.upper, -big.m) : big.upper;
-    const double least = std::max(least_share * std::max(range.size, std::abs(tight)),
-                                  least_share_of_given * std::abs(big.m));
+    const double minimum = std::max(min_share * std::max(range.size, std::abs(tight)),
+                                    min_share_of_given * std::abs(big.m));
     const double needed =
-        range.upper <= tight ? tight : std::max(range.upper, sum_up(tight, least));
+        range.upper <= tight ? tight : std::max(range.upper, sum_up(tight, minimum));
     const double m = big.m > 0 ? sum_down(needed, -tight) : -sum_up(needed, -tight);
     if (!(now - std::abs(m) > worth_a_change * now)) return 0;
     replace(big, m, big.m > 0 ? needed : big.upper);
@@ -153,7 +153,7 @@ TighteningResult BigMs::tighten(linear::MixedProgram& mixed, double cutoff, bool
                                 const support::Stop& stop) {
   TighteningResult result;
   if (rows_.empty() || !std::isfinite(cutoff)) return result;
-  while (result.rounds < most_rounds && !result.nothing_left && !support::asked(stop)) {
+  while (result.rounds < max_rounds && !result.nothing_left && !support::asked(stop)) {
     ++result.rounds;
     Round round(mixed, cutoff, proofs_only, stop, result);
     if (round.apply(rows_) < worth_a_round) break;

@@ -31,8 +31,8 @@ linear::LinearProgram with_objective_row(const linear::LinearProgram& given, dou
     program.columns[j].cost = 0;
   }
   program.constant = 0;
-  const double most = linear::rounded::sum_up(cutoff, -given.constant);
-  program.add_row({.upper = most}, objective);
+  const double maximum = linear::rounded::sum_up(cutoff, -given.constant);
+  program.add_row({.upper = maximum}, objective);
   return program;
 }
 
@@ -79,21 +79,21 @@ FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
   const linear::SolveLimits limits{.stop = stop_};
   auto status = simplex_.solve_primal(limits);
   if (status == LinearStatus::failed) status = simplex_.solve_robustly(limits);
-  double least = -infinity;
+  double minimum = -infinity;
   bool proved = true;
   if (status == LinearStatus::optimal) {
-    least = linear::safe_dual_bound(program_, simplex_.duals(), implied_.lower, implied_.upper);
+    minimum = linear::safe_dual_bound(program_, simplex_.duals(), implied_.lower, implied_.upper);
     const double found = simplex_.objective();
     const double enough = found - margin * std::max(1.0, std::abs(found));
-    if (!(least >= enough)) std::tie(least, proved) = least_precisely();
+    if (!(minimum >= enough)) std::tie(minimum, proved) = minimise_precisely();
   } else if (status == LinearStatus::infeasible) {
-    std::tie(least, proved) = least_precisely();
+    std::tie(minimum, proved) = minimise_precisely();
   }
   set_costs(0);
   const double size = largest_term(form);
-  if (least == infinity) return {infinity, -infinity, proved, size};
-  return sign > 0 ? FormRange{least, infinity, proved, size}
-                  : FormRange{-infinity, -least, proved, size};
+  if (minimum == infinity) return {infinity, -infinity, proved, size};
+  return sign > 0 ? FormRange{minimum, infinity, proved, size}
+                  : FormRange{-infinity, -minimum, proved, size};
 }
 
 // Largest term at the point found; a column near zero counts as one, or as its bound if that is
@@ -111,7 +111,7 @@ double BoundTightening::largest_term(std::span<const LinearTerm> form) const {
 
 // The minimum of the form that is set as costs, at a higher precision level, and whether it is
 // proved; infinity: there is no relevant point.
-std::pair<double, bool> BoundTightening::least_precisely() {
+std::pair<double, bool> BoundTightening::minimise_precisely() {
   using linear::Residuals;
   const auto found = linear::solve_precisely(program_, simplex_.basis(), stop_);
   for (const auto residuals : {Residuals::proved, Residuals::forgiven}) {

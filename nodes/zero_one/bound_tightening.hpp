@@ -44,7 +44,7 @@ class BoundTightening {
  private:
   FormRange end(std::span<const linear::LinearTerm> form, double sign);
   [[nodiscard]] double largest_term(std::span<const linear::LinearTerm> form) const;
-  std::pair<double, bool> least_precisely();
+  std::pair<double, bool> minimise_precisely();
 
   linear::LinearProgram program_;  // the costs are those of a form; the objective is the last row
   linear::Simplex simplex_;

@@ -67,9 +67,10 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
   auto residual = residuals(relaxation);
   auto point = relaxation.values();
   CutOrder order(residual.size());
-  const auto most =
+  const auto maximum =
       static_cast<std::uint64_t>(rounds_a_binary * static_cast<double>(residual.size()));
-  while (result.rounds < most && fractional(residual) > 0 && !support::asked(relaxation.stop())) {
+  while (result.rounds < maximum && fractional(residual) > 0 &&
+         !support::asked(relaxation.stop())) {
     const auto chosen = order.next(residual);
     if (!chosen) break;
     ++result.rounds;

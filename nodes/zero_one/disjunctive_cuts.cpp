@@ -19,10 +19,10 @@ constexpr double at_bound = 1e-9;
 // one, whose right-hand side is computed for itself.
 constexpr double no_coefficient = 1e-10;
 // A smaller violation is within the feasibility tolerance of GLPK.
-constexpr double least_violation = 1e-6;
+constexpr double min_violation = 1e-6;
 // If no inequality of both sides holds at the point's face, (51) is unbounded; the violation is
 // limited to this multiple of the size of the point.
-constexpr double most_violation = 1e3;
+constexpr double max_violation = 1e3;
 // Right-hand sides without a safe bound are relaxed by this, relative to the size of the terms.
 constexpr double relaxation_share = 1e-8;
 // Smaller numbers are rounded zeros. As coefficients of the cut-generating program they would spoil
@@ -82,8 +82,8 @@ class CutProgram {
   void write() {
     const auto& columns = given().columns;
     double size = 1;
-    const double most = infinity;
-    beta_ = program_.add_column({.cost = -1, .lower = -most, .upper = most});
+    const double maximum = infinity;
+    beta_ = program_.add_column({.cost = -1, .lower = -maximum, .upper = maximum});
     std::vector<LinearTerm> depth{{beta_, 1}};
     for (std::size_t j = 0; j < spot_.size(); ++j) {
       if (spot_[j] != Spot::inside) continue;
@@ -97,7 +97,7 @@ class CutProgram {
     }
     write_side(0);
     write_side(1);
-    program_.add_row({.upper = most_violation * size}, depth);
+    program_.add_row({.upper = max_violation * size}, depth);
   }
 
   // alpha and beta of one side of the disjunction, as combinations of its inequalities: (48).
@@ -217,11 +217,11 @@ class CutProgram {
       auto scaled = y[side];
       for (double& multiplier : scaled) multiplier *= scale;
       const double held = side == 0 ? 0 : 1;
-      cut.lower = std::min(cut.lower, relaxation_.least(alpha, scaled, static_cast<int>(split_),
-                                                        held, relaxation_share));
+      cut.lower = std::min(cut.lower, relaxation_.minimum(alpha, scaled, static_cast<int>(split_),
+                                                          held, relaxation_share));
     }
     cut.violation = cut.lower - at_point;
-    if (!(cut.violation > least_violation)) return {};
+    if (!(cut.violation > min_violation)) return {};
     return cut;
   }
 

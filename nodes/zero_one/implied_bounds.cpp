@@ -53,9 +53,9 @@ class Propagation {
       const auto own = term(row, k);
       const auto others = before + from_[k + 1];
       before = before + own;
-      const double least = linear::rounded::sum_down(row.lower, -others.upper);
-      const double most = linear::rounded::sum_up(row.upper, -others.lower);
-      moved = narrow(row.terms[k], least, most) || moved;
+      const double minimum = linear::rounded::sum_down(row.lower, -others.upper);
+      const double maximum = linear::rounded::sum_up(row.upper, -others.lower);
+      moved = narrow(row.terms[k], minimum, maximum) || moved;
     }
     return moved;
   }
@@ -67,13 +67,15 @@ class Propagation {
   }
 
   // least <= a x <= most
-  bool narrow(const linear::LinearTerm& at, double least, double most) {
-    if (std::isnan(least)) least = -linear::infinity;
-    if (std::isnan(most)) most = linear::infinity;
+  bool narrow(const linear::LinearTerm& at, double minimum, double maximum) {
+    if (std::isnan(minimum)) minimum = -linear::infinity;
+    if (std::isnan(maximum)) maximum = linear::infinity;
     const auto j = static_cast<std::size_t>(at.column);
-    if (at.value < 0) std::swap(least, most);
-    const double below = std::isfinite(least) ? quotient_down(least, at.value) : -linear::infinity;
-    const double above = std::isfinite(most) ? -quotient_down(-most, at.value) : linear::infinity;
+    if (at.value < 0) std::swap(minimum, maximum);
+    const double below =
+        std::isfinite(minimum) ? quotient_down(minimum, at.value) : -linear::infinity;
+    const double above =
+        std::isfinite(maximum) ? -quotient_down(-maximum, at.value) : linear::infinity;
     const double width = bounds_.upper[j] - bounds_.lower[j];
     bool moved = false;
     if (below > bounds_.lower[j] && tightens(bounds_.lower[j], below, width)) {

@@ -98,9 +98,9 @@ std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixi
   // rows are negligible even at the largest cost, which may be a penalty on them.
   constexpr double share = 0.25;
   point.objective = numbers::rounded(objective_of(program, point.values));
-  const double most = share * relaxation.steps().width(point.objective);
-  if (std::abs(point.objective - relaxation.bound()) <= most &&
-      excess(program, point.values) * largest_cost(program) <= most) {
+  const double maximum = share * relaxation.steps().width(point.objective);
+  if (std::abs(point.objective - relaxation.bound()) <= maximum &&
+      excess(program, point.values) * largest_cost(program) <= maximum) {
     return point;
   }
   const auto precise = relaxation.precise_point();

@@ -99,8 +99,8 @@ MixedStatus MixedAnswer::status() const {
   }
   const double objective = point()->objective;
   const double missing = std::abs(objective - bound());
-  const double most = optimality_tolerance * tree.prepared().relaxation.steps().size(objective);
-  return whole && missing <= most ? MixedStatus::optimal : MixedStatus::feasible;
+  const double maximum = optimality_tolerance * tree.prepared().relaxation.steps().size(objective);
+  return whole && missing <= maximum ? MixedStatus::optimal : MixedStatus::feasible;
 }
 
 const ZeroOnePoint* MixedAnswer::point() const {

@@ -11,16 +11,16 @@ namespace kusabi::zero_one {
 class ObjectiveSteps {
  public:
   ObjectiveSteps() = default;
-  /// @param least_size smaller objectives are distinguished as if they had this size, since zero
+  /// @param min_size smaller objectives are distinguished as if they had this size, since zero
   /// has
   ///   no size of its own
-  explicit ObjectiveSteps(double least_size) : least_size_(least_size) {}
+  explicit ObjectiveSteps(double min_size) : min_size_(min_size) {}
 
-  [[nodiscard]] double least_size() const { return least_size_; }
+  [[nodiscard]] double min_size() const { return min_size_; }
 
   /// The size for differences of objectives.
   [[nodiscard]] double size(double objective) const {
-    return std::max(std::abs(objective), least_size_);
+    return std::max(std::abs(objective), min_size_);
   }
 
   /// Width of the step around a finite objective: a power of two, 2^-30 of its size or somewhat
@@ -38,7 +38,7 @@ class ObjectiveSteps {
 
  private:
   static constexpr int bits = 30;
-  double least_size_ = 1;
+  double min_size_ = 1;
 };
 
 }  // namespace kusabi::zero_one

@@ -34,12 +34,12 @@ constexpr double tight_share = 0.25;
 
 // The smallest nonzero cost; 1 if there is none. It is the scale of an objective near zero, since
 // the largest cost may be a penalty.
-double least_cost(const linear::LinearProgram& program) {
-  double least = linear::infinity;
+double min_cost(const linear::LinearProgram& program) {
+  double minimum = linear::infinity;
   for (const auto& column : program.columns) {
-    if (column.cost != 0) least = std::min(least, std::abs(column.cost));
+    if (column.cost != 0) minimum = std::min(minimum, std::abs(column.cost));
   }
-  return std::isfinite(least) ? least : 1;
+  return std::isfinite(minimum) ? minimum : 1;
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Relaxation::Relaxation(linear::MixedProgram mixed)
     held_.upper.push_back(upper);
   }
   proves_ = all_bounded();
-  steps_ = ObjectiveSteps(least_cost(mixed_.program));
+  steps_ = ObjectiveSteps(min_cost(mixed_.program));
 }
 
 bool Relaxation::all_bounded() const {
@@ -173,7 +173,7 @@ double Relaxation::left_out() const {
   double sum = 0;
   for (std::size_t j = 0; j < values_.size(); ++j) {
     const auto& residual = safe_.residuals[j];
-    if (std::isfinite(linear::least_product(residual, node_.lower[j], node_.upper[j]))) continue;
+    if (std::isfinite(linear::min_product(residual, node_.lower[j], node_.upper[j]))) continue;
     sum += std::max(std::abs(residual.lower), std::abs(residual.upper)) *
            std::max(1.0, std::abs(values_[j]));
   }
@@ -281,8 +281,8 @@ double Relaxation::objective() const {
   return simplex_.objective();
 }
 
-double Relaxation::least(const std::vector<double>& alpha, const std::vector<double>& duals,
-                         int column, double held, double relaxation_share) const {
+double Relaxation::minimum(const std::vector<double>& alpha, const std::vector<double>& duals,
+                           int column, double held, double relaxation_share) const {
   auto bounds = proves_ ? implied_ : own_bounds(mixed_.program);
   const auto at = static_cast<std::size_t>(column);
   bounds.lower[at] = bounds.upper[at] = held;
@@ -320,8 +320,8 @@ double Relaxation::bound_if(std::size_t binary, bool at_one) const {
   const double held = at_one ? 1 : 0;
   using linear::rounded::sum_down;
   const auto& residual = safe_.residuals[j];
-  const double now = linear::least_product(residual, node_.lower[j], node_.upper[j]);
-  return sum_down(sum_down(bound_, -now), linear::least_product(residual, held, held));
+  const double now = linear::min_product(residual, node_.lower[j], node_.upper[j]);
+  return sum_down(sum_down(bound_, -now), linear::min_product(residual, held, held));
 }
 
 }  // namespace kusabi::zero_one

@@ -63,8 +63,8 @@ class Relaxation {
   /// A lower bound of alpha'x over all points with `held` in `column`, by the multipliers
   /// `duals` of the rows: safe if bounds are proved, otherwise reduced by `relaxation_share`
   /// relative to the size of its terms.
-  [[nodiscard]] double least(const std::vector<double>& alpha, const std::vector<double>& duals,
-                             int column, double held, double relaxation_share) const;
+  [[nodiscard]] double minimum(const std::vector<double>& alpha, const std::vector<double>& duals,
+                               int column, double held, double relaxation_share) const;
 
   // ---- after a solve ---------------------------------------------------------------------------
 

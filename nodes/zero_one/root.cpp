@@ -93,9 +93,9 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
 // Decreases coefficients as the best known point allows; better points may then be found, which
 // allow smaller ones.
 void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
-  constexpr int most_times = 3;
+  constexpr int max_times = 3;
   BigMs big_ms(root.relaxation.mixed());
-  for (int time = 0; time < most_times && root.point && !support::asked(options.stop); ++time) {
+  for (int time = 0; time < max_times && root.point && !support::asked(options.stop); ++time) {
     const double before = root.point->objective;
     const double step = root.relaxation.steps().width(before);
     auto mixed = root.relaxation.mixed();

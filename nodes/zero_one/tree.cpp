@@ -19,7 +19,7 @@ using linear::LinearStatus;
 constexpr std::size_t look_ahead_candidates = 8;
 constexpr int look_ahead_steps = 15;
 // Minimum rise of a bound in the product of both, in steps of the resolution.
-constexpr double least_rise = 1;
+constexpr double min_rise = 1;
 
 // Tolerance below a grid point, relative to the grid's width: the bound is safe, but the costs that
 // make the grid are rounded sums.
@@ -230,8 +230,8 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
   linear::SolveLimits limits{.iterations = look_ahead_steps};
   if (root_.point) limits.cutoff = root_.point->objective + steps().width(root_.point->objective);
   std::optional<Split> best;
-  double most = -1;
-  const double least = least_rise * steps().width(before);
+  double maximum = -1;
+  const double minimum = min_rise * steps().width(before);
   bool held = false;
   const std::size_t count = std::min(candidates.size(), look_ahead_candidates);
   for (std::size_t i = 0; i < count; ++i) {
@@ -246,7 +246,7 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
                           status == LinearStatus::interrupted;
       split.basis[side] = failed ? node.basis : relaxation.basis();
       split.bound[side] = std::max(node.bound, raised(relaxation.bound()));
-      split.rise[side] = std::max(relaxation.bound() - before, least);
+      split.rise[side] = std::max(relaxation.bound() - before, minimum);
       dead[side] = (status == LinearStatus::infeasible && relaxation.contradiction()) ||
                    worse_than_root_point(split.bound[side]);
     }
@@ -258,8 +258,8 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
       continue;
     }
     const double score = split.rise[0] * split.rise[1];
-    if (score > most) {
-      most = score;
+    if (score > maximum) {
+      maximum = score;
       best = std::move(split);
     }
   }

@@ -25,41 +25,43 @@ constexpr double plot_shape = 380 / chart_width;  ///< height, relative to the w
 constexpr double row = 20;
 
 /// Minimum span of an axis; closer numbers are drawn as one.
-constexpr double least_span = 1e-9;
+constexpr double min_span = 1e-9;
 
 /// Ticks of an axis: multiples of 1, 2 or 5 times a power of ten.
 struct Axis {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
+  double maximum = -std::numeric_limits<double>::infinity();
   double step = 1;
 
   void take(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
+    minimum = std::min(minimum, value);
+    maximum = std::max(maximum, value);
   }
 
   /// @param about approximate number of steps @param smallest minimum step
   void settle(int about, double smallest) {
-    const double size = std::max(std::abs(least), std::abs(most));
-    if (!(most - least > least_span * size))
-      most = least + std::max(smallest, std::max(1.0, std::abs(least)));
-    const double wanted = std::max((most - least) / about, smallest);
+    const double size = std::max(std::abs(minimum), std::abs(maximum));
+    if (!(maximum - minimum > min_span * size))
+      maximum = minimum + std::max(smallest, std::max(1.0, std::abs(minimum)));
+    const double wanted = std::max((maximum - minimum) / about, smallest);
     step = std::pow(10, std::floor(std::log10(wanted)));
     for (const double factor : {2.0, 5.0, 10.0}) {
       if (step < wanted) step = std::pow(10, std::floor(std::log10(wanted))) * factor;
     }
-    least = step * std::floor(least / step);
-    most = step * std::ceil(most / step);
+    minimum = step * std::floor(minimum / step);
+    maximum = step * std::ceil(maximum / step);
   }
 
-  [[nodiscard]] int count() const { return static_cast<int>(std::lround((most - least) / step)); }
+  [[nodiscard]] int count() const {
+    return static_cast<int>(std::lround((maximum - minimum) / step));
+  }
   /// Number with the digits of the step, so that rounding is not visible.
   [[nodiscard]] std::string text(int number) const {
     const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step))));
-    const double value = least + number * step;
+    const double value = minimum + number * step;
     return fmt::format("{:.{}f}", std::abs(value) < step / 2 ? 0 : value, digits);
   }
-  [[nodiscard]] double share(double value) const { return (value - least) / (most - least); }
+  [[nodiscard]] double share(double value) const { return (value - minimum) / (maximum - minimum); }
 };
 
 class Plot {

@@ -11,10 +11,10 @@ double friction_use(const DrawnCandidate& candidate) {
 }
 
 bool is_loaded(const DrawnCandidate& candidate, const Scales& scales) {
-  constexpr double least_share = 0.01;
+  constexpr double min_share = 0.01;
   return candidate.state == ContactState::contact &&
          (scales.largest_reaction == 0 ||
-          candidate.reaction.norm() > least_share * scales.largest_reaction);
+          candidate.reaction.norm() > min_share * scales.largest_reaction);
 }
 
 int use_shade(double use) {

@@ -119,17 +119,17 @@ constexpr const char* shades_text = "used up to 50, 75, 95, 100 %";
 
 // "mu 0.65", or the range of mu over the candidates in contact.
 std::string friction_text(const Scene& scene) {
-  double least = HUGE_VAL;
-  double most = 0;
+  double minimum = HUGE_VAL;
+  double maximum = 0;
   for (const auto& candidate : scene.candidates) {
     if (candidate.state != ContactState::contact) continue;
-    least = std::min(least, candidate.friction);
-    most = std::max(most, candidate.friction);
+    minimum = std::min(minimum, candidate.friction);
+    maximum = std::max(maximum, candidate.friction);
   }
   return fmt::format("{}; {}",
-                     least == most
-                         ? fmt::format("friction cone, μ = {:.6g}", most)
-                         : fmt::format("friction cones, μ = {:.6g} to {:.6g}", least, most),
+                     minimum == maximum
+                         ? fmt::format("friction cone, μ = {:.6g}", maximum)
+                         : fmt::format("friction cones, μ = {:.6g} to {:.6g}", minimum, maximum),
                      shades_text);
 }
 

@@ -56,9 +56,9 @@ struct SheetLayout {
   PixelPoint card;  // size, with its caption
 
   SheetLayout(std::size_t count, double shape) {
-    constexpr int most_columns = 5;
+    constexpr int max_columns = 5;
     columns = std::clamp(static_cast<int>(std::ceil(std::sqrt(1.4 * static_cast<double>(count)))),
-                         1, std::min(most_columns, std::max(2, static_cast<int>(count))));
+                         1, std::min(max_columns, std::max(2, static_cast<int>(count))));
     rows = (static_cast<int>(count) + columns - 1) / columns;
     const double across = (width - 2 * margin + gap) / columns - gap;
     card = PixelPoint(across, std::clamp(across * shape, 0.45 * across, 1.25 * across) + caption);
@@ -102,7 +102,7 @@ void write_svg(std::ostream& out, const Picture& picture, const Scene& scene) {
 }
 
 void write_sheet(std::ostream& out, const Picture& picture, const std::vector<Scene>& scenes) {
-  const auto count = std::min(scenes.size(), most_on_a_sheet);
+  const auto count = std::min(scenes.size(), max_on_a_sheet);
   double shape = 0;
   for (std::size_t i = 0; i < count; ++i)
     shape =

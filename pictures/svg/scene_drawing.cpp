@@ -16,7 +16,7 @@ namespace kusabi::pictures {
 namespace {
 
 /// Maximum number of names; more would overlap.
-constexpr std::size_t most_names = 32;
+constexpr std::size_t max_names = 32;
 
 class SceneDrawing {
  public:
@@ -229,7 +229,7 @@ class SceneDrawing {
   }
 
   void candidates(const std::vector<const DrawnCandidate*>& chosen, bool with_names) {
-    const bool names = with_names && detail_.names && scene_.candidates.size() <= most_names;
+    const bool names = with_names && detail_.names && scene_.candidates.size() <= max_names;
     for (const auto* const candidate : chosen) {
       const PixelPoint place = at(*candidate);
       canvas_.begin_group("candidate", candidate->name);
@@ -242,10 +242,10 @@ class SceneDrawing {
   // Loaded candidates are larger, by the square root of their reaction.
   [[nodiscard]] double mark_of(const DrawnCandidate& candidate) const {
     if (scales_.largest_reaction == 0) return detail_.mark;
-    constexpr double least = 0.7;
+    constexpr double minimum = 0.7;
     constexpr double growth = 0.6;
     return detail_.mark *
-           (least + growth * std::sqrt(candidate.reaction.norm() / scales_.largest_reaction));
+           (minimum + growth * std::sqrt(candidate.reaction.norm() / scales_.largest_reaction));
   }
 
   static const char* state_class(ContactState state) {

@@ -21,9 +21,9 @@ constexpr double highest_reference_load = 28;
 }  // namespace
 
 Structure grid_truss(int bays) {
-  if (bays < 2 || bays > most_grid_bays) {
+  if (bays < 2 || bays > max_grid_bays) {
     throw std::invalid_argument(
-        fmt::format("a grid of {} bays; expected 2 to {}", bays, most_grid_bays));
+        fmt::format("a grid of {} bays; expected 2 to {}", bays, max_grid_bays));
   }
   const auto node = [&](int column, int row) { return row * (bays + 1) + column; };
   Structure truss;

@@ -19,12 +19,12 @@ void check(const PlaneTrussSize& size) {
     throw std::invalid_argument(fmt::format(
         "a plane truss of {} rows and {} bays; expected at least 2 and 1", size.rows, size.bays));
   }
-  if (size.rows > most_contact_candidates) {
+  if (size.rows > max_contact_candidates) {
     throw std::invalid_argument(
-        fmt::format("{} rows; expected at most {} candidates", size.rows, most_contact_candidates));
+        fmt::format("{} rows; expected at most {} candidates", size.rows, max_contact_candidates));
   }
-  if (size.bays > most_bays) {
-    throw std::invalid_argument(fmt::format("{} bays; expected at most {}", size.bays, most_bays));
+  if (size.bays > max_bays) {
+    throw std::invalid_argument(fmt::format("{} bays; expected at most {}", size.bays, max_bays));
   }
   // The condition is false for NaN.
   if (!(size.width >= 1e-3 && size.width <= 1e6)) {

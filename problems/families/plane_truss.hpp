@@ -28,7 +28,7 @@ struct PlaneTrussSize {
 /// surface. Candidates are numbered from below. Node r<i>c<j> is in row i = 1, ... and column j =
 /// 0, ...
 /// @throws std::invalid_argument if there are fewer than 2 rows or 1 bay, more than
-///         `most_contact_candidates` or `most_bays`, a width that is not positive, or a lean that
+///         `max_contact_candidates` or `max_bays`, a width that is not positive, or a lean that
 ///         is not from 0 to 80 degrees
 Structure plane_truss(const PlaneTrussSize& size);
 
@@ -37,10 +37,10 @@ Structure plane_truss(const PlaneTrussSize& size);
 /// surface. It differs from the paper's text in two points: all bars have the same EA/L = 1 kN/m
 /// instead of the same EA, and the normal is that of the mirrored surface.
 /// @throws std::invalid_argument if there are fewer than 2 rows or more than
-///         `most_contact_candidates`
+///         `max_contact_candidates`
 Structure paper_plane_truss(int rows);
 
 /// Maximum number of bays.
-inline constexpr int most_bays = 1000;
+inline constexpr int max_bays = 1000;
 
 }  // namespace kusabi::problems

@@ -87,9 +87,9 @@ void check(const SpaceTrussSize& size) {
         "{} bays and {} rows; expected no more bays than rows, or some nodes could move freely",
         size.bays, size.rows));
   }
-  if (size.rows > most_contact_candidates / size.depth) {
+  if (size.rows > max_contact_candidates / size.depth) {
     throw std::invalid_argument(fmt::format("{} rows in {} planes; expected at most {} candidates",
-                                            size.rows, size.depth, most_contact_candidates));
+                                            size.rows, size.depth, max_contact_candidates));
   }
 }
 

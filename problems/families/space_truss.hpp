@@ -18,7 +18,7 @@ struct SpaceTrussSize {
 /// inclined by 30 degrees to the vertical. Its rows x depth contact candidates are numbered row by
 /// row, in each row from the lower planes on.
 /// @throws std::invalid_argument if there are fewer than 2 rows, 2 planes or 1 bay, more than
-///         `most_contact_candidates`, or more bays than rows (which would be a mechanism)
+///         `max_contact_candidates`, or more bays than rows (which would be a mechanism)
 Structure space_truss(const SpaceTrussSize& size);
 
 }  // namespace kusabi::problems

@@ -24,10 +24,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The bytes of a file; nothing if it cannot be read or would exceed the limit of the sum.
-std::optional<std::string> bytes_of(const fs::path& file, std::uintmax_t most) {
+std::optional<std::string> bytes_of(const fs::path& file, std::uintmax_t maximum) {
   std::error_code failure;
   const std::uintmax_t size = fs::file_size(file, failure);
-  if (failure || size > most) return std::nullopt;
+  if (failure || size > maximum) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
@@ -55,8 +55,8 @@ void Collection::add(const std::string& place, const std::string& namer,
   const auto fail = [&](const std::string& message) {
     throw support::InputError(namer, position, message);
   };
-  if (problem_.meshes.size() >= most_included_files) {
-    fail(fmt::format("too many files; expected at most {}", most_included_files));
+  if (problem_.meshes.size() >= max_included_files) {
+    fail(fmt::format("too many files; expected at most {}", max_included_files));
   }
   const fs::path path = file_.parent_path() / fs::path(place);
   auto bytes = bytes_of(path, largest_meshes - size_);

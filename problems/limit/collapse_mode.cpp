@@ -20,24 +20,26 @@ Eigen::VectorXd at_node(const LimitProblem& problem, const Eigen::VectorXd& vect
 
 CollapseMode collapse_mode(const LimitProblem& problem, const Eigen::VectorXd& motion) {
   CollapseMode mode;
-  const double least = visible_motion * motion.cwiseAbs().maxCoeff();
+  const double minimum = visible_motion * motion.cwiseAbs().maxCoeff();
   Eigen::VectorXd resultant = Eigen::VectorXd::Zero(problem.dimension);
   const int nodes = static_cast<int>(problem.node_names.size());
   for (int node = 0; node < nodes; ++node) {
     resultant += at_node(problem, problem.reference, node);
     Eigen::VectorXd velocity = at_node(problem, motion, node);
-    if (velocity.cwiseAbs().maxCoeff() > least) mode.moving.push_back({node, std::move(velocity)});
+    if (velocity.cwiseAbs().maxCoeff() > minimum)
+      mode.moving.push_back({node, std::move(velocity)});
   }
   const Eigen::VectorXd elongation = problem.equilibrium.transpose() * motion;
   for (int member = 0; member < problem.member_count(); ++member) {
-    if (std::abs(elongation(member)) > least) mode.yielding.push_back({member, elongation(member)});
+    if (std::abs(elongation(member)) > minimum)
+      mode.yielding.push_back({member, elongation(member)});
   }
   if (!resultant.isZero(0.0)) {
     const Eigen::VectorXd direction = resultant.normalized();
     mode.sway = true;
     for (const auto& [node, velocity] : mode.moving) {
       const Eigen::VectorXd across = velocity - direction * direction.dot(velocity);
-      if (across.cwiseAbs().maxCoeff() > least) mode.sway = false;
+      if (across.cwiseAbs().maxCoeff() > minimum) mode.sway = false;
     }
   }
   return mode;

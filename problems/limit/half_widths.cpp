@@ -109,10 +109,10 @@ std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
 
 std::optional<double> common_half_width(const LimitProblem& problem, double alpha) {
   if (problem.uncertain.empty()) return alpha;
-  const auto [least, most] =
+  const auto [minimum, maximum] =
       std::ranges::minmax(problem.uncertain, {}, &UncertainColumn::half_width);
-  if (least.half_width != most.half_width) return {};
-  return alpha * least.half_width;
+  if (minimum.half_width != maximum.half_width) return {};
+  return alpha * minimum.half_width;
 }
 
 }  // namespace kusabi::problems

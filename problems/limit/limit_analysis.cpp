@@ -36,38 +36,38 @@ void scale_uncertain(const LimitProblem& problem, const Eigen::VectorXd& row_uni
   model.direction_unit.resize(problem.uncertain_count());
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     auto& column = model.uncertain[static_cast<std::size_t>(j)];
-    double most = 0;
+    double maximum = 0;
     for (auto& [degree, value] : column.direction) {
       value *= model.force_unit / row_unit(degree);
-      most = std::max(most, std::abs(value));
+      maximum = std::max(maximum, std::abs(value));
     }
-    for (auto& component : column.direction) component.value /= most;
-    column.weight *= most;
-    model.direction_unit(j) = model.force_unit / most;
+    for (auto& component : column.direction) component.value /= maximum;
+    column.weight *= maximum;
+    model.direction_unit(j) = model.force_unit / maximum;
   }
 }
 
 }  // namespace
 
-LimitModel limit_model(const LimitProblem& problem, double force_unit, double most_yield) {
+LimitModel limit_model(const LimitProblem& problem, double force_unit, double max_yield) {
   LimitModel model;
   model.force_unit = force_unit;
-  model.most_yield = most_yield;
+  model.max_yield = max_yield;
   const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
   model.member_unit = yield.unaryExpr([&](double size) { return unit_of(size, force_unit); });
-  model.tension = problem.tension.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
-  model.compression = problem.compression.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
+  model.tension = problem.tension.cwiseQuotient(model.member_unit).cwiseMin(max_yield);
+  model.compression = problem.compression.cwiseQuotient(model.member_unit).cwiseMin(max_yield);
 
   const Eigen::SparseMatrix<double>& given = problem.equilibrium;
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(given.rows());  // Y
   for (int i = 0; i < given.cols(); ++i) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(given, i); entry; ++entry) {
-      double& most = largest(entry.row());
-      most = std::max(most, std::abs(entry.value()) * model.member_unit(i));
+      double& maximum = largest(entry.row());
+      maximum = std::max(maximum, std::abs(entry.value()) * model.member_unit(i));
     }
   }
   const Eigen::VectorXd row_unit =
-      largest.unaryExpr([&](double most) { return unit_of(most, force_unit); });
+      largest.unaryExpr([&](double maximum) { return unit_of(maximum, force_unit); });
   const double reference_unit =
       problem.reference.cwiseAbs().cwiseQuotient(row_unit).maxCoeff();  // R
   model.displacement_unit = (reference_unit * row_unit).cwiseInverse();
@@ -97,7 +97,7 @@ LimitModel unscaled_model(const LimitProblem& problem) {
   model.member_unit = Eigen::VectorXd::Ones(problem.member_count());
   model.displacement_unit = Eigen::VectorXd::Ones(problem.free_count());
   model.direction_unit = Eigen::VectorXd::Ones(problem.uncertain_count());
-  model.most_yield = linear::infinity;
+  model.max_yield = linear::infinity;
   return model;
 }
 

@@ -12,7 +12,7 @@
 //
 // Column j of T~ is a weight w~_j times a direction d~_j whose largest component is of size one.
 // The weight includes the half-width, so one alpha applies to all. Units within a factor of eight
-// are equal. A yield force far above F stands for an unlimited one; it is truncated at `most_yield`
+// are equal. A yield force far above F stands for an unlimited one; it is truncated at `max_yield`
 // c_i, which can only decrease the load factor.
 #pragma once
 
@@ -30,20 +30,20 @@ struct LimitModel {
   Eigen::SparseMatrix<double> equilibrium;  ///< B~, n^d x n^m
   Eigen::VectorXd dead;                     ///< f~_D
   Eigen::VectorXd reference;                ///< f~_R: its largest component is of the order of one
-  Eigen::VectorXd tension;                  ///< q~^t, at most `most_yield`
-  Eigen::VectorXd compression;              ///< q~^c, at most `most_yield`
+  Eigen::VectorXd tension;                  ///< q~^t, at most `max_yield`
+  Eigen::VectorXd compression;              ///< q~^c, at most `max_yield`
   std::vector<UncertainColumn> uncertain;   ///< T~; its coefficients zeta are in force_unit
   Eigen::VectorXd direction_unit;           ///< m: d_j is a scaled load d~_j times this, force
   Eigen::VectorXd member_unit;              ///< c, n^m: force is scaled force times this
   Eigen::VectorXd displacement_unit;        ///< 1 / (R Y), n^d: u is u~ times this, f_R^T u = 1
   double force_unit = 1;                    ///< F, force
-  double most_yield = 0;                    ///< upper limit of scaled yield forces
+  double max_yield = 0;                     ///< upper limit of scaled yield forces
   double factor_unit = 1;                   ///< 1 / R: factor is scaled factor times this
 
   int free_count() const { return static_cast<int>(dead.size()); }
   int member_count() const { return static_cast<int>(tension.size()); }
   int uncertain_count() const { return static_cast<int>(uncertain.size()); }
-  /// (q~^t + q~^c) / 2, from 1/8 to `most_yield`, n^m.
+  /// (q~^t + q~^c) / 2, from 1/8 to `max_yield`, n^m.
   Eigen::VectorXd yield() const { return (tension + compression) / 2; }
   /// Y_e: force is a scaled load on displacement e times this.
   double load_unit(int degree) const { return factor_unit / displacement_unit(degree); }
@@ -55,7 +55,7 @@ inline constexpr double usual_most_yield = 0x1p14;
 
 /// @param force_unit F
 LimitModel limit_model(const LimitProblem& problem, double force_unit,
-                       double most_yield = usual_most_yield);
+                       double max_yield = usual_most_yield);
 
 /// With the median of the yield forces as F.
 LimitModel limit_model(const LimitProblem& problem);

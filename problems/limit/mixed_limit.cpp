@@ -9,28 +9,28 @@ namespace kusabi::problems {
 
 linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
                                         const Eigen::VectorXd& big_m,
-                                        const Eigen::VectorXd& most_motion,
-                                        const Eigen::VectorXd& most_elongation) {
+                                        const Eigen::VectorXd& max_motion,
+                                        const Eigen::VectorXd& max_elongation) {
   linear::MixedProgram mixed;
   mixed.program = kinematic_program(model, model.dead);
   auto& program = mixed.program;
   program.name = "worst-case limit load (29)";
   for (int k = 0; k < model.free_count(); ++k) {
     auto& column = program.columns[static_cast<std::size_t>(k)];
-    column.lower = -most_motion(k);
-    column.upper = most_motion(k);
+    column.lower = -max_motion(k);
+    column.upper = max_motion(k);
   }
   for (int i = 0; i < model.member_count(); ++i) {
-    program.columns[static_cast<std::size_t>(model.free_count() + i)].upper = most_elongation(i);
+    program.columns[static_cast<std::size_t>(model.free_count() + i)].upper = max_elongation(i);
   }
   const int m = model.uncertain_count();
   for (int j = 0; j < m; ++j) {
     const auto& column = model.uncertain[static_cast<std::size_t>(j)];
-    double most = 0;
+    double maximum = 0;
     for (const auto& [degree, value] : column.direction) {
-      most += std::abs(value) * most_motion(degree);
+      maximum += std::abs(value) * max_motion(degree);
     }
-    program.add_column({.cost = -alpha * column.weight, .upper = most});
+    program.add_column({.cost = -alpha * column.weight, .upper = maximum});
   }
   for (int j = 0; j < m; ++j) mixed.binaries.push_back(program.add_column({.upper = 1}));
   for (int j = 0; j < m; ++j) {

@@ -14,12 +14,12 @@ namespace kusabi::problems {
 /// d_j'u - M_j tau_j <= 0 for each column.
 /// @param alpha scaled
 /// @param big_m M, m, scaled: at least twice the largest |d_j'u| of an optimum
-/// @param most_motion bound of |u|, n^d; may be infinite
-/// @param most_elongation bound of z, n^m; may be infinite
+/// @param max_motion bound of |u|, n^d; may be infinite
+/// @param max_elongation bound of z, n^m; may be infinite
 linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
                                         const Eigen::VectorXd& big_m,
-                                        const Eigen::VectorXd& most_motion,
-                                        const Eigen::VectorXd& most_elongation);
+                                        const Eigen::VectorXd& max_motion,
+                                        const Eigen::VectorXd& max_elongation);
 
 /// The point of a motion in worst_case_program(): z = |B'u|, gamma = |d_j'u|, tau its sign.
 std::vector<double> worst_case_point(const LimitModel& model, const Eigen::VectorXd& motion);

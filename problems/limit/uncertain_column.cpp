@@ -21,9 +21,9 @@ void UncertainColumn::add_to(Eigen::VectorXd& load, double share) const {
 }
 
 double UncertainColumn::largest() const {
-  double most = 0;
-  for (const auto& [degree, value] : direction) most = std::max(most, std::abs(value));
-  return reach() * most;
+  double maximum = 0;
+  for (const auto& [degree, value] : direction) maximum = std::max(maximum, std::abs(value));
+  return reach() * maximum;
 }
 
 }  // namespace kusabi::problems

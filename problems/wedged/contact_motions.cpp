@@ -147,13 +147,13 @@ PreciseMatrix work_of(const Structure& structure, std::span<const UnconstrainedB
   return work;
 }
 
-double least_sine(const Structure& structure) {
-  double least = 1;
+double min_sine(const Structure& structure) {
+  double minimum = 1;
   for (const ContactCandidate& candidate : structure.contact) {
     if (candidate.tangent)
-      least = std::min(least, tangent_sine(candidate.normal, *candidate.tangent) / 2);
+      minimum = std::min(minimum, tangent_sine(candidate.normal, *candidate.tangent) / 2);
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ ContactMotions contact_motions(const Structure& structure,
   // Modes restricted to contact, each with the work of the loads on it; both are combined alike.
   std::vector<std::pair<PreciseVector, PreciseVector>> columns;
   std::vector<PreciseVector> unseen;
-  double least_left = 1;
+  double min_left = 1;
   for (Eigen::Index k = 0; k < seen.cols(); ++k) {
     PreciseVector column = seen.col(k);
     PreciseVector own = work.col(k);
@@ -204,7 +204,7 @@ ContactMotions contact_motions(const Structure& structure,
     }
     if (size < smallest_nonzero_pivot && has_constraints(structure)) refuse_gap(structure);
     if (size < smallest_nonzero_pivot) refuse_line(structure);
-    least_left = std::min(least_left, size);
+    min_left = std::min(min_left, size);
     const Precise unit(std::exp2(-std::ceil(std::log2(size))));
     columns.emplace_back(column * unit, own * unit);
   }
@@ -219,8 +219,8 @@ ContactMotions contact_motions(const Structure& structure,
     result.work_on_other_modes.col(static_cast<Eigen::Index>(k)) = unseen[k];
   double error = 0;
   for (const UnconstrainedBody& body : bodies) error = std::max(error, body.error);
-  error += motion_roundings * numbers::unit_roundoff<Precise> / least_sine(structure);
-  result.error = bodies.empty() ? 0 : error / least_left;
+  error += motion_roundings * numbers::unit_roundoff<Precise> / min_sine(structure);
+  result.error = bodies.empty() ? 0 : error / min_left;
   return result;
 }
 

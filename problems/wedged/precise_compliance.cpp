@@ -44,7 +44,7 @@ constexpr double frame_roundings = 32;
 
 /// Maximum number of refinement steps. Each gains the digits of the factor minus those of the
 /// condition number.
-constexpr int most_refinements = 12;
+constexpr int max_refinements = 12;
 
 /// Number of columns refined at once; more would only increase memory.
 constexpr Eigen::Index columns_at_once = PreciseResidual::columns_at_once;
@@ -131,7 +131,7 @@ void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& facto
   const PreciseResidual residual(stiffness.matrix);
   numbers::PreciseMatrix displacements = numbers::PreciseMatrix::Zero(right.rows(), count);
   numbers::PreciseMatrix left = right;
-  for (int step = 0; step < most_refinements; ++step) {
+  for (int step = 0; step < max_refinements; ++step) {
     support::leave_if(stop);
     typename StiffnessFactor<Real>::Matrix correction = left.cast<Real>();
     factor.solve(correction);
@@ -171,14 +171,14 @@ Solution solve(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& fa
 /// The error bound of EnclosedCompliance. With K X = B + R, F - B'X = -B'K^-1 R, and
 /// |b_i'K^-1 R_j| <= sqrt(F_ii) |R_j| / sqrt(s), s the least eigenvalue of K.
 double compliance_error(const numbers::PreciseMatrix& matrix, const Loads& loads,
-                        const Solution& solution, double least_eigenvalue) {
+                        const Solution& solution, double min_eigenvalue) {
   const Eigen::VectorXd diagonal = matrix.diagonal().cast<double>();
   if (!(diagonal.minCoeff() > 0)) return infinity;
   const Eigen::VectorXd roots = diagonal.cwiseSqrt();
   const Eigen::VectorXd sizes = column_norms(solution.displacements);
   const Eigen::VectorXd right = column_norms(loads.matrix);
   const double first =
-      (solution.residuals.array() / roots.array()).maxCoeff() / std::sqrt(least_eigenvalue);
+      (solution.residuals.array() / roots.array()).maxCoeff() / std::sqrt(min_eigenvalue);
   // Rounding errors of the product of B and X, and errors of the loads.
   const double second = ((16 * unit * right + loads.errors).array() / roots.array()).maxCoeff() *
                         (sizes.array() / roots.array()).maxCoeff();
@@ -194,8 +194,8 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
   work.reached("condensing the stiffness: its factor", 0);
   const StiffnessFactor<Real> factor(stiffness.matrix);
   work.reached("condensing the stiffness: its least eigenvalue", 0);
-  const double least = factor.least_eigenvalue() - stiffness.error;
-  if (!(least > 0)) return {{}, infinity, {}};
+  const double minimum = factor.min_eigenvalue() - stiffness.error;
+  if (!(minimum > 0)) return {{}, infinity, {}};
   const Loads loads = unit_loads(structure, degrees, forces, stiffness.scale);
   Solution solution = solve(stiffness, factor, loads, work);
   if (!(solution.residuals.maxCoeff() < infinity)) return {{}, infinity, {}};
@@ -211,7 +211,7 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
   }
   numbers::PreciseMatrix matrix = (product + product.transpose()) * Precise(0.5);
   const double spring_error = add_tangential_springs(structure, degrees, stiffness, matrix);
-  const double error = compliance_error(matrix, loads, solution, least) + spring_error;
+  const double error = compliance_error(matrix, loads, solution, minimum) + spring_error;
   auto& response = solution.displacements;
   for (Eigen::Index i = 0; i < response.rows(); ++i) response.row(i) *= Precise(stiffness.scale(i));
   return {matrix, error, std::move(response)};
@@ -225,7 +225,7 @@ constexpr int fewest_for_doubles = 4000;
 constexpr double enough_in_doubles = 1e-20;
 
 /// Maximum size for a factor in 104 bits, by computing time.
-constexpr int most_for_precise_factor = 600;
+constexpr int max_for_precise_factor = 600;
 
 }  // namespace
 
@@ -250,7 +250,7 @@ EnclosedCompliance enclosed_compliance(const Structure& structure, const FreeDeg
     if (result.error <= enough_in_doubles) return result;
   }
   auto result = enclosed<long double>(structure, degrees, forces, stiffness, work);
-  if (!(result.error < infinity) && degrees.size() <= most_for_precise_factor)
+  if (!(result.error < infinity) && degrees.size() <= max_for_precise_factor)
     result = enclosed<Precise>(structure, degrees, forces, stiffness, work);
   return result;
 }

@@ -16,14 +16,14 @@ class Range {
  public:
   void add(double value) {
     if (!(value > 0)) return;
-    least_ = std::min(least_, value);
-    most_ = std::max(most_, value);
+    minimum_ = std::min(minimum_, value);
+    maximum_ = std::max(maximum_, value);
   }
-  [[nodiscard]] double ratio() const { return most_ > 0 ? most_ / least_ : 1; }
+  [[nodiscard]] double ratio() const { return maximum_ > 0 ? maximum_ / minimum_ : 1; }
 
  private:
-  double least_ = std::numeric_limits<double>::infinity();
-  double most_ = 0;
+  double minimum_ = std::numeric_limits<double>::infinity();
+  double maximum_ = 0;
 };
 
 double distance(const Structure& structure, int a, int b) {
@@ -51,16 +51,16 @@ double stiffness_ratio(const Structure& structure) {
 }
 
 double compliance_ratio(const WedgedProblem& problem) {
-  double most = 1;
+  double maximum = 1;
   for (const auto& block : blocks_of(problem)) {
     Range compliances;
     for (const int candidate : block) {
       const Eigen::Index normal = problem.dimension * candidate;
       compliances.add(problem.compliance.matrix(normal, normal));
     }
-    most = std::max(most, compliances.ratio());
+    maximum = std::max(maximum, compliances.ratio());
   }
-  return most;
+  return maximum;
 }
 
 /// Ratio for one body: `within` marks its nodes.
@@ -91,13 +91,13 @@ double extent_ratio(const Structure& structure, const UnconstrainedBody& body,
 }  // namespace
 
 double scale_ratio(const CheckedStructure& structure, const WedgedProblem& problem) {
-  double most = std::max(stiffness_ratio(structure), compliance_ratio(problem));
+  double maximum = std::max(stiffness_ratio(structure), compliance_ratio(problem));
   for (const UnconstrainedBody& body : structure.unconstrained_bodies()) {
     std::vector<bool> within(structure->node_names.size(), false);
     for (const int node : body.nodes) within[static_cast<std::size_t>(node)] = true;
-    most = std::max(most, extent_ratio(structure, body, within));
+    maximum = std::max(maximum, extent_ratio(structure, body, within));
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace kusabi::problems

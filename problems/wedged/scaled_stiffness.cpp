@@ -114,7 +114,7 @@ SparseMatrix empty_matrix(const Structure& structure, const FreeDegrees& degrees
 /// Maximum number of bars, elements, springs and superelements at one node, which bounds the number
 /// of terms in an entry of K. A node with dependents also counts theirs, once for each pair of
 /// dependents, and their weights.
-int most_terms(const Structure& structure, const FreeDegrees& degrees) {
+int max_terms(const Structure& structure, const FreeDegrees& degrees) {
   std::vector<int> terms(structure.node_names.size(), 0);
   for (const Member& member : structure.members) {
     ++terms[static_cast<std::size_t>(member.first)];
@@ -192,7 +192,7 @@ Part add_element(const Structure& structure, const FreeDegrees& degrees, const E
               ? stiffness(row.place, column.place)
               : stiffness(row.place, column.place) * (row.weight * column.weight);
       const auto& bound = bounds(row.place, column.place);
-      part.error = std::max(part.error, (bound.error + terms * bound.most()) /
+      part.error = std::max(part.error, (bound.error + terms * bound.maximum()) /
                                             (sizes(row.place) * sizes(column.place)));
     }
   }
@@ -244,7 +244,7 @@ void scale(ScaledStiffness& stiffness) {
 ScaledStiffness scaled_stiffness(const Structure& structure, const FreeDegrees& degrees) {
   ScaledStiffness result;
   result.matrix = empty_matrix(structure, degrees);
-  const int terms = most_terms(structure, degrees);
+  const int terms = max_terms(structure, degrees);
   std::vector<Part> parts;
   for (const Member& member : structure.members)
     parts.push_back(add_member(structure, degrees, member, terms, result.matrix));

@@ -10,7 +10,7 @@ namespace kusabi::problems {
 namespace {
 
 /// Maximum number of candidates for the least eigenvalue: half of its estimate and smaller shares.
-constexpr int most_trials = 4;
+constexpr int max_trials = 4;
 
 /// Rounding errors of an entry besides the products of a row: the conversion, the shift, the
 /// division or root. All are counted four times, since operations in 104 bits have errors relative
@@ -125,7 +125,7 @@ double StiffnessFactor<Real>::estimated_eigenvalue() const {
 }
 
 template <class Real>
-double StiffnessFactor<Real>::least_eigenvalue() const {
+double StiffnessFactor<Real>::min_eigenvalue() const {
   if (!exists()) return 0;
   // Rounding error of the conversion, in the row-sum norm.
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(matrix_.cols());
@@ -136,7 +136,7 @@ double StiffnessFactor<Real>::least_eigenvalue() const {
   const double cast_error =
       sum_safety * 2 * numbers::unit_roundoff<Real> * (sums.size() == 0 ? 0 : sums.maxCoeff());
   double shift = estimated_eigenvalue() / 2;
-  for (int trial = 0; trial < most_trials && shift > 0; ++trial, shift /= 8) {
+  for (int trial = 0; trial < max_trials && shift > 0; ++trial, shift /= 8) {
     Eigen::SimplicialLLT<Eigen::SparseMatrix<Real>> shifted;
     shifted.setShift(Real(-shift));
     shifted.compute(matrix_);

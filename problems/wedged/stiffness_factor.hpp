@@ -31,7 +31,7 @@ class StiffnessFactor {
   /// |L L' - (M - s I)| <= g |L| |L'| entry by entry, g = (k + 1) u, if no row of L has more than k
   /// entries (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3); the norm of
   /// |L| |L'| is at most its largest row sum.
-  [[nodiscard]] double least_eigenvalue() const;
+  [[nodiscard]] double min_eigenvalue() const;
 
  private:
   [[nodiscard]] double estimated_eigenvalue() const;

@@ -44,15 +44,15 @@ constexpr double almost_incompressible = 0.499;
 
 [[noreturn]] void refuse_condition(const Structure& structure) {
   const auto& elements = structure.elements;
-  const auto least = std::ranges::max_element(elements, {}, &Element::ratio);
-  if (least != elements.end() && least->ratio > almost_incompressible) {
-    const auto index = static_cast<int>(least - elements.begin());
+  const auto minimum = std::ranges::max_element(elements, {}, &Element::ratio);
+  if (minimum != elements.end() && minimum->ratio > almost_incompressible) {
+    const auto index = static_cast<int>(minimum - elements.begin());
     throw structure_error(
         structure, position_of(structure.sources.materials, index),
         fmt::format("nu is {}, almost incompressible, which leaves the stiffness too "
                     "ill-conditioned to compute with; expected nu up to {}, at which elements of "
                     "low order lock already",
-                    least->ratio, almost_incompressible));
+                    minimum->ratio, almost_incompressible));
   }
   throw structure_error(
       structure, {},

@@ -73,9 +73,9 @@ class Scaling final : public Bench {
         .unit("us");
     table.number("--bandwidth", &options_.gigabytes_a_second, above(0), "bandwidth of the network")
         .unit("GB/s");
-    table.number("--least-ranks", &options_.least_ranks, above(0),
+    table.number("--least-ranks", &options_.min_ranks, above(0),
                  "number of ranks of the first row");
-    table.number("--most-ranks", &options_.most_ranks, above(0),
+    table.number("--most-ranks", &options_.max_ranks, above(0),
                  "largest number of ranks; each row has four times as many as the one before");
     table.number("--seed", &options_.seed, above(0), "random seed of the tree and of the schedule");
   }
@@ -102,11 +102,11 @@ class Uts final : public Bench {
  public:
   void describe(OptionTable& table) override {
     constexpr double about_a_second = 1e7;
-    constexpr double most_rounds = 1000;
+    constexpr double max_rounds = 1000;
     table.choice("--tree", options_.tree, standard_names(), "name of the standard tree");
     table.number("--work", &options_.work, between(1, about_a_second),
                  "number of hashes per node, about 0.1 microseconds each");
-    table.number("--rounds", &options_.rounds, between(1, most_rounds),
+    table.number("--rounds", &options_.rounds, between(1, max_rounds),
                  "number of searches; the fastest is reported");
     table.serial();
   }

@@ -96,7 +96,7 @@ void print_table(const BenchScalingOptions& options, const Subject<Tree>& subjec
       options.handling_microseconds, options.gigabytes_a_second, "ranks", "efficiency", "seconds",
       "last node s", "ramp-up", "between", "tail", "messages", "transfers", "refusals",
       "reports ms");
-  for (int ranks = options.least_ranks; ranks <= options.most_ranks; ranks *= 4) {
+  for (int ranks = options.min_ranks; ranks <= options.max_ranks; ranks *= 4) {
     print_row(options, subject, ranks);
   }
 }

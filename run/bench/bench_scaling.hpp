@@ -19,8 +19,8 @@ struct BenchScalingOptions {
   int machine = 1;                         ///< ranks on one machine
   double handling_microseconds = 0.5;      ///< time per message of its sender, and of its receiver
   double gigabytes_a_second = 10;          ///< bandwidth
-  int least_ranks = 1;
-  int most_ranks = 65536;  ///< largest number of ranks; four times as many in each row
+  int min_ranks = 1;
+  int max_ranks = 65536;  ///< largest number of ranks; four times as many in each row
   std::uint64_t seed = 1;
 };
 

@@ -77,8 +77,8 @@ std::string fault(std::uint64_t seed) {
   depth_first.pool = options.pool;
   depth_first.cutoff = options.cutoff;
   const auto alone = engine::search(tree, depth_first);
-  constexpr std::uint64_t most_steps = 10'000'000;
-  const auto many = engine::simulate(tree, ranks, seed, machine, options, most_steps);
+  constexpr std::uint64_t max_steps = 10'000'000;
+  const auto many = engine::simulate(tree, ranks, seed, machine, options, max_steps);
   if (many.left_behind != 0) return fmt::format("{} messages not received", many.left_behind);
   const auto& outcome = many.outcome;
   if (outcome.status == engine::Status::node_limit) {

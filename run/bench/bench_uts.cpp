@@ -148,7 +148,7 @@ void print_times(const Times& times, std::uint64_t opened) {
 int bench_uts(Session& session, const BenchUtsOptions& options) {
   const auto& standard = benchmark::standard_tree(options.tree);
   bool right = true;
-  Times least{infinity, infinity};
+  Times minimum{infinity, infinity};
   engine::Outcome<TimedTree> fastest;
   for (unsigned round = 0; round < options.rounds; ++round) {
     TimedTree tree(standard.parameters, options.work);
@@ -159,9 +159,9 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
     if (!session.speaks()) continue;
     right &= outcome.tally().counts == standard.counts;
     const auto times = times_of(outcome);
-    least.recursion = std::min(least.recursion, times.recursion);
-    if (times.search < least.search) {
-      least.search = times.search;
+    minimum.recursion = std::min(minimum.recursion, times.recursion);
+    if (times.search < minimum.search) {
+      minimum.search = times.search;
       fastest = std::move(outcome);
     }
   }
@@ -172,7 +172,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
   print_counts(fastest.tally().counts, standard.counts);
   if (!right) fmt::print("WRONG: the counts of some round differ\n");
   fmt::print("\n");
-  print_times(least, fastest.opened());
+  print_times(minimum, fastest.opened());
   return right ? solved : failed;
 }
 

@@ -133,11 +133,11 @@ double CommandRun::seconds() const {
 
 // Lines about work of less than a second are left out.
 support::LongWork CommandRun::long_work() {
-  constexpr double least = 1;
+  constexpr double minimum = 1;
   static constexpr std::chrono::seconds between_lines(2);
   support::LongWork work;
   if (const auto* const limits = table_.limits()) {
-    work.stop = [this, until = std::max(limits->seconds, least)] {
+    work.stop = [this, until = std::max(limits->seconds, minimum)] {
       return engine::end_asked_by_signal() || seconds() >= until;
     };
   }

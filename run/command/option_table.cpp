@@ -24,25 +24,25 @@ std::string expected(const Range& range) {
   const auto* const kind = range.even      ? "an even number"
                            : whole<Number> ? "a whole number"
                                            : "a number";
-  const bool below = std::isfinite(range.most);
-  if (range.least_is_out) return fmt::format("{} above {:g}", kind, range.least);
-  if (!std::isfinite(range.least)) return kind;
-  if (!below) return fmt::format("{} of {:g} or more", kind, range.least);
-  return fmt::format("{} from {:g} to {:.10g}", kind, range.least, range.most);
+  const bool below = std::isfinite(range.maximum);
+  if (range.min_is_excluded) return fmt::format("{} above {:g}", kind, range.minimum);
+  if (!std::isfinite(range.minimum)) return kind;
+  if (!below) return fmt::format("{} of {:g} or more", kind, range.minimum);
+  return fmt::format("{} from {:g} to {:.10g}", kind, range.minimum, range.maximum);
 }
 
 std::string as_help_shows_it(const Range& range) {
-  if (range.least_is_out) return fmt::format("> {:g}", range.least);
-  if (!std::isfinite(range.least)) return {};
-  if (!std::isfinite(range.most)) return fmt::format(">= {:g}", range.least);
-  return fmt::format("{:g} - {:.10g}{}", range.least, range.most, range.even ? ", even" : "");
+  if (range.min_is_excluded) return fmt::format("> {:g}", range.minimum);
+  if (!std::isfinite(range.minimum)) return {};
+  if (!std::isfinite(range.maximum)) return fmt::format(">= {:g}", range.minimum);
+  return fmt::format("{:g} - {:.10g}{}", range.minimum, range.maximum, range.even ? ", even" : "");
 }
 
 template <class Number>
 bool is_in(const Range& range, Number number) {
   const auto value = static_cast<double>(number);
-  if (!std::isfinite(value) || value < range.least || value > range.most) return false;
-  if (range.least_is_out && value == range.least) return false;
+  if (!std::isfinite(value) || value < range.minimum || value > range.maximum) return false;
+  if (range.min_is_excluded && value == range.minimum) return false;
   return !range.even || std::fmod(value, 2) == 0;
 }
 

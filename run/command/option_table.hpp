@@ -24,21 +24,21 @@ namespace kusabi::run {
 
 /// Range of a number.
 struct Range {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  bool least_is_out = false;
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  bool min_is_excluded = false;
   bool even = false;
 };
 
 /// Numbers above, not below, or between bounds.
 constexpr Range above(double bound) {
-  return {.least = bound, .least_is_out = true};
+  return {.minimum = bound, .min_is_excluded = true};
 }
 constexpr Range at_least(double bound) {
-  return {.least = bound};
+  return {.minimum = bound};
 }
-constexpr Range between(double least, double most) {
-  return {.least = least, .most = most};
+constexpr Range between(double minimum, double maximum) {
+  return {.minimum = minimum, .maximum = maximum};
 }
 
 /// Role of an option outside its subcommand.

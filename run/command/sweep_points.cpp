@@ -12,7 +12,7 @@
 namespace kusabi::run {
 namespace {
 
-constexpr std::size_t most_points = 10000;
+constexpr std::size_t max_points = 10000;
 
 class PointsReader {
  public:
@@ -37,7 +37,7 @@ class PointsReader {
     if (three.size() != 3 || !(three[2] > 0) || !(three[0] <= three[1])) {
       wrong("expected START:END:STEP with START not above END and STEP above 0");
     }
-    if ((three[1] - three[0]) / three[2] >= static_cast<double>(most_points)) too_many();
+    if ((three[1] - three[0]) / three[2] >= static_cast<double>(max_points)) too_many();
     std::vector<double> points;
     for (int step = 0;; ++step) {
       const double point = *number_in(fmt::format("{:.12g}", three[0] + step * three[2]));
@@ -50,7 +50,7 @@ class PointsReader {
     throw WrongInput(fmt::format("{} '{}': {}", option_, text_, expected));
   }
   [[noreturn]] void too_many() const {
-    wrong(fmt::format("expected no more than {} points", most_points));
+    wrong(fmt::format("expected no more than {} points", max_points));
   }
 
  private:
@@ -64,7 +64,7 @@ std::vector<double> sweep_points(const std::string& option, const std::string& t
   const PointsReader reader(option, text);
   const bool is_range = text.find(':') != std::string::npos;
   auto points = is_range ? reader.range() : reader.numbers(',');
-  if (points.size() > most_points) reader.too_many();
+  if (points.size() > max_points) reader.too_many();
   if (std::ranges::adjacent_find(points, std::greater_equal()) != points.end())
     reader.wrong("expected numbers that increase");
   if (zero ? points.front() < 0 : points.front() <= 0)

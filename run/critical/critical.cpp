@@ -58,7 +58,7 @@ void Critical::describe(OptionTable& table) {
       "method. For the smallest coefficient: from --mu-max downwards (descent), by one search over "
       "all coefficients from zero (global), or by both in turn (auto). For the coefficients of all "
       "patterns that stick at --mu-max: newton, or bisection (Algorithm 6.1)");
-  table.number("--mu-max", &options_.parameters.most, above(0),
+  table.number("--mu-max", &options_.parameters.maximum, above(0),
                "largest friction coefficient of the search");
   table.number("--width", &options_.parameters.width, above(0),
                "width of the bracket of each coefficient. Default: 1e-8; with more than 100 "
@@ -90,7 +90,7 @@ void Critical::describe(OptionTable& table) {
 }
 
 void Critical::check() const {
-  if (!finds_smallest_only(options_.parameters.strategy) && !options_.parameters.most) {
+  if (!finds_smallest_only(options_.parameters.strategy) && !options_.parameters.maximum) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient of the list of patterns, or "
         "--method auto");
@@ -104,29 +104,29 @@ void Critical::check() const {
         "--list: this method lists all patterns that stick at --mu-max; expected --method auto, "
         "descent or global");
   }
-  const double most = options_.parameters.most.value_or(wedged::default_max_friction);
+  const double maximum = options_.parameters.maximum.value_or(wedged::default_max_friction);
   const double width = options_.parameters.width.value_or(wedged::default_width);
-  if (width >= most || most > wedged::max_multiples * width) {
+  if (width >= maximum || maximum > wedged::max_multiples * width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
-                                 width, most, most / wedged::max_multiples));
+                                 width, maximum, maximum / wedged::max_multiples));
   }
 }
 
 void Critical::prepare(CommandRun& run) {
   contact_ = contact_problem(run, options_.input);
   // Upper limit: the largest coefficient that the candidate with the most friction permits.
-  const double most = wedged::CriticalFriction::range(contact_.problem).most;
-  if (options_.parameters.most)
-    friction_at(contact_.problem, *options_.parameters.most, options_.input.file);
-  if (!options_.parameters.most && most < wedged::default_max_friction)
-    options_.parameters.most = most;
+  const double maximum = wedged::CriticalFriction::range(contact_.problem).maximum;
+  if (options_.parameters.maximum)
+    friction_at(contact_.problem, *options_.parameters.maximum, options_.input.file);
+  if (!options_.parameters.maximum && maximum < wedged::default_max_friction)
+    options_.parameters.maximum = maximum;
   keep_state(run, options_.checkpoint, contact_.problem);
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
-  const double most = options_.parameters.most.value_or(wedged::default_max_friction);
+  const double maximum = options_.parameters.maximum.value_or(wedged::default_max_friction);
   return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
-                     friction_text(contact_.problem, most), ranks);
+                     friction_text(contact_.problem, maximum), ranks);
 }
 
 void Critical::search(CommandRun& run) {

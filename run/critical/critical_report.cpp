@@ -178,7 +178,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   text += '\n' + bracket_line(critical_bracket(options, problem, findings));
   if (!finds_smallest_only(options.parameters.strategy) && findings.upper) {
     fmt::format_to(out, "(of the {} at {})\n", counted(findings.patterns.size(), "pattern"),
-                   options.parameters.most.value_or(0));
+                   options.parameters.maximum.value_or(0));
   }
   return text + '\n' + ranks_text(findings, page) + costs_text(findings);
 }
@@ -193,7 +193,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   ordered_json chosen = {{"method", strategy_name(options.parameters.strategy)},
                          {"cuts", name_of(options.parameters.tightening)},
                          {"width", wedged::grid_of(problem, options.parameters).width}};
-  chosen["mu_max"] = number_or_null(options.parameters.most);
+  chosen["mu_max"] = number_or_null(options.parameters.maximum);
   chosen["list"] = options.parameters.list;
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},

@@ -37,10 +37,11 @@ std::string first_way(const problems::WedgedProblem& problem, const wedged::Crit
 CriticalBracket critical_bracket(const CriticalOptions& options,
                                  const problems::WedgedProblem& problem,
                                  const wedged::CriticalFindings& findings) {
-  CriticalBracket found{.bracket = {},
-                        .factor = !problems::uniform_friction(problem),
-                        .most = options.parameters.most.value_or(wedged::default_max_friction),
-                        .width = wedged::grid_of(problem, options.parameters).width};
+  CriticalBracket found{
+      .bracket = {},
+      .factor = !problems::uniform_friction(problem),
+      .maximum = options.parameters.maximum.value_or(wedged::default_max_friction),
+      .width = wedged::grid_of(problem, options.parameters).width};
   // A bound of zero means only that nothing sticks without friction: the search has not advanced.
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);

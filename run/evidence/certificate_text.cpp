@@ -29,7 +29,7 @@ void append_bound(std::string& text, const wedged::ProvedBound& bound) {
   const auto* const side = bound.side == wedged::Side::contact ? "contact" : "separated";
   const auto* const kind = bound.excludes_side() ? "never" : "bound";
   text += fmt::format("{} {} {} {}", kind, bound.block + 1, bound.candidate, side);
-  if (!bound.excludes_side()) text += fmt::format(" {:a}", bound.most);
+  if (!bound.excludes_side()) text += fmt::format(" {:a}", bound.maximum);
   append(text, bound.numbers);
   text += '\n';
 }

@@ -56,7 +56,7 @@ void Hold::describe(OptionTable& table) {
       "friction coefficient, or several: START:END:STEP, or a list with commas. Default: the "
       "smallest one for the dead load is computed");
   table.load_case(options_.load_case);
-  table.number("--mu-max", &options_.parameters.most, above(0),
+  table.number("--mu-max", &options_.parameters.maximum, above(0),
                "upper limit of the search for the smallest coefficient");
   table
       .number("--total", &options_.parameters.total, above(0),
@@ -190,8 +190,8 @@ void Hold::prepare(CommandRun& run) {
 
 std::string Hold::announcement(const std::string& ranks) const {
   const auto& points = options_.points;
-  const auto at = points.empty()
-                      ? fmt::format("up to a friction coefficient of {}", options_.parameters.most)
+  const auto at = points.empty()       ? fmt::format("up to a friction coefficient of {}",
+                                                     options_.parameters.maximum)
                   : points.size() == 1 ? fmt::format("at friction coefficient {}", points.front())
                                        : fmt::format("at {} friction coefficients from {} to {}",
                                                      points.size(), points.front(), points.back());

@@ -64,8 +64,9 @@ Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool 
 
 HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
                           const wedged::HoldingFriction& found) {
-  HoldingBracket answer{
-      .bracket = {}, .factor = !problems::uniform_friction(loaded.problem), .most = found.most};
+  HoldingBracket answer{.bracket = {},
+                        .factor = !problems::uniform_friction(loaded.problem),
+                        .maximum = found.maximum};
   if (found.any_by_supports) answer.reason = HoldReason::supports;
   if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
   if (found.lower_known) answer.bracket.lower = Bound{found.lower, standing(found.lower_proved)};
@@ -113,15 +114,15 @@ HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProble
 HoldingGrip grip_of(const wedged::GripRange& found) {
   HoldingGrip grip{.held = found.held,
                    .held_standing = standing(found.held_proved),
-                   .unbounded = found.most.unbounded,
-                   .unbounded_standing = standing(found.most.held_proved)};
+                   .unbounded = found.maximum.unbounded,
+                   .unbounded_standing = standing(found.maximum.held_proved)};
   if (found.status != engine::Status::solved || !found.held) return grip;
-  const auto& [least, most] = std::tie(found.least, found.most);
-  grip.least = {Bound{least.out, standing(least.out_proved)},
-                Bound{least.held, standing(least.held_proved)}};
-  if (!most.unbounded && most.known) {
-    grip.most = {Bound{most.held, standing(most.held_proved)},
-                 Bound{most.out, standing(most.out_proved)}};
+  const auto& [minimum, maximum] = std::tie(found.minimum, found.maximum);
+  grip.minimum = {Bound{minimum.out, standing(minimum.out_proved)},
+                  Bound{minimum.held, standing(minimum.held_proved)}};
+  if (!maximum.unbounded && maximum.known) {
+    grip.maximum = {Bound{maximum.held, standing(maximum.held_proved)},
+                    Bound{maximum.out, standing(maximum.out_proved)}};
   }
   return grip;
 }
@@ -145,17 +146,17 @@ ordered_json grip_json(const wedged::GripRange& found) {
             {"out_proved", own.out_proved}};
   };
   const ordered_json held = found.held_proved ? ordered_json(true) : ordered_json(nullptr);
-  return {{"held", held}, {"least", end(found.least)}, {"most", end(found.most)}};
+  return {{"held", held}, {"least", end(found.minimum)}, {"most", end(found.maximum)}};
 }
 
 std::string grip_table(const wedged::GripRange& found) {
   if (!found.held) return {};
-  const auto least = in_table(found.least.out, found.least.held);
-  if (!found.most.unbounded && !found.most.known) return {};
-  if (found.most.unbounded)
-    return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", least.lower);
-  const auto most = in_table(found.most.held, found.most.out);
-  return fmt::format("sum of the normal reactions: {} to {}\n", least.lower, most.upper);
+  const auto minimum = in_table(found.minimum.out, found.minimum.held);
+  if (!found.maximum.unbounded && !found.maximum.known) return {};
+  if (found.maximum.unbounded)
+    return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", minimum.lower);
+  const auto maximum = in_table(found.maximum.held, found.maximum.out);
+  return fmt::format("sum of the normal reactions: {} to {}\n", minimum.lower, maximum.upper);
 }
 
 std::string end_text(double held, double out, bool upward) {
@@ -367,7 +368,7 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
   ordered_json given{{"mu", points.size() > 1    ? ordered_json(points)
                             : points.size() == 1 ? ordered_json(points.front())
                                                  : ordered_json()},
-                     {"mu_max", options.parameters.most},
+                     {"mu_max", options.parameters.maximum},
                      {"case", options.load_case}};
   if (options.parameters.total) given["total"] = *options.parameters.total;
   if (options.grip) given["grip"] = true;

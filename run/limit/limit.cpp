@@ -66,7 +66,7 @@ class Limit final : public Subcommand {
 };
 
 void Limit::describe(OptionTable& table) {
-  constexpr double most_samples = 1e8;
+  constexpr double max_samples = 1e8;
   table.problem(options_.input.file);
   table.alpha(options_.asked.alpha, ", unless the file gives it another one").swept();
   table.load_case(options_.load_case, ". Default: all load cases of the file");
@@ -82,7 +82,7 @@ void Limit::describe(OptionTable& table) {
                "tightened M (tighten), or with all of these (all). With --big-m, none and "
                "disjunctive are the algorithms printed in the paper");
   table.big_m(options_.parameters.big_m).needs("--cuts");
-  table.number("--samples", &options_.parameters.samples, between(1, most_samples),
+  table.number("--samples", &options_.parameters.samples, between(1, max_samples),
                "number of random admissible dead loads whose load factors are computed for "
                "comparison; --cuts none and disjunctive start from the smallest of these factors");
   table.number("--seed", &options_.parameters.seed, at_least(0), "random seed for --samples");
@@ -110,7 +110,7 @@ void Limit::describe(OptionTable& table) {
 
 void Limit::check() const {
   group_half_widths(group_alpha_);
-  if (options_.loss.most > 0) refuse_with_losses();
+  if (options_.loss.maximum > 0) refuse_with_losses();
   if (options_.parameters.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: requires --curve or --curve-load");
@@ -156,7 +156,7 @@ void Limit::settle_half_widths() {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (options_.parameters.alpha || options_.loss.most > 0) return;
+  if (options_.parameters.alpha || options_.loss.maximum > 0) return;
   refuse_without_worst_case();
   // The dead load exactly as given: a certificate of the case without uncertainty.
   if (!certificate_.empty()) options_.parameters.alpha = 0;
@@ -256,7 +256,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (options_.loss.most > 0 && have_loss_statements(cases_)) {
+  if (options_.loss.maximum > 0 && have_loss_statements(cases_)) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << loss_certificate_text(all_loss_statements(cases_));
     }));
@@ -277,7 +277,8 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
-  const bool any = options_.loss.most > 0 ? have_loss_statements(cases_) : have_statements(cases_);
+  const bool any =
+      options_.loss.maximum > 0 ? have_loss_statements(cases_) : have_statements(cases_);
   if (!certificate_.empty() && !any) {
     verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
                                           certificate_, why_no_certificate()));

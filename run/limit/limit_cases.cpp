@@ -22,7 +22,7 @@ bool is_carried_at_none(const limit::LimitAnswer& answer) {
 }
 
 // Factor by which cases are compared; infinity: unknown.
-double least_factor(const LimitCase& each) {
+double min_factor(const LimitCase& each) {
   const auto& answer = each.found.answer;
   if (each.found.loss) return each.found.loss->ends.upper;
   if (is_carried_at_none(answer)) return -std::numeric_limits<double>::infinity();
@@ -60,7 +60,7 @@ std::string found_text(const limit::LimitFindings& found) {
 }  // namespace
 
 const LimitCase& governing(std::span<const LimitCase> cases) {
-  return *std::ranges::min_element(cases, {}, least_factor);
+  return *std::ranges::min_element(cases, {}, min_factor);
 }
 
 bool all_whole(std::span<const LimitCase> cases) {

@@ -102,7 +102,7 @@ const char* method_name(limit::LimitMethod method) {
 
 // Load factors that are carried.
 ordered_json carried_between(const limit::LimitCollapse& collapse) {
-  return {number_or_null(collapse.least), collapse.factor};
+  return {number_or_null(collapse.minimum), collapse.factor};
 }
 
 ordered_json options_json(const LimitOptions& options) {
@@ -119,7 +119,7 @@ ordered_json options_json(const LimitOptions& options) {
   if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
   chosen["curve_to"] = parameters.curve_to;
   if (parameters.loss) {
-    chosen["lose"] = parameters.loss->most;
+    chosen["lose"] = parameters.loss->maximum;
     chosen["at_least"] = number_or_null(parameters.loss->at_least);
     if (parameters.loss->sudden != 1) chosen["sudden"] = parameters.loss->sudden;
     if (!options.loss.kept.empty()) chosen["keep"] = options.loss.kept;

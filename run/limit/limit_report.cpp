@@ -48,10 +48,10 @@ void write_zero(std::string& text, const char* load, const limit::LimitCollapse&
   if (collapse.factor < 0) {
     fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
                    load);
-  } else if (collapse.least && *collapse.least > 0) {
+  } else if (collapse.minimum && *collapse.minimum > 0) {
     fmt::format_to(std::back_inserter(text),
                    "  {} is carried only at load factors from {:.10g} to {:.10g}\n", load,
-                   *collapse.least, collapse.factor);
+                   *collapse.minimum, collapse.factor);
   }
 }
 
@@ -90,7 +90,7 @@ void write_interval(std::string& text, const LimitProblem& problem,
   text += "  " + interval_text(interval) + '\n';
   text += "  " + passed_text(interval) + '\n';
   const auto& reversed = answer.reversed;
-  if (!reversed || reversed->zeta.size() == 0 || interval.least.upper <= 0) return;
+  if (!reversed || reversed->zeta.size() == 0 || interval.minimum.upper <= 0) return;
   text += "  load that determines the least of these factors:\n" +
           critical_load_text(problem, reversed->zeta);
 }
@@ -167,11 +167,11 @@ std::string LimitReport::table(const Page& page) const {
   if (answer.worst) write_worst(text, options, problem, answer);
   if (residual) text += strut_text(*this);
   if (!answer.samples.empty()) {
-    const auto [least, greatest] = std::ranges::minmax(answer.samples);
+    const auto [minimum, greatest] = std::ranges::minmax(answer.samples);
     double sum = 0;
     for (const double factor : answer.samples) sum += factor;
     fmt::format_to(out, "\n{} random dead loads: load factors {:.6g} ... {:.6g}, mean {:.6g}\n",
-                   answer.samples.size(), least, greatest,
+                   answer.samples.size(), minimum, greatest,
                    sum / static_cast<double>(answer.samples.size()));
   }
   text += CurveReport{options, problem, answer}.table();

@@ -32,9 +32,9 @@ using problems::LimitProblem;
 /// Displayed as 100.0 %.
 constexpr double in_full = 0.9995;
 /// Maximum number of members listed after those that yield.
-constexpr std::size_t most_named = 5;
+constexpr std::size_t max_named = 5;
 /// Maximum number of names in a sentence; the lines above list all.
-constexpr std::size_t most_in_sentence = 8;
+constexpr std::size_t max_in_sentence = 8;
 
 std::string size_text(double size, const std::string& unit) {
   return fmt::format("{:.6g} {}", size, unit.empty() ? "in the file's unit of force" : unit);
@@ -52,9 +52,9 @@ std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& 
   }
   const auto all = names.size();
   if (all == 0) return {};
-  if (all > most_in_sentence) {
-    names.resize(most_in_sentence);
-    names.push_back(fmt::format("and {} more", all - most_in_sentence));
+  if (all > max_in_sentence) {
+    names.resize(max_in_sentence);
+    names.push_back(fmt::format("and {} more", all - max_in_sentence));
   }
   return fmt::format("{} {} {}: {}.", when, counted(all, "member"), all == 1 ? "yields" : "yield",
                      fmt::join(names, " "));
@@ -84,12 +84,11 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   if (full > 0) text += fmt::format(" {} at 100 %,", full);
   others.erase(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(full));
   const auto all = others.size();
-  others.resize(std::min(all, most_named));
+  others.resize(std::min(all, max_named));
   for (const int i : others)
     text += fmt::format(" {} {:.1f} %,", problems::member_name(problem, i), 100 * used(i));
   text.pop_back();
-  return text +
-         (all > most_named ? fmt::format("; {} others have less\n", all - most_named) : "\n");
+  return text + (all > max_named ? fmt::format("; {} others have less\n", all - max_named) : "\n");
 }
 
 std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
@@ -140,9 +139,10 @@ Bracket bracket(const limit::FactorBracket& found) {
 LoadInterval nominal_interval(const LimitAnswer& answer) {
   LoadInterval interval;
   if (answer.nominal) {
-    interval.most.lower = interval.most.upper = Bound{answer.nominal->factor, Standing::computed};
-    if (const auto& least = answer.nominal->least) {
-      interval.least.lower = interval.least.upper = Bound{*least, Standing::computed};
+    interval.maximum.lower = interval.maximum.upper =
+        Bound{answer.nominal->factor, Standing::computed};
+    if (const auto& minimum = answer.nominal->minimum) {
+      interval.minimum.lower = interval.minimum.upper = Bound{*minimum, Standing::computed};
     }
   } else if (answer.status == limit::LoadStatus::not_carried) {
     interval.carried_at_none = standing(answer.no_factor_proved);
@@ -164,8 +164,8 @@ LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> 
     interval.carried_at_none = standing(found.at_none_proved);
     return interval;
   }
-  interval.least = bracket(found.least);
-  interval.most = bracket(found.largest);
+  interval.minimum = bracket(found.minimum);
+  interval.maximum = bracket(found.largest);
   interval.if_big_m = std::ranges::any_of(cases, [](const auto& each) {
     const auto& worst = each.found.answer.worst;
     return worst && worst->as_printed && !worst->proved;

@@ -51,7 +51,7 @@ std::vector<int> kept_members(const LimitProblem& problem, const std::string& na
 }  // namespace
 
 void LossOptions::describe(OptionTable& table) {
-  table.number("--lose", &most, between(1, 1000),
+  table.number("--lose", &maximum, between(1, 1000),
                "maximum number of lost members, for the least load factor over all such losses "
                "and, with half-widths of uncertain loads, over these loads");
   table
@@ -72,8 +72,8 @@ void LossOptions::describe(OptionTable& table) {
 }
 
 std::optional<limit::LossParameters> LossOptions::parameters(const LimitProblem& problem) const {
-  if (most == 0) return std::nullopt;
-  return limit::LossParameters{most, at_least, kept_members(problem, kept), sudden};
+  if (maximum == 0) return std::nullopt;
+  return limit::LossParameters{maximum, at_least, kept_members(problem, kept), sudden};
 }
 
 }  // namespace kusabi::run

@@ -11,7 +11,7 @@
 namespace kusabi::run {
 
 struct LossOptions {
-  int most = 0;  ///< 0: the loss of members is not in question
+  int maximum = 0;  ///< 0: the loss of members is not in question
   std::optional<double> at_least{};
   double sudden = 1;
   std::string kept{};  ///< names separated by blanks: a node, or a member as "a-b"

@@ -138,7 +138,7 @@ const char* loss_state(LoadStatus status) {
 std::string loss_text(const LimitProblem& problem, const problems::Structure& truss,
                       const LossAnswer& loss) {
   std::string text = fmt::format(
-      "\nloss of up to {} of {}{}{}\n", loss.most,
+      "\nloss of up to {} of {}{}{}\n", loss.maximum,
       counted(static_cast<std::uint64_t>(loss.eligible), "member"),
       loss.uncertain ? ", under every admissible load" : "",
       loss.sudden == 1 ? std::string() : fmt::format(", dynamic factor {}", loss.sudden));
@@ -168,7 +168,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
 
 ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
   ordered_json json{
-      {"most", loss.most},
+      {"most", loss.maximum},
       {"uncertain", loss.uncertain},
       {"sudden", loss.sudden},
       {"eligible", loss.eligible},
@@ -202,7 +202,7 @@ MemberLoss member_loss(std::span<const LimitCase> cases) {
   const auto& governs = governing(cases);
   const auto& worst = *governs.found.loss;
   const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
-  MemberLoss answer{.most = static_cast<std::uint64_t>(worst.most),
+  MemberLoss answer{.maximum = static_cast<std::uint64_t>(worst.maximum),
                     .cases = cases.size(),
                     .uncertain = worst.uncertain};
   answer.lost = names_of(governs.problem, worst.lost);

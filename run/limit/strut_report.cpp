@@ -124,7 +124,7 @@ std::string strut_sentence(std::span<const LimitCase> cases) {
       std::ranges::any_of(cases, [](const auto& each) { return at_no_factor(each.found.answer); }))
     return {};
   std::string text = "With all struts at their residual strength ";
-  ResidualFactor least{.lower = std::numeric_limits<double>::infinity(), .proved = true};
+  ResidualFactor minimum{.lower = std::numeric_limits<double>::infinity(), .proved = true};
   bool after_loss = false;
   for (const auto& each : cases) {
     const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);
@@ -132,15 +132,15 @@ std::string strut_sentence(std::span<const LimitCase> cases) {
     if (loss && loss->is_fatal()) return text + "no load factor remains after the worst loss.";
     after_loss = after_loss || loss;
     const auto own = residual ? residual_factor(each.found) : ResidualFactor{};
-    least.lower = std::min(least.lower, own.lower);
-    least.proved = least.proved && own.proved;
-    least.is_nominal = own.is_nominal;
+    minimum.lower = std::min(minimum.lower, own.lower);
+    minimum.proved = minimum.proved && own.proved;
+    minimum.is_nominal = own.is_nominal;
   }
-  if (!std::isfinite(least.lower)) return text + "it is not known.";
-  const bool bound = !least.is_nominal;
-  return text + fmt::format("it is {}{:.8g}{}{}.", bound ? "at least " : "", least.lower,
+  if (!std::isfinite(minimum.lower)) return text + "it is not known.";
+  const bool bound = !minimum.is_nominal;
+  return text + fmt::format("it is {}{:.8g}{}{}.", bound ? "at least " : "", minimum.lower,
                             after_loss ? " after the worst loss" : "",
-                            bound && !least.proved ? " (not proved)" : "");
+                            bound && !minimum.proved ? " (not proved)" : "");
 }
 
 }  // namespace kusabi::run

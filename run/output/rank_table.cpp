@@ -12,7 +12,7 @@
 namespace kusabi::run {
 namespace {
 
-constexpr std::size_t most_lines = 16;
+constexpr std::size_t max_lines = 16;
 
 // Columns of the engine: two before those of the subcommand, the others after them. Shares and idle
 // times are kept as nodes and seconds, which can be added, and divided when printed.
@@ -116,26 +116,26 @@ std::string RankTable::text(std::size_t width) const {
 
   double longest = 0;
   for (const auto& each : ranks_) longest = std::max(longest, each[seconds_column]);
-  if (ranks_.size() <= most_lines) {
+  if (ranks_.size() <= max_lines) {
     for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
       add_rank(std::to_string(rank), ranks_[rank]);
     }
   } else {
-    Row least = ranks_.front();
+    Row minimum = ranks_.front();
     Row mean(columns_.size(), 0.0);
-    Row most = ranks_.front();
+    Row maximum = ranks_.front();
     for (const auto& each : ranks_) {
       for (std::size_t column = 0; column < each.size(); ++column) {
-        least[column] = std::min(least[column], each[column]);
+        minimum[column] = std::min(minimum[column], each[column]);
         mean[column] += each[column] / static_cast<double>(ranks_.size());
-        most[column] = std::max(most[column], each[column]);
+        maximum[column] = std::max(maximum[column], each[column]);
       }
     }
-    add_line("least", least, longest);
+    add_line("least", minimum, longest);
     add_line("mean", mean, longest);
-    add_line("most", most, longest);
+    add_line("most", maximum, longest);
   }
-  if (ranks_.size() + earlier_.size() <= most_lines) {
+  if (ranks_.size() + earlier_.size() <= max_lines) {
     for (const auto& each : earlier_) add_rank("before", each);
   }
   if (ranks_.size() + earlier_.size() > 1) {

@@ -193,9 +193,10 @@ class Writer {
 }  // namespace
 
 std::size_t trace_events_a_rank(int ranks) {
-  constexpr std::size_t most = 1'000'000;
-  constexpr std::size_t most_together = 4'000'000;
-  return std::min(most, std::max<std::size_t>(1, most_together / static_cast<std::size_t>(ranks)));
+  constexpr std::size_t maximum = 1'000'000;
+  constexpr std::size_t max_together = 4'000'000;
+  return std::min(maximum,
+                  std::max<std::size_t>(1, max_together / static_cast<std::size_t>(ranks)));
 }
 
 void write_trace(std::ostream& out, const std::vector<RankTrace>& traces) {

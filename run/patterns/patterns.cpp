@@ -170,7 +170,7 @@ void Patterns::describe_tree(OptionTable& table) {
                "friction cones of the search: second-order cones (cones), or polyhedral cones that "
                "contain them (polyhedral, Algorithm 5.8); the resulting patterns are then tested "
                "with second-order cones");
-  Range facets = between(FacetBound::fewest, FacetBound::most);
+  Range facets = between(FacetBound::fewest, FacetBound::maximum);
   facets.even = true;
   table.number("--facets", &options_.facets, facets, "number of facets of each polyhedral cone")
       .needs("--method");

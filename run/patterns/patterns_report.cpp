@@ -30,7 +30,7 @@ std::string patterns(const support::ExactCount& count) {
 }
 
 // Number of patterns if all open leaves are patterns and none is contained in another.
-support::ExactCount most_patterns(const wedged::PatternFindings& findings) {
+support::ExactCount max_patterns(const wedged::PatternFindings& findings) {
   std::vector<std::uint64_t> of_blocks;
   for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.unresolved);
   return wedged::combinations(of_blocks);
@@ -195,7 +195,7 @@ std::string PatternsReport::details() const {
     }
     if (findings_.whole() && findings_.unresolved() > 0) {
       fmt::format_to(out, "with undecided ones, the structure has at most {}\n",
-                     patterns(most_patterns(findings_)));
+                     patterns(max_patterns(findings_)));
     }
   }
   if (options_.polyhedral) {

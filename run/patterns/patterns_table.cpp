@@ -153,10 +153,10 @@ bool PatternsReport::is_overview() const {
 
 std::string PatternsReport::overview() const {
   const auto& leaves = findings_.leaves;
-  const auto most_groups = std::max(many_groups, findings_.blocks.size());
+  const auto max_groups = std::max(many_groups, findings_.blocks.size());
   int apart = 1;
-  auto groups = groups_around_largest_margin(leaves, apart, most_groups);
-  while (!groups) groups = groups_around_largest_margin(leaves, ++apart, most_groups);
+  auto groups = groups_around_largest_margin(leaves, apart, max_groups);
+  while (!groups) groups = groups_around_largest_margin(leaves, ++apart, max_groups);
   auto text = fmt::format("\n{:>8}  {:>10}  {:>7}  {}\n", "patterns", "margin t*", "number",
                           "that with the largest margin is in contact at");
   for (const auto& group : *groups) {

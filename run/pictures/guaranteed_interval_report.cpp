@@ -36,15 +36,15 @@ std::string interval_text(const GuaranteedInterval& interval) {
     return fmt::format("no factor is carried under all admissible loads, {}",
                        proved_word(interval.decided()));
   }
-  const auto& [least, largest, at_none, at_none_proved] = interval;
+  const auto& [minimum, largest, at_none, at_none_proved] = interval;
   if (interval.has_factors()) {
     return fmt::format("factors {:.10g} ... {:.10g} are carried under all admissible loads, {}",
-                       least.upper, largest.lower, proved_word(interval.decided()));
+                       minimum.upper, largest.lower, proved_word(interval.decided()));
   }
   return fmt::format(
       "open: factors carried under all admissible loads lie between {} and {}; their existence is "
       "numerically undecided",
-      bound_text(least.lower), bound_text(largest.upper));
+      bound_text(minimum.lower), bound_text(largest.upper));
 }
 
 std::string passed_text(const GuaranteedInterval& interval) {
@@ -59,7 +59,7 @@ ordered_json interval_json(const GuaranteedInterval& interval) {
     if (interval.has_factors()) return false;
     return {};
   };
-  return {{"lower", bracket_json(interval.least)},
+  return {{"lower", bracket_json(interval.minimum)},
           {"upper", bracket_json(interval.largest)},
           {"empty", known()},
           {"passed", interval.passed() ? ordered_json(*interval.passed()) : ordered_json()},

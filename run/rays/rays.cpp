@@ -119,10 +119,10 @@ void Rays::check_problem() const {
                     options_.input.file));
   }
   const auto candidates = std::ssize(contact_.problem.contact_names);
-  if (candidates > rays::most_candidates) {
+  if (candidates > rays::max_candidates) {
     throw WrongInput(fmt::format(
         "{}: {} contact candidates; expected at most {}; kusabi patterns has no such limit",
-        options_.input.file, candidates, rays::most_candidates));
+        options_.input.file, candidates, rays::max_candidates));
   }
 }
 
@@ -204,11 +204,11 @@ std::vector<std::string> Rays::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto drawn = series_remark(found_.rays.size(), "rays");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
-  if (run.wants("--dot") && found_.rays.size() > most_drawn_rays) {
+  if (run.wants("--dot") && found_.rays.size() > max_drawn_rays) {
     remarks.push_back(
         fmt::format("--dot: {} rays exceed the limit of a graph ({}); the file of --output has the "
                     "rays of each cone, that of --csv a row per ray",
-                    found_.rays.size(), most_drawn_rays));
+                    found_.rays.size(), max_drawn_rays));
   }
   return remarks;
 }

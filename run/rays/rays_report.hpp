@@ -25,7 +25,7 @@ namespace kusabi::run {
 std::string method_name(wedged::RayMethod method);
 
 /// Maximum number of rays in the graph.
-inline constexpr std::size_t most_drawn_rays = 200;
+inline constexpr std::size_t max_drawn_rays = 200;
 
 class RaysReport {
  public:
@@ -48,7 +48,7 @@ class RaysReport {
   /// number.
   void draw(std::ostream& out) const;
 
-  [[nodiscard]] bool can_be_drawn() const { return found_.rays.size() <= most_drawn_rays; }
+  [[nodiscard]] bool can_be_drawn() const { return found_.rays.size() <= max_drawn_rays; }
 
  private:
   [[nodiscard]] rays::Supports supports(std::size_t number) const {

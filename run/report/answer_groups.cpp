@@ -34,10 +34,10 @@ std::vector<Bits> contact_bits(const std::vector<Answer>& answers) {
   return all;
 }
 
-// Empty if there are more than `most` groups.
+// Empty if there are more than `maximum` groups.
 std::vector<AnswerGroup> around_leading(const std::vector<Bits>& bits,
                                         const std::vector<std::size_t>& order, std::size_t apart,
-                                        std::size_t most) {
+                                        std::size_t maximum) {
   std::vector<AnswerGroup> groups;
   for (const auto i : order) {
     AnswerGroup* own = nullptr;
@@ -48,7 +48,7 @@ std::vector<AnswerGroup> around_leading(const std::vector<Bits>& bits,
       }
     }
     if (own == nullptr) {
-      if (groups.size() == most) return {};
+      if (groups.size() == maximum) return {};
       own = &groups.emplace_back();
     }
     own->members.push_back(i);
@@ -68,12 +68,12 @@ void take_names(AnswerGroup& group, const std::vector<Answer>& answers) {
 }  // namespace
 
 AnswerGroups answer_groups(const std::vector<Answer>& answers,
-                           const std::vector<std::size_t>& order, std::size_t most) {
+                           const std::vector<std::size_t>& order, std::size_t maximum) {
   const auto bits = contact_bits(answers);
   AnswerGroups found;
   if (answers.empty()) return found;
   for (found.apart = 2; found.groups.empty(); found.apart *= 2)
-    found.groups = around_leading(bits, order, found.apart, most);
+    found.groups = around_leading(bits, order, found.apart, maximum);
   found.apart /= 2;
   for (auto& group : found.groups) take_names(group, answers);
   return found;

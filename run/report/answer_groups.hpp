@@ -22,9 +22,9 @@ struct AnswerGroups {
 
 /// Groups around the leading answers, as `kusabi patterns` prints them: the first takes the answers
 /// that differ from it in at most K candidates, then the first of the rest, and so on, with the
-/// least K = 2, 4, 8, ... at which `most` groups suffice.
+/// least K = 2, 4, 8, ... at which `maximum` groups suffice.
 /// @param order of the answers, the leading one first
 AnswerGroups answer_groups(const std::vector<Answer>& answers,
-                           const std::vector<std::size_t>& order, std::size_t most);
+                           const std::vector<std::size_t>& order, std::size_t maximum);
 
 }  // namespace kusabi::run

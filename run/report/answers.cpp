@@ -44,11 +44,11 @@ void read_sets(const ResultReader& reader, const ResultJson& pattern, Answer& an
 void take_needs(const std::vector<std::pair<std::string, double>>& needs, Answer& answer) {
   constexpr double alike = 1.01;  // as in the conclusion of a run
   constexpr double none = 1e-9;   // rounding of reactions along the normal
-  double most = 0;
-  for (const auto& [name, need] : needs) most = std::max(most, need);
-  answer.needed = most > none ? most : 0;
+  double maximum = 0;
+  for (const auto& [name, need] : needs) maximum = std::max(maximum, need);
+  answer.needed = maximum > none ? maximum : 0;
   for (const auto& [name, need] : needs) {
-    if (need > none && need * alike > most) answer.slips.push_back(name);
+    if (need > none && need * alike > maximum) answer.slips.push_back(name);
   }
 }
 

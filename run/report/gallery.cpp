@@ -67,12 +67,12 @@ class Gallery {
     const auto turning = leading == nullptr ? std::string() : turning_data(*leading);
     for (const auto i : list_.order) {
       const auto& answer = list_.answers[i];
-      if (answer.scene == nullptr || bytes > most_picture_bytes) continue;
+      if (answer.scene == nullptr || bytes > max_picture_bytes) continue;
       pictures_[i] = inline_svg({fmt::format("picture-{}", answer.number), title_of(list_, answer),
                                  description(list_, answer)},
                                 *answer.scene);
       bytes += pictures_[i].size();
-      if (turning.empty() || bytes > most_picture_bytes) continue;
+      if (turning.empty() || bytes > max_picture_bytes) continue;
       views_[i] = turning_difference(*answer.scene, turning);
       bytes += views_[i].size();
     }
@@ -127,7 +127,7 @@ class Gallery {
 
   void card(std::size_t i) {
     const auto& answer = list_.answers[i];
-    open_answer(page_, "li", rank_[i] < most_printed ? "answer large" : "answer", answer, rank_[i]);
+    open_answer(page_, "li", rank_[i] < max_printed ? "answer large" : "answer", answer, rank_[i]);
     page_.element(list_.groups.groups.size() > 1 ? "h4" : "h3", title_of(list_, answer));
     page_.open("div", {{"data-view", views_[i]}}).verbatim(pictures_[i]).close();
     add_terms(page_, list_, answer);
@@ -139,7 +139,7 @@ class Gallery {
 
   // Rows of answers without a picture; those of others are on paper only.
   void table() {
-    if (list_.answers.size() <= most_printed && std::ranges::count(pictures_, std::string()) == 0)
+    if (list_.answers.size() <= max_printed && std::ranges::count(pictures_, std::string()) == 0)
       return;
     open_table(page_, fmt::format("The {} as rows", list_.things));
     page_.open("thead").open("tr");
@@ -157,10 +157,10 @@ class Gallery {
   void row(std::size_t i) {
     const auto& answer = list_.answers[i];
     if (!pictures_[i].empty()) {
-      if (rank_[i] >= most_printed_rows) return;
+      if (rank_[i] >= max_printed_rows) return;
       page_.open("tr", {{"class", "on-paper"}});
     } else {
-      open_answer(page_, "tr", rank_[i] < most_printed_rows ? "answer" : "answer late", answer,
+      open_answer(page_, "tr", rank_[i] < max_printed_rows ? "answer" : "answer late", answer,
                   rank_[i]);
     }
     page_.element("th", std::to_string(answer.number), {{"scope", "row"}});
@@ -199,7 +199,7 @@ AnswerList answer_list(const ResultReader& reader) {
                   .groups = {},
                   .names = ShortNames(reader)};
   list.order = by_rank(reader, list.answers);
-  list.groups = answer_groups(list.answers, list.order, most_groups);
+  list.groups = answer_groups(list.answers, list.order, max_groups);
   return list;
 }
 
@@ -207,7 +207,7 @@ std::vector<std::size_t> pictured(const AnswerList& list) {
   std::vector<bool> chosen(list.answers.size());
   std::size_t count = 0;
   const auto choose = [&](std::size_t i) {
-    if (chosen[i] || count == most_pictures) return;
+    if (chosen[i] || count == max_pictures) return;
     chosen[i] = true;
     ++count;
   };

@@ -15,13 +15,13 @@ namespace kusabi::run {
 
 /// Maximum number of pictures, and maximum size of all of them in bytes, so that a phone can open
 /// the page.
-inline constexpr std::size_t most_pictures = 60;
-inline constexpr std::size_t most_picture_bytes = 12'000'000;
+inline constexpr std::size_t max_pictures = 60;
+inline constexpr std::size_t max_picture_bytes = 12'000'000;
 
 /// Maximum number of groups, and of the answers that are printed with a picture, and as rows.
-inline constexpr std::size_t most_groups = 12;
-inline constexpr std::size_t most_printed = 10;
-inline constexpr std::size_t most_printed_rows = 100;
+inline constexpr std::size_t max_groups = 12;
+inline constexpr std::size_t max_printed = 10;
+inline constexpr std::size_t max_printed_rows = 100;
 
 /// The answers of a page, in their order and in groups.
 struct AnswerList {

@@ -97,10 +97,10 @@ class ProblemFacts {
       if (!each.is_number()) return;
       values.push_back(each.get<double>());
     }
-    const auto [least, most] = std::ranges::minmax(values);
-    parts.push_back(least == most
-                        ? fmt::format("{} = {:.6g} {}", name, least, force_)
-                        : fmt::format("{} = {:.6g} to {:.6g} {}", name, least, most, force_));
+    const auto [minimum, maximum] = std::ranges::minmax(values);
+    parts.push_back(minimum == maximum
+                        ? fmt::format("{} = {:.6g} {}", name, minimum, force_)
+                        : fmt::format("{} = {:.6g} to {:.6g} {}", name, minimum, maximum, force_));
   }
 
   [[nodiscard]] std::string supports() const {

@@ -94,9 +94,9 @@ std::string ShortNames::of(const std::vector<std::string>& names) const {
   return names.size() > 2 && shown_width(but) < shown_width(direct) ? but : direct;
 }
 
-std::string ShortNames::of(const std::vector<std::string>& names, std::size_t most) const {
+std::string ShortNames::of(const std::vector<std::string>& names, std::size_t maximum) const {
   auto text = of(names);
-  if (shown_width(text) <= most) return text;
+  if (shown_width(text) <= maximum) return text;
   return fmt::format("{} of {} candidates", names.size(), order_.size());
 }
 

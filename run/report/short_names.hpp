@@ -18,7 +18,7 @@ class ShortNames {
   /// bodies, "a|b", only the node a is named unless it is in several pairs.
   [[nodiscard]] std::string of(const std::vector<std::string>& names) const;
   /// The same, at most so many characters; the rest is counted: "a…c d and 12 more".
-  [[nodiscard]] std::string of(const std::vector<std::string>& names, std::size_t most) const;
+  [[nodiscard]] std::string of(const std::vector<std::string>& names, std::size_t maximum) const;
   [[nodiscard]] std::size_t count() const { return order_.size(); }
 
  private:

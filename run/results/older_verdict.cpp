@@ -36,14 +36,14 @@ class OlderVerdict {
   }
 
   /// Bounds of the least factor that is carried under all admissible loads, of a sweep.
-  [[nodiscard]] Bracket least_factor() const {
+  [[nodiscard]] Bracket min_factor() const {
     const auto& points = reader_.list(result_, "points");
     const auto* const interval =
         points.empty() ? nullptr : ResultReader::find(points.back(), "guaranteed_interval");
     if (interval == nullptr) return {};
-    const auto& least = reader_.at(*interval, "lower");
-    return {bound(least, "lower", is_true(least, "lower_proved")),
-            bound(least, "upper", is_true(least, "upper_proved"))};
+    const auto& minimum = reader_.at(*interval, "lower");
+    return {bound(minimum, "lower", is_true(minimum, "lower_proved")),
+            bound(minimum, "upper", is_true(minimum, "upper_proved"))};
   }
 
  private:
@@ -110,7 +110,8 @@ class OlderVerdict {
     auto& lower = found.bracket.lower;
     if (lower && lower->value <= 0) lower.reset();
     constexpr double default_max_friction = 1000;
-    found.most = has(options, "mu_max") ? reader_.number(options, "mu_max") : default_max_friction;
+    found.maximum =
+        has(options, "mu_max") ? reader_.number(options, "mu_max") : default_max_friction;
     found.width = has(options, "width") ? reader_.number(options, "width") : 0;
     // A bracket of more than twice the requested width, with rounding.
     constexpr double wide = 2.5;
@@ -121,11 +122,11 @@ class OlderVerdict {
   }
 
   [[nodiscard]] FrictionSteps friction_steps() const {
-    FrictionSteps found{.most = reader_.number(reader_.at(reader_.all(), "options"), "mu_max"),
+    FrictionSteps found{.maximum = reader_.number(reader_.at(reader_.all(), "options"), "mu_max"),
                         .factor = factor(),
                         .open_patterns = reader_.list(result_, "open").size()};
     if (const auto* const last = ResultReader::find(result_, "at_mu_max")) {
-      double infeasible = found.most;
+      double infeasible = found.maximum;
       for (const char* const key : {"patterns", "open"}) {
         for (const auto& each : reader_.list(result_, key))
           infeasible = std::min(infeasible, reader_.number(each, "lower"));
@@ -146,8 +147,8 @@ class OlderVerdict {
     const auto* const worst = ResultReader::find(result_, "worst_case");
     if (worst == nullptr) {
       if (none) found.carried_at_none = Standing::proved;
-      found.most.lower = bound(result_, "nominal", false);
-      found.most.upper = found.most.lower;
+      found.maximum.lower = bound(result_, "nominal", false);
+      found.maximum.upper = found.maximum.lower;
       return found;
     }
     LoadRange loads;
@@ -157,8 +158,8 @@ class OlderVerdict {
     if (none) found.carried_at_none = Standing::proved;
     found.if_big_m = has(*worst, "from") && reader_.text(*worst, "from") == "zero-one" &&
                      !is_true(*worst, "proved");
-    found.most = {bound(*worst, "lower", is_true(*worst, "lower_proved")),
-                  bound(*worst, "upper", is_true(*worst, "upper_proved"))};
+    found.maximum = {bound(*worst, "lower", is_true(*worst, "lower_proved")),
+                     bound(*worst, "upper", is_true(*worst, "upper_proved"))};
     return found;
   }
 
@@ -179,7 +180,7 @@ class OlderVerdict {
       found.worst_at_none = proved ? Standing::proved : Standing::computed;
     } else {
       found.worst = {bound(last, "lower", proved), bound(last, "upper", proved)};
-      found.least = least_factor();
+      found.minimum = min_factor();
     }
     return found;
   }
@@ -192,8 +193,8 @@ class OlderVerdict {
 
 }  // namespace
 
-Bracket least_factor_of_last_point(const ResultReader& reader) {
-  return OlderVerdict(reader).least_factor();
+Bracket min_factor_of_last_point(const ResultReader& reader) {
+  return OlderVerdict(reader).min_factor();
 }
 
 Verdict older_verdict(const ResultReader& reader) {

@@ -81,7 +81,7 @@ class SceneReader {
   [[nodiscard]] bool is_chosen(ResultScenes& all, std::size_t entry = 0) const {
     const std::size_t number = all.count++;
     if (!choice_.entries.empty()) return std::ranges::binary_search(choice_.entries, entry);
-    return number >= choice_.first && number - choice_.first < choice_.most;
+    return number >= choice_.first && number - choice_.first < choice_.maximum;
   }
 
   // A remark, once, if a configuration has the reactions of the candidates only.

@@ -13,8 +13,8 @@ namespace kusabi::run {
 /// Range of scenes to make: each contains the positions of all nodes, and there may be thousands.
 struct SceneChoice {
   std::size_t first = 0;  ///< index, from 0
-  std::size_t most;       ///< maximum number of scenes
-  /// Of patterns and rays: indices in the list, ascending. Empty: by `first` and `most`.
+  std::size_t maximum;    ///< maximum number of scenes
+  /// Of patterns and rays: indices in the list, ascending. Empty: by `first` and `maximum`.
   std::vector<std::size_t> entries{};
 };
 

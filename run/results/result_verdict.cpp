@@ -143,7 +143,7 @@ class WrittenVerdict {
   [[nodiscard]] HoldingBracket holding_friction(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),
             .factor = truth(answer, "factor"),
-            .most = reader_.number(answer, "most"),
+            .maximum = reader_.number(answer, "most"),
             .reason = hold_reason(answer)};
   }
   [[nodiscard]] HoldingFactors holding_factors(const ResultJson& answer) const {
@@ -183,14 +183,14 @@ class WrittenVerdict {
   [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),
             .factor = truth(answer, "factor"),
-            .most = reader_.number(answer, "most"),
+            .maximum = reader_.number(answer, "most"),
             .width = reader_.number(answer, "width"),
             .wide = truth(answer, "wide"),
             .patterns_open = truth(answer, "patterns_open"),
             .grounds = grounds(answer, Grounds::exact_arithmetic)};
   }
   [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
-    return {.most = reader_.number(answer, "most"),
+    return {.maximum = reader_.number(answer, "most"),
             .factor = truth(answer, "factor"),
             .infeasible = bound(answer, "infeasible"),
             .count = digits(answer, "count"),
@@ -201,8 +201,8 @@ class WrittenVerdict {
   }
   [[nodiscard]] LoadInterval load_interval(const ResultJson& answer) const {
     LoadInterval found{.uncertain = {},
-                       .least = bracket(answer, "least"),
-                       .most = bracket(answer, "most"),
+                       .minimum = bracket(answer, "least"),
+                       .maximum = bracket(answer, "most"),
                        .carried_at_none = some_standing(answer, "carried_at_none"),
                        .if_big_m = truth(answer, "if_big_m"),
                        .incomplete = truth(answer, "incomplete"),
@@ -212,7 +212,7 @@ class WrittenVerdict {
     return found;
   }
   [[nodiscard]] MemberLoss member_loss(const ResultJson& answer) const {
-    MemberLoss found{.most = count(answer, "most"),
+    MemberLoss found{.maximum = count(answer, "most"),
                      .factor = bracket(answer, "factor"),
                      .fatal = some_standing(answer, "fatal"),
                      .lost = reader_.names(answer, "lost"),
@@ -230,8 +230,8 @@ class WrittenVerdict {
             .half_width = some_number(answer, "half_width"),
             .force = some_text(answer, "force"),
             .worst = bracket(answer, "worst"),
-            .least = ResultReader::find(answer, "least") ? bracket(answer, "least")
-                                                         : least_factor_of_last_point(reader_),
+            .minimum = ResultReader::find(answer, "least") ? bracket(answer, "least")
+                                                           : min_factor_of_last_point(reader_),
             .worst_at_none = some_standing(answer, "worst_at_none"),
             .points = count(answer, "points"),
             .points_asked = count(answer, "points_asked"),

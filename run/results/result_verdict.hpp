@@ -18,7 +18,7 @@ Verdict older_verdict(const ResultReader& reader);
 /// Bounds of the least factor that is carried under all admissible loads, from the last point of
 /// `sweep --alpha`: versions that write it there may have no such key in their verdict.
 /// @throws WrongInput
-Bracket least_factor_of_last_point(const ResultReader& reader);
+Bracket min_factor_of_last_point(const ResultReader& reader);
 
 /// End of the search by the key `status`. @throws WrongInput
 engine::Status ended_as(const ResultReader& reader, const std::string& status);

@@ -58,9 +58,9 @@ class SweptFriction : public SweepPage {
   [[nodiscard]] std::optional<Chart> chart() const {
     if (list("staircase").empty()) return {};
     // Maximum number of digits that fit at an axis.
-    constexpr double most_digits = 8;
+    constexpr double max_digits = 8;
     const bool many = std::ranges::any_of(list("staircase"), [&](const ResultJson& step) {
-      return known_between(step).log10() > most_digits;
+      return known_between(step).log10() > max_digits;
     });
     Chart chart{.title = problem_name(),
                 .description = sentence_,

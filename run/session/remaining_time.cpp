@@ -10,8 +10,8 @@ namespace {
 constexpr double shortest_memory = 10;  // seconds
 constexpr double memory_share = 0.25;   // of the elapsed time
 constexpr double least_seconds = 1;
-constexpr double least_closed = 0.005;
-constexpr int least_advances = 10;
+constexpr double min_closed = 0.005;
+constexpr int min_advances = 10;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void RemainingTime::observe(double seconds, double closed) {
 
 std::optional<double> RemainingTime::seconds() const {
   if (last_seconds_ - first_seconds_ < least_seconds) return std::nullopt;
-  if (last_closed_ - first_closed_ < least_closed || advances_ < least_advances) {
+  if (last_closed_ - first_closed_ < min_closed || advances_ < min_advances) {
     return std::nullopt;
   }
   return std::max(0.0, 1 - last_closed_) * weight_ / rate_;

@@ -105,9 +105,9 @@ std::optional<double> seconds_in(std::string_view text) {
 }
 
 double margin_before_the_end(double left) {
-  constexpr double most = 2 * minute;
+  constexpr double maximum = 2 * minute;
   constexpr double share = 0.1;
-  return std::clamp(share * left, 0.0, most);
+  return std::clamp(share * left, 0.0, maximum);
 }
 
 double seconds_to_write(std::uint64_t results) {

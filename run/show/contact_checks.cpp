@@ -39,15 +39,15 @@ std::string within(const Structure& structure, double distance) {
 // One normal: a plane, or a straight side in the plane, and the distance of its nodes.
 std::string flat_shape(const Structure& structure, const Candidates& candidates) {
   const auto& normal = candidates.front()->normal;
-  double least = HUGE_VAL;
-  double most = -HUGE_VAL;
+  double minimum = HUGE_VAL;
+  double maximum = -HUGE_VAL;
   for (const auto* const each : candidates) {
     const double place = normal.dot(structure.coordinates.col(each->node));
-    least = std::min(least, place);
-    most = std::max(most, place);
+    minimum = std::min(minimum, place);
+    maximum = std::max(maximum, place);
   }
   return fmt::format("one normal ({:.4g}){}", fmt::join((normal.array() + 0.0).eval(), ", "),
-                     within(structure, most - least));
+                     within(structure, maximum - minimum));
 }
 
 // Normals at one angle to an axis: a cylinder (90 degrees) or a cone. Empty: neither.

@@ -49,7 +49,7 @@ std::string bodies(const Structure& structure) {
 
 // Connected bodies with their supports.
 std::string connected(const problems::CheckedStructure& structure) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t maximum = 12;
   const auto all = problems::connected_bodies(structure);
   const auto& unconstrained = structure.unconstrained_bodies();
   const auto held = [&](const std::set<int>& nodes) {
@@ -66,12 +66,13 @@ std::string connected(const problems::CheckedStructure& structure) {
   if (all.empty()) return "";
   if (all.size() == 1) return fmt::format("  bodies      one, {}\n", held(all.front()));
   auto text = fmt::format("  bodies      {}, not connected with each other\n", all.size());
-  for (const auto& nodes : std::span(all).first(std::min(all.size(), most))) {
+  for (const auto& nodes : std::span(all).first(std::min(all.size(), maximum))) {
     const auto& first = structure->node_names[static_cast<std::size_t>(*nodes.begin())];
     text += fmt::format("              {}, the first {}, {}\n", counted(nodes.size(), "node"),
                         support::in_quotes(first), held(nodes));
   }
-  if (all.size() > most) text += fmt::format("              and {} more\n", all.size() - most);
+  if (all.size() > maximum)
+    text += fmt::format("              and {} more\n", all.size() - maximum);
   return text;
 }
 
@@ -110,27 +111,28 @@ std::string candidates(const Structure& structure) {
   if (structure.contact.empty()) return "none";
   const auto bodies = std::ranges::count_if(structure.contact,
                                             [](const auto& each) { return !each.against.empty(); });
-  const auto [least, most] =
+  const auto [minimum, maximum] =
       std::ranges::minmax(structure.contact, {}, &problems::ContactCandidate::friction);
   auto text = fmt::format("{}", structure.contact.size());
   if (bodies > 0) text += fmt::format(", {} of them against another body", bodies);
-  if (least.friction != most.friction) {
-    return text + fmt::format("; friction {:g} to {:g} times the coefficient", least.friction,
-                              most.friction);
+  if (minimum.friction != maximum.friction) {
+    return text + fmt::format("; friction {:g} to {:g} times the coefficient", minimum.friction,
+                              maximum.friction);
   }
-  if (most.friction != 1)
-    text += fmt::format("; friction {:g} times the coefficient", most.friction);
+  if (maximum.friction != 1)
+    text += fmt::format("; friction {:g} times the coefficient", maximum.friction);
   return text;
 }
 
 // Surfaces of the candidates, a line each.
 std::string touching(const Structure& structure) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t maximum = 12;
   const auto lines = touching_surfaces(structure);
   std::string text;
-  for (const auto& line : std::span(lines).first(std::min(lines.size(), most)))
+  for (const auto& line : std::span(lines).first(std::min(lines.size(), maximum)))
     text += fmt::format("              {}\n", line);
-  if (lines.size() > most) text += fmt::format("              and {} more\n", lines.size() - most);
+  if (lines.size() > maximum)
+    text += fmt::format("              and {} more\n", lines.size() - maximum);
   return text;
 }
 

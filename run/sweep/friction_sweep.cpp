@@ -27,20 +27,20 @@ using nlohmann::ordered_json;
 
 class FrictionSweep final : public Swept {
  public:
-  FrictionSweep(const SweepOptions& options, std::vector<double> points, double most)
+  FrictionSweep(const SweepOptions& options, std::vector<double> points, double maximum)
       : options_(options),
         points_(std::move(points)),
-        parameters_{.most = most, .width = options.width} {}
+        parameters_{.maximum = maximum, .width = options.width} {}
 
   void prepare(CommandRun& run) override {
-    contact_ =
-        contact_problem(run, options_.input, points_.empty() ? parameters_.most : points_.front());
-    friction_at(contact_.problem, parameters_.most, options_.input.file);
+    contact_ = contact_problem(run, options_.input,
+                               points_.empty() ? parameters_.maximum : points_.front());
+    friction_at(contact_.problem, parameters_.maximum, options_.input.file);
     keep_state(run, options_.checkpoint, contact_.problem);
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
     return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
-                       friction_text(contact_.problem, parameters_.most), ranks);
+                       friction_text(contact_.problem, parameters_.maximum), ranks);
   }
   void search(CommandRun& run) override {
     engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
@@ -129,7 +129,8 @@ ordered_json FrictionSweep::json() const {
     json["lower"] = leaf.lower;
     open.push_back(std::move(json));
   }
-  ordered_json chosen{{"mu", points_}, {"mu_max", parameters_.most}, {"width", parameters_.width}};
+  ordered_json chosen{
+      {"mu", points_}, {"mu_max", parameters_.maximum}, {"width", parameters_.width}};
   return {
       {"command", "sweep"},
       {"version", KUSABI_VERSION},
@@ -139,7 +140,7 @@ ordered_json FrictionSweep::json() const {
       {"result",
        {{"points", std::move(points)},
         {"at_mu_max",
-         found_.enumerated ? point_json(found_.count_at(found_.most)) : ordered_json()},
+         found_.enumerated ? point_json(found_.count_at(found_.maximum)) : ordered_json()},
         {"staircase", std::move(steps)},
         {"patterns", std::move(patterns)},
         {"open", std::move(open)},
@@ -216,15 +217,15 @@ std::string FrictionSweep::ranks_text() const {
 }
 
 Verdict FrictionSweep::verdict() const {
-  FrictionSteps steps{.most = parameters_.most,
+  FrictionSteps steps{.maximum = parameters_.maximum,
                       .factor = !problems::uniform_friction(contact_.problem),
                       .open_patterns = found_.unresolved.size()};
   if (found_.enumerated) {
-    double infeasible = parameters_.most;
+    double infeasible = parameters_.maximum;
     for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
     for (const auto& leaf : found_.unresolved) infeasible = std::min(infeasible, leaf.lower);
     steps.infeasible = Bound{infeasible, Standing::computed};
-    const auto last = found_.count_at(found_.most);
+    const auto last = found_.count_at(found_.maximum);
     steps.count = last.known;
     steps.open_at_most = last.unresolved;
   }
@@ -238,8 +239,8 @@ Verdict FrictionSweep::verdict() const {
 }  // namespace
 
 std::unique_ptr<Swept> swept_friction(const SweepOptions& options, std::vector<double> points,
-                                      double most) {
-  return std::make_unique<FrictionSweep>(options, std::move(points), most);
+                                      double maximum) {
+  return std::make_unique<FrictionSweep>(options, std::move(points), maximum);
 }
 
 }  // namespace kusabi::run

@@ -39,7 +39,7 @@ std::string lower_end_text(const limit::GuaranteedInterval& interval) {
   const char* const standing = interval.decided() ? "" : ", not proved";
   if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
   if (!interval.has_factors()) return "; the least factor for all loads is undecided";
-  return fmt::format("; for all loads from {:.10g} on{}", interval.least.upper, standing);
+  return fmt::format("; for all loads from {:.10g} on{}", interval.minimum.upper, standing);
 }
 
 class LoadSweep final : public Swept {
@@ -165,8 +165,8 @@ void LoadSweep::write_csv(std::ostream& out) const {
     const bool some = interval.has_factors();
     fmt::print(out, "point,{},{},{},{},{},{},{}\n", alpha, finite(worst.ends.lower),
                finite(worst.ends.upper), worst.proved ? 1 : 0,
-               some ? finite(interval.least.upper) : "", some ? finite(interval.largest.lower) : "",
-               interval.decided() ? 1 : 0);
+               some ? finite(interval.minimum.upper) : "",
+               some ? finite(interval.largest.lower) : "", interval.decided() ? 1 : 0);
   }
   if (!curve()) return;
   const auto row = [&](double beta, double factor, const std::optional<double>& error) {
@@ -235,11 +235,11 @@ Verdict LoadSweep::verdict() const {
         steps.worst.lower = Bound{ends.lower, standing(ends.lower_proved)};
       if (std::isfinite(ends.upper))
         steps.worst.upper = Bound{ends.upper, standing(ends.upper_proved)};
-      const auto& least = interval.least;
-      if (std::isfinite(least.lower))
-        steps.least.lower = Bound{least.lower, standing(least.lower_proved)};
-      if (std::isfinite(least.upper))
-        steps.least.upper = Bound{least.upper, standing(least.upper_proved)};
+      const auto& minimum = interval.minimum;
+      if (std::isfinite(minimum.lower))
+        steps.minimum.lower = Bound{minimum.lower, standing(minimum.lower_proved)};
+      if (std::isfinite(minimum.upper))
+        steps.minimum.upper = Bound{minimum.upper, standing(minimum.upper_proved)};
     }
   }
   steps.open = !found_.whole(alphas_.size());

@@ -89,18 +89,18 @@ void Sweep::check() const {
     throw WrongInput(fmt::format("--mu-max {}: expected no less than the last point of --mu, {}",
                                  *options_.mu_max, points.back()));
   }
-  const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
-  if (options_.width >= most || most > wedged::max_multiples * options_.width) {
+  const double maximum = options_.mu_max.value_or(points.empty() ? 0 : points.back());
+  if (options_.width >= maximum || maximum > wedged::max_multiples * options_.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below {} and above {}",
-                                 options_.width, most, most / wedged::max_multiples));
+                                 options_.width, maximum, maximum / wedged::max_multiples));
   }
 }
 
 void Sweep::prepare(CommandRun& run) {
   if (options_.alpha.empty()) {
     auto points = friction_points();
-    const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
-    swept_ = swept_friction(options_, std::move(points), most);
+    const double maximum = options_.mu_max.value_or(points.empty() ? 0 : points.back());
+    swept_ = swept_friction(options_, std::move(points), maximum);
   } else {
     swept_ = swept_loads(options_, sweep_points("--alpha", options_.alpha, true));
   }

@@ -48,9 +48,9 @@ class Swept {
   [[nodiscard]] virtual Verdict verdict() const = 0;
 };
 
-/// @param points increasing; may be empty @param most the largest
+/// @param points increasing; may be empty @param maximum the largest
 std::unique_ptr<Swept> swept_friction(const SweepOptions& options, std::vector<double> points,
-                                      double most);
+                                      double maximum);
 
 /// @param points increasing, at least one
 std::unique_ptr<Swept> swept_loads(const SweepOptions& options, std::vector<double> points);

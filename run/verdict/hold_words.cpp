@@ -71,7 +71,7 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
     return fmt::format("It cannot hold the dead load up to friction coefficient {}{}{}{}.",
                        rounded_down(lower->value), of_each(found.factor),
                        unless_proved(lower->standing),
-                       lower->value < found.most ? "; above it, this is not known" : "");
+                       lower->value < found.maximum ? "; above it, this is not known" : "");
   }
   if (upper->value == 0)
     return fmt::format("It can hold the dead load without friction{}.",
@@ -93,11 +93,11 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
 void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
   const auto& [lower, upper] = found.bracket;
   if (found.reason != HoldReason::searched) return;
-  if (!upper && (!lower || lower->value < found.most)) {
+  if (!upper && (!lower || lower->value < found.maximum)) {
     all.push_back(
         {fmt::format("It is undecided whether it can hold the dead load between {:.12g} and "
                      "{:.12g}.",
-                     lower ? lower->value : 0, found.most),
+                     lower ? lower->value : 0, found.maximum),
          true});
   }
   if (upper && upper->value > 0 && !lower)
@@ -211,17 +211,17 @@ std::string grip_sentence(const HoldingGrip& grip) {
       grip.held_standing == Standing::proved
           ? ""
           : "It is not decided whether there is a state under the dead load alone. ";
-  const auto& least = grip.least.lower;
-  const auto& most = grip.most.upper;
-  const auto lower = fmt::format("{}{}", rounded_down(least ? least->value : 0),
-                                 least ? unless_proved(least->standing) : "");
+  const auto& minimum = grip.minimum.lower;
+  const auto& maximum = grip.maximum.upper;
+  const auto lower = fmt::format("{}{}", rounded_down(minimum ? minimum->value : 0),
+                                 minimum ? unless_proved(minimum->standing) : "");
   if (grip.unbounded) {
     return fmt::format(
         "{}In every state under the dead load alone the normal reactions add up to {} or more; "
         "there is no upper bound, since it can be wedged with a residual stress of any size{}.",
         doubt, lower, unless_proved(grip.unbounded_standing));
   }
-  if (!most) {
+  if (!maximum) {
     return fmt::format(
         "{}In every state under the dead load alone the normal reactions add up to {} "
         "or more; an upper bound is not known.",
@@ -230,7 +230,7 @@ std::string grip_sentence(const HoldingGrip& grip) {
   return fmt::format(
       "{}In every state under the dead load alone the normal reactions add up to between {} and "
       "{}{}.",
-      doubt, lower, rounded_up(most->value), unless_proved(most->standing));
+      doubt, lower, rounded_up(maximum->value), unless_proved(maximum->standing));
 }
 
 namespace {
@@ -244,7 +244,7 @@ void reserve(const HoldingGrip& grip, std::vector<Reservation>& all) {
       all.push_back({"Computed, not proved: there is no state under the dead load.", true});
     return;
   }
-  if (computed(grip.least.lower) || (!grip.unbounded && computed(grip.most.upper)) ||
+  if (computed(grip.minimum.lower) || (!grip.unbounded && computed(grip.maximum.upper)) ||
       (grip.unbounded && grip.unbounded_standing == Standing::computed))
     all.push_back({"A bound of the sum of the normal reactions is not proved.", true});
 }

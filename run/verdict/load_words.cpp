@@ -25,9 +25,9 @@ std::string nominal(const LoadInterval& found) {
     return fmt::format("It does not carry its dead load at any load factor{}.",
                        unless_proved(*found.carried_at_none));
   }
-  if (!found.most.lower) return "No load factor was found at which it carries its dead load.";
-  const auto& [value, standing] = *found.most.lower;
-  if (const auto& from = found.least.upper; from && from->value > 0) {
+  if (!found.maximum.lower) return "No load factor was found at which it carries its dead load.";
+  const auto& [value, standing] = *found.maximum.lower;
+  if (const auto& from = found.minimum.upper; from && from->value > 0) {
     return fmt::format("It carries its dead load only at load factors from {} to {}{}.",
                        rounded_up(from->value), rounded_down(value), unless_proved(standing));
   }
@@ -42,16 +42,16 @@ Standing of_both(const Bound& one, const Bound& other) {
 
 // The interval is empty: its lower end lies above its upper end.
 std::optional<Standing> empty(const LoadInterval& found) {
-  const auto& above = found.least.lower;
-  const auto& below = found.most.upper;
+  const auto& above = found.minimum.lower;
+  const auto& below = found.maximum.upper;
   if (!above || !below || above->value <= below->value) return std::nullopt;
   return found.if_big_m ? Standing::computed : of_both(*above, *below);
 }
 
 // The ends meet: the interval is not empty, but no factor in it is known to be carried.
 bool is_undecided(const LoadInterval& found) {
-  const auto& from = found.least.upper;
-  const auto& to = found.most.lower;
+  const auto& from = found.minimum.upper;
+  const auto& to = found.maximum.lower;
   return from && to && from->value > to->value && !empty(found);
 }
 
@@ -71,9 +71,9 @@ std::string factors_headline(const LoadInterval& found) {
   if (const auto standing = empty(found)) {
     return fmt::format("No load factor is carried {}{}.", loads, unless_proved(*standing));
   }
-  const auto& to = found.most.lower;
+  const auto& to = found.maximum.lower;
   if (!to) return fmt::format("No load factor was found that it carries {}.", loads);
-  const auto& from = found.least.upper;
+  const auto& from = found.minimum.upper;
   if (!from) {
     return fmt::format(
         "The largest factor of the reference load that it carries is at least {}{}{}, {}.",
@@ -93,18 +93,18 @@ std::optional<bool> passed(const LoadInterval& found) {
     return bound && bound->standing == Standing::proved && !found.if_big_m;
   };
   if (found.carried_at_none == Standing::proved || empty(found) == Standing::proved) return false;
-  if (proved(found.least.lower) && found.least.lower->value > 0) return false;
-  if (proved(found.most.upper) && found.most.upper->value < 1) return false;
-  const bool whole = proved(found.least.upper) && proved(found.most.lower) &&
-                     found.least.upper->value <= 0 && found.most.lower->value >= 1;
+  if (proved(found.minimum.lower) && found.minimum.lower->value > 0) return false;
+  if (proved(found.maximum.upper) && found.maximum.upper->value < 1) return false;
+  const bool whole = proved(found.minimum.upper) && proved(found.maximum.lower) &&
+                     found.minimum.upper->value <= 0 && found.maximum.lower->value >= 1;
   return whole ? std::optional(true) : std::nullopt;
 }
 
 // The factors that are carried under every load of the last point, after its worst case.
 std::string guaranteed(const LoadSteps& found) {
-  const auto& from = found.least.upper;
+  const auto& from = found.minimum.upper;
   const auto& to = found.worst.lower;
-  const auto& above = found.least.lower;
+  const auto& above = found.minimum.lower;
   if (above && above->value > found.worst.upper->value) {
     return fmt::format("; no load factor is carried under all admissible loads{}",
                        unless_proved(of_both(*above, *found.worst.upper)));
@@ -134,9 +134,9 @@ std::string headline_of(const LoadInterval& found, engine::Status ended) {
 
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all) {
   if (!found.uncertain && !found.carried_at_none) {
-    if (!found.most.lower) {
+    if (!found.maximum.lower) {
       all.push_back({"The nominal load factor is not known.", true});
-    } else if (found.most.lower->standing == Standing::computed) {
+    } else if (found.maximum.lower->standing == Standing::computed) {
       all.push_back(
           {"The factor is the result of the simplex method, for the dead load exactly as given.",
            false});
@@ -148,18 +148,18 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
     return bound && bound->standing == Standing::proved;
   };
   if (found.uncertain && !found.carried_at_none && ended == engine::Status::solved) {
-    if (!proved(found.most.lower))
+    if (!proved(found.maximum.lower))
       all.push_back({"A lower bound of the largest factor is not proved.", true});
-    if (!proved(found.most.upper))
+    if (!proved(found.maximum.upper))
       all.push_back({"An upper bound of the largest factor is not proved.", true});
-    if (!found.if_big_m && !proved(found.least.upper) && empty(found) != Standing::proved)
+    if (!found.if_big_m && !proved(found.minimum.upper) && empty(found) != Standing::proved)
       all.push_back({"The least factor from which every load is carried is not proved.", true});
     if (is_undecided(found)) {
       all.push_back({fmt::format("No factor below {} and none above {} is carried.",
-                                 rounded_down(found.least.lower ? found.least.lower->value
-                                                                : found.least.upper->value),
-                                 rounded_up(found.most.upper ? found.most.upper->value
-                                                             : found.most.lower->value)),
+                                 rounded_down(found.minimum.lower ? found.minimum.lower->value
+                                                                  : found.minimum.upper->value),
+                                 rounded_up(found.maximum.upper ? found.maximum.upper->value
+                                                                : found.maximum.lower->value)),
                      true});
     }
   }

@@ -18,8 +18,8 @@ std::string after_worst(const MemberLoss& found) {
 
 // "after the loss of any 2 members"
 std::string after_any(const MemberLoss& found) {
-  auto text = found.most == 1 ? std::string("after the loss of any one member")
-                              : fmt::format("after the loss of any {} members", found.most);
+  auto text = found.maximum == 1 ? std::string("after the loss of any one member")
+                                 : fmt::format("after the loss of any {} members", found.maximum);
   if (found.uncertain) text += " and under every admissible load";
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
   return text;

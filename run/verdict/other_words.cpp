@@ -46,8 +46,8 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   }
   auto text = fmt::format("the least load factor for {} is between {:.17g} and {:.17g}", loads,
                           factor.lower, factor.upper);
-  if (!factor.least) return text;
-  const auto& [lower, upper] = *factor.least;
+  if (!factor.minimum) return text;
+  const auto& [lower, upper] = *factor.minimum;
   if (lower > factor.upper) {
     return text + fmt::format(
                       "; no load factor is carried under every admissible load: the least "
@@ -135,7 +135,7 @@ std::string of_loss(const CertificateCheck::Loss& loss) {
   if (!loss.lower) return fmt::format("PROVED, for the load factor: {}", upper);
   return fmt::format(
       "PROVED: after the loss of any {}{}{} the load factor is at least {:.17g}; {}",
-      loss.most == 1 ? std::string("member") : fmt::format("{} members", loss.most),
+      loss.maximum == 1 ? std::string("member") : fmt::format("{} members", loss.maximum),
       loss.kept == 0 ? std::string() : fmt::format(" except {} that are kept", loss.kept),
       loss.uncertain ? " and under every admissible load" : "", *loss.lower, upper);
 }

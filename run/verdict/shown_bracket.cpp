@@ -12,7 +12,7 @@ namespace kusabi::run {
 namespace {
 
 /// Numbers with more decimal places than these are shown in full.
-constexpr int most_places = 15;
+constexpr int max_places = 15;
 /// A double has no more significant digits.
 constexpr int all_digits = 17;
 
@@ -38,8 +38,7 @@ std::string trimmed(std::string number) {
 
 // @param way -1: down, 1: up
 std::string rounded(double number, int places, int way) {
-  if (!std::isfinite(number) || places < 0 || places > most_places)
-    return fmt::format("{}", number);
+  if (!std::isfinite(number) || places < 0 || places > max_places) return fmt::format("{}", number);
   auto text = fmt::format("{:.{}f}", number, places);
   const double shown = value_of(text);
   if (way * (number - shown) > 0)

@@ -66,7 +66,7 @@ struct Sticking {
 struct CriticalBracket {
   Bracket bracket{};    ///< the structure cannot stick at `lower` or below, and sticks at `upper`
   bool factor = false;  ///< coefficients multiply that of each candidate
-  double most = 0;      ///< upper limit of the search
+  double maximum = 0;   ///< upper limit of the search
   double width = 0;     ///< requested width of the bracket
   bool wide = false;    ///< the bracket is wider
   /// The patterns that stick at `upper` were requested, and are not known.
@@ -90,7 +90,7 @@ inline constexpr std::array<std::string_view, 4> hold_reasons{"searched", "suppo
 struct HoldingBracket {
   Bracket bracket{};    ///< it cannot be held at `lower` or below, and can at `upper`
   bool factor = false;  ///< coefficients multiply that of each candidate
-  double most = 0;      ///< upper limit of the search
+  double maximum = 0;   ///< upper limit of the search
   HoldReason reason = HoldReason::searched;
 };
 
@@ -98,7 +98,7 @@ struct HoldingBracket {
 struct HoldingGrip {
   bool held = true;                           ///< false: there is no state
   Standing held_standing = Standing::proved;  ///< of this answer
-  Bracket least{}, most{};                    ///< of each end
+  Bracket minimum{}, maximum{};               ///< of each end
   bool unbounded = false;                     ///< there is no largest sum
   Standing unbounded_standing = Standing::proved;
 };
@@ -142,11 +142,11 @@ struct HoldingDiagram {
 
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
 struct FrictionSteps {
-  double most = 0;      ///< upper limit of the sweep
+  double maximum = 0;   ///< upper limit of the sweep
   bool factor = false;  ///< coefficients multiply that of each candidate
-  /// It cannot stick up to here; absent: not all patterns at `most` were found.
+  /// It cannot stick up to here; absent: not all patterns at `maximum` were found.
   std::optional<Bound> infeasible{};
-  support::ExactCount count{};         ///< of patterns at `most`
+  support::ExactCount count{};         ///< of patterns at `maximum`
   std::uint64_t open_at_most = 0;      ///< patterns that may be added to the count
   std::uint64_t open_patterns = 0;     ///< patterns without a coefficient at which they become
                                        ///< feasible
@@ -164,10 +164,10 @@ struct LoadRange {
 /// admissible load: from the greatest of the least factors to the least of the largest.
 struct LoadInterval {
   std::optional<LoadRange> uncertain{};  ///< absent: the dead load is fixed
-  Bracket least{}, most{};               ///< the ends of the interval
+  Bracket minimum{}, maximum{};          ///< the ends of the interval
   /// A dead load is carried at no factor of either sign.
   std::optional<Standing> carried_at_none{};
-  /// Bounds of `most` hold only if the M of (29) is large enough.
+  /// Bounds of `maximum` hold only if the M of (29) is large enough.
   bool if_big_m = false;
   /// Part of the request, such as a curve, was not computed.
   bool incomplete = false;
@@ -176,8 +176,8 @@ struct LoadInterval {
 
 /// Load factors after the loss of members: `limit --lose`.
 struct MemberLoss {
-  std::uint64_t most = 1;  ///< K: number of members that may be lost together
-  Bracket factor{};        ///< the least of the largest factors that remain
+  std::uint64_t maximum = 1;  ///< K: number of members that may be lost together
+  Bracket factor{};           ///< the least of the largest factors that remain
   /// After the worst loss known the dead load is carried at no factor of either sign.
   std::optional<Standing> fatal{};
   std::vector<std::string> lost{};  ///< members of the worst loss known; empty: it lowers nothing
@@ -194,7 +194,7 @@ struct LoadSteps {
   std::optional<double> half_width{};          ///< of the last point computed
   std::optional<std::string> force{};          ///< its unit, as in LoadRange
   Bracket worst{};                             ///< the least of the largest factors there
-  Bracket least{};                             ///< the greatest of the least factors there
+  Bracket minimum{};                           ///< the greatest of the least factors there
   std::optional<Standing> worst_at_none{};     ///< some load is not carried at any factor
   std::uint64_t points = 0, points_asked = 0;  ///< points computed, points requested
   bool open = false;                           ///< a point or a piece of the curve is not proved
@@ -233,7 +233,7 @@ struct CertificateCheck {
     bool at_none = false;         ///< some load is not carried at any factor; nothing else is known
     double lower = 0, upper = 0;  ///< bounds of the least of the largest factors
     /// Bounds of the greatest of the least factors; absent: none is proved.
-    std::optional<std::pair<double, double>> least{};
+    std::optional<std::pair<double, double>> minimum{};
   };
   /// Patterns that stick, one example each; others are not covered.
   struct Example {
@@ -264,7 +264,7 @@ struct CertificateCheck {
   };
   /// Least load factor over all losses of some members.
   struct Loss {
-    std::uint64_t most = 1, cases = 1;
+    std::uint64_t maximum = 1, cases = 1;
     bool uncertain = false;           ///< over all admissible loads
     std::uint64_t kept = 0;           ///< members that are not lost
     std::vector<std::string> lost{};  ///< the worst loss

@@ -56,7 +56,7 @@ ordered_json answer_json(const CriticalBracket& found) {
   return {{"kind", "critical"},
           {"bracket", bracket_json(found.bracket)},
           {"factor", found.factor},
-          {"most", found.most},
+          {"most", found.maximum},
           {"width", found.width},
           {"wide", found.wide},
           {"patterns_open", found.patterns_open},
@@ -67,7 +67,7 @@ ordered_json answer_json(const HoldingBracket& found) {
   return {{"kind", "holding-friction"},
           {"bracket", bracket_json(found.bracket)},
           {"factor", found.factor},
-          {"most", found.most},
+          {"most", found.maximum},
           {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
 }
 
@@ -92,8 +92,8 @@ ordered_json answer_json(const HoldingFactors& found) {
   if (found.grip) {
     json["grip"] = {{"held", found.grip->held},
                     {"held_standing", standing_name(found.grip->held_standing)},
-                    {"least", bracket_json(found.grip->least)},
-                    {"most", bracket_json(found.grip->most)},
+                    {"least", bracket_json(found.grip->minimum)},
+                    {"most", bracket_json(found.grip->maximum)},
                     {"unbounded", found.grip->unbounded},
                     {"unbounded_standing", standing_name(found.grip->unbounded_standing)}};
   }
@@ -120,7 +120,7 @@ ordered_json answer_json(const HoldingDiagram& found) {
 
 ordered_json answer_json(const FrictionSteps& found) {
   return {{"kind", "friction-steps"},
-          {"most", found.most},
+          {"most", found.maximum},
           {"factor", found.factor},
           {"infeasible", bound_json(found.infeasible)},
           {"count", found.count.digits()},
@@ -137,8 +137,8 @@ ordered_json range_json(const LoadRange& loads) {
 ordered_json answer_json(const LoadInterval& found) {
   return {{"kind", "load-interval"},
           {"uncertain", found.uncertain ? range_json(*found.uncertain) : ordered_json()},
-          {"least", bracket_json(found.least)},
-          {"most", bracket_json(found.most)},
+          {"least", bracket_json(found.minimum)},
+          {"most", bracket_json(found.maximum)},
           {"carried_at_none", standing_json(found.carried_at_none)},
           {"if_big_m", found.if_big_m},
           {"incomplete", found.incomplete},
@@ -147,7 +147,7 @@ ordered_json answer_json(const LoadInterval& found) {
 
 ordered_json answer_json(const MemberLoss& found) {
   return {{"kind", "member-loss"},
-          {"most", found.most},
+          {"most", found.maximum},
           {"factor", bracket_json(found.factor)},
           {"fatal", standing_json(found.fatal)},
           {"lost", found.lost},
@@ -164,7 +164,7 @@ ordered_json answer_json(const LoadSteps& found) {
           {"half_width", number_or_null(found.half_width)},
           {"force", text_or_null(found.force)},
           {"worst", bracket_json(found.worst)},
-          {"least", bracket_json(found.least)},
+          {"least", bracket_json(found.minimum)},
           {"worst_at_none", standing_json(found.worst_at_none)},
           {"points", found.points},
           {"points_asked", found.points_asked},

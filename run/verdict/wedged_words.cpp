@@ -104,7 +104,7 @@ std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) 
     return fmt::format("It cannot stick up to {} {}{}{}{}.", coefficient,
                        rounded_down(lower->value), times(found.factor),
                        unless_proved(lower->standing),
-                       lower->value < found.most ? "; above it, this is not known" : "");
+                       lower->value < found.maximum ? "; above it, this is not known" : "");
   }
   if (!lower) {
     return fmt::format("It can stick at {} {}{}{}; below it, this is not known.", coefficient,
@@ -120,9 +120,9 @@ std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) 
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all) {
   const auto& [lower, upper] = found.bracket;
   const bool solved = ended == engine::Status::solved;
-  if (!upper && (!lower || lower->value < found.most)) {
+  if (!upper && (!lower || lower->value < found.maximum)) {
     all.push_back({fmt::format("It is undecided whether it can stick between {:.12g} and {:.12g}.",
-                               lower ? lower->value : 0, found.most),
+                               lower ? lower->value : 0, found.maximum),
                    true});
   }
   if (found.wide && upper) {
@@ -153,7 +153,7 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
   }
   if (found.patterns_open) {
     all.push_back({fmt::format("The patterns that stick at {:.12g} were not determined.",
-                               upper ? upper->value : found.most),
+                               upper ? upper->value : found.maximum),
                    true});
   }
 }
@@ -185,17 +185,17 @@ std::string bracket_line(const CriticalBracket& found) {
 }
 
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
-  const auto most = fmt::format("{}{}", found.most, times(found.factor));
+  const auto maximum = fmt::format("{}{}", found.maximum, times(found.factor));
   if (!found.infeasible || is_refuted(found.doubt))
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   const auto& [value, standing] = *found.infeasible;
-  if (found.count == 0U && found.open_at_most == 0 && value >= found.most) {
-    return fmt::format("It cannot stick up to {} {}{}.", coefficient, most,
+  if (found.count == 0U && found.open_at_most == 0 && value >= found.maximum) {
+    return fmt::format("It cannot stick up to {} {}{}.", coefficient, maximum,
                        unless_proved(standing));
   }
   return fmt::format(
       "It cannot stick up to {} {}{}; at {} there {} {}{}{}.", coefficient,
-      rounded_down(value, digits_of_sweep), times(found.factor), found.most,
+      rounded_down(value, digits_of_sweep), times(found.factor), found.maximum,
       found.count == 1U ? "is" : "are", counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
       unless_proved(standing));
@@ -205,7 +205,7 @@ void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
   if (found.doubt) reserve(*found.doubt, all);
   if (!found.infeasible) {
     all.push_back(
-        {fmt::format("The patterns at {} were not all found, so no count is known.", found.most),
+        {fmt::format("The patterns at {} were not all found, so no count is known.", found.maximum),
          true});
   }
   if (found.open_patterns > 0) {

@@ -72,7 +72,7 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
         name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
     const auto fingerprint = problems::limit_problem(of_case).fingerprint;
     auto truss = evidence::verified_structure(of_case);
-    if (statement.claim == LimitClaim::least) {
+    if (statement.claim == LimitClaim::minimum) {
       truss = verify::with_reversed_reference(std::move(truss));
     }
     for (std::size_t i = 0; statement.residual && i < truss.bars.size(); ++i)
@@ -137,7 +137,7 @@ void check_load(const Checking& at, CheckedStatement& checked) {
     if (std::isinf(checked.upper))
       refusals.emplace_back("the upper bound exceeds the range of double precision");
   }
-  if (at.statement.claim == LimitClaim::least && at.statement.evidence.nodes.empty()) {
+  if (at.statement.claim == LimitClaim::minimum && at.statement.evidence.nodes.empty()) {
     checked.lower = -infinity;  // so far that of the opposite: only one bound is claimed
     return;
   }
@@ -149,7 +149,7 @@ void check_load(const Checking& at, CheckedStatement& checked) {
 // Bounds of a least factor are so far those of its opposite.
 void conclude(CheckedStatement& checked) {
   checked.lower = std::min(checked.lower, checked.upper);
-  if (checked.claim != LimitClaim::least) return;
+  if (checked.claim != LimitClaim::minimum) return;
   const double upper = checked.upper;
   checked.upper = -checked.lower;
   checked.lower = -upper;

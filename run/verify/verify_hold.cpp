@@ -209,7 +209,7 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   std::vector<double> clearances;
   for (const auto& point : verified.contact) clearances.push_back(point.clearance);
   const verify::HoldProof proof(certificate, enclosure, clearances);
-  if (!proof.least_eigenvalue())
+  if (!proof.min_eigenvalue())
     return refusal_of_certificate(options, indefinite_stiffness(certificate.header.motions));
 
   HoldVerification verification(certificate, proof);

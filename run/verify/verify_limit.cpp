@@ -42,9 +42,10 @@ std::vector<verify::LimitStatement> statements_in(const std::string& text,
 std::optional<double> common_half_width(const CheckedStatement& statement) {
   const auto& all = statement.half_widths;
   if (all.empty()) return 0;
-  const auto [least, most] = std::ranges::minmax(all, {}, &std::pair<std::string, double>::second);
-  if (least.second != most.second) return {};
-  return most.second;
+  const auto [minimum, maximum] =
+      std::ranges::minmax(all, {}, &std::pair<std::string, double>::second);
+  if (minimum.second != maximum.second) return {};
+  return maximum.second;
 }
 
 // "wind within +- 5, snow within +- 1, 2 others within +- 30"
@@ -76,7 +77,7 @@ std::string summary_of(const CheckedStatement& statement) {
   switch (statement.claim) {
     case LimitClaim::largest:
       return covering_text(statement);
-    case LimitClaim::least:
+    case LimitClaim::minimum:
       if (statement.nodes == 0) return "least factors: a bound from below\n";
       return "least factors: " + covering_text(statement);
     case LimitClaim::none:
@@ -103,7 +104,7 @@ std::string summary_of(const std::vector<CheckedStatement>& statements) {
 
 /// Bounds of both ends of the factors carried in all cases under every load.
 struct ProvedFactors {
-  double least_lower = -std::numeric_limits<double>::infinity(), least_upper = least_lower;
+  double min_lower = -std::numeric_limits<double>::infinity(), min_upper = min_lower;
   double largest_lower = std::numeric_limits<double>::infinity(), largest_upper = largest_lower;
   bool at_none = false;
   bool of_least = true;  // some bound of the least factors is known
@@ -112,7 +113,7 @@ struct ProvedFactors {
 ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
   ProvedFactors all;
   std::set<std::string> largest;
-  std::set<std::string> least;
+  std::set<std::string> minimum;
   for (const auto& each : statements) {
     if (each.claim == LimitClaim::none) all.at_none = true;
     if (each.claim == LimitClaim::largest) {
@@ -120,13 +121,13 @@ ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
       all.largest_lower = std::min(all.largest_lower, each.lower);
       all.largest_upper = std::min(all.largest_upper, each.upper);
     }
-    if (each.claim == LimitClaim::least) {
-      least.insert(each.load_case);
-      all.least_lower = std::max(all.least_lower, each.lower);
-      all.least_upper = std::max(all.least_upper, each.upper);
+    if (each.claim == LimitClaim::minimum) {
+      minimum.insert(each.load_case);
+      all.min_lower = std::max(all.min_lower, each.lower);
+      all.min_upper = std::max(all.min_upper, each.upper);
     }
   }
-  all.of_least = least == largest;
+  all.of_least = minimum == largest;
   return all;
 }
 
@@ -144,8 +145,8 @@ CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statemen
   if (all.at_none) return factor;
   factor.lower = all.largest_lower;
   factor.upper = all.largest_upper;
-  if (all.of_least || all.least_lower > all.largest_upper)
-    factor.least = std::pair(all.least_lower, all.least_upper);
+  if (all.of_least || all.min_lower > all.largest_upper)
+    factor.minimum = std::pair(all.min_lower, all.min_upper);
   return factor;
 }
 

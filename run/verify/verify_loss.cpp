@@ -143,13 +143,13 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::string& text) {
   const auto statements = losses_in(text, options.certificate);
   VerifyFindings findings;
-  CertificateCheck::Loss all{.most = statements.front().most,
+  CertificateCheck::Loss all{.maximum = statements.front().maximum,
                              .cases = statements.size(),
                              .lower = std::numeric_limits<double>::infinity(),
                              .upper = std::numeric_limits<double>::infinity()};
   for (const auto& statement : statements) {
     auto [refusals, upper] = check_statement(run, options, statement, structure);
-    if (statement.most != all.most)
+    if (statement.maximum != all.maximum)
       refusals.emplace_back("its load cases have different numbers of lost members");
     for (const auto& why : refusals)
       findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);

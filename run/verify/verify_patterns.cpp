@@ -57,11 +57,11 @@ std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOp
   for (const auto& bound : certificate.bounds) {
     const auto why = proof.add_bound(bound);
     if (!why) continue;
-    refusals.push_back(fmt::format("{}:{}: refused: {} {} {}: {}\n", options.certificate,
-                                   bound.line,
-                                   bound.most ? fmt::format("bound {:.3g}", *bound.most) : "never",
-                                   certificate.names[static_cast<std::size_t>(bound.candidate)],
-                                   verify::side_name(bound.side), *why));
+    refusals.push_back(
+        fmt::format("{}:{}: refused: {} {} {}: {}\n", options.certificate, bound.line,
+                    bound.maximum ? fmt::format("bound {:.3g}", *bound.maximum) : "never",
+                    certificate.names[static_cast<std::size_t>(bound.candidate)],
+                    verify::side_name(bound.side), *why));
   }
   return refusals;
 }
@@ -96,7 +96,7 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
                      ? ""
                      : fmt::format(" with grounding springs for {} of unconstrained bodies",
                                    counted(certificate.motions, "rigid-body mode")),
-                 proof.least_eigenvalue()->nearest());
+                 proof.min_eigenvalue()->nearest());
   if (covered) {
     for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
       const auto& block = certificate.blocks[b];
@@ -160,7 +160,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   }
   auto proof = consistent ? verify::Proof(certificate, consistent->stiffness, consistent->motions)
                           : verify::Proof(certificate);
-  if (!proof.least_eigenvalue())
+  if (!proof.min_eigenvalue())
     return refusal_of_certificate(options, indefinite_stiffness(certificate.motions));
 
   const auto bounds_refused = refusals_of_bounds(proof, options, certificate);

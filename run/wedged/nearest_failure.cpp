@@ -33,10 +33,11 @@ Local local(const std::vector<double>& reaction, const std::vector<double>& disp
       displacement[at]};
 }
 
-void take_if_nearer(std::optional<Slack>& least, const Slack& other) {
-  const bool nearer = !least || other.amount * alike < least->amount;
-  const bool as_near = least && other.amount < least->amount * alike && other.used > least->used;
-  if (nearer || as_near) least = other;
+void take_if_nearer(std::optional<Slack>& minimum, const Slack& other) {
+  const bool nearer = !minimum || other.amount * alike < minimum->amount;
+  const bool as_near =
+      minimum && other.amount < minimum->amount * alike && other.used > minimum->used;
+  if (nearer || as_near) minimum = other;
 }
 
 // Units of the file; problems made by programs may have none.

@@ -40,7 +40,7 @@ class Joined {
 }  // namespace
 
 std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
-                                         int most_apart) {
+                                         int max_differences) {
   // Contact sets that differ in n candidates differ in size by n at most.
   std::map<std::pair<std::uint32_t, int>, std::vector<std::size_t>> by_size;
   Joined joined(patterns.size());
@@ -48,11 +48,11 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
     const auto block = patterns[i].block;
     const auto& contact = patterns[i].pattern.contact;
     const int size = contact.size();
-    for (int other = size - most_apart; other <= size + most_apart; ++other) {
+    for (int other = size - max_differences; other <= size + max_differences; ++other) {
       const auto found = by_size.find({block, other});
       if (found == by_size.end()) continue;
       for (const auto j : found->second) {
-        if (difference(contact, patterns[j].pattern.contact) <= most_apart) joined.join(i, j);
+        if (difference(contact, patterns[j].pattern.contact) <= max_differences) joined.join(i, j);
       }
     }
     by_size[{block, size}].push_back(i);
@@ -82,7 +82,8 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
 }
 
 std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
-    const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups) {
+    const std::vector<wedged::Configuration>& patterns, int max_differences,
+    std::size_t max_groups) {
   std::vector<std::size_t> order(patterns.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, std::greater(), [&](auto i) { return patterns[i].lower; });
@@ -92,7 +93,7 @@ std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
     const auto near = std::ranges::find_if(groups, [&](const PatternGroup& group) {
       const auto& first = patterns[group.largest_margin];
       return first.block == patterns[i].block &&
-             difference(first.pattern.contact, contact) <= most_apart;
+             difference(first.pattern.contact, contact) <= max_differences;
     });
     if (near != groups.end()) {
       near->members.push_back(i);
@@ -100,7 +101,7 @@ std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
       near->varying |= contact;  // the union, until all members are added
       continue;
     }
-    if (groups.size() == most_groups) return {};
+    if (groups.size() == max_groups) return {};
     groups.push_back({.members = {i}, .largest_margin = i, .contact = contact, .varying = contact});
   }
   for (auto& group : groups) {

@@ -17,20 +17,21 @@ struct PatternGroup {
   support::IndexSet varying;         ///< candidates in contact in some members, but not in all
 };
 
-/// Groups by single linkage: patterns of a block whose contact sets differ in at most `most_apart`
-/// candidates are in one group, as are those connected by a chain of such pairs. Groups therefore
-/// do not depend on the order. The group with the largest margin comes first.
-/// @param most_apart number of candidates
+/// Groups by single linkage: patterns of a block whose contact sets differ in at most
+/// `max_differences` candidates are in one group, as are those connected by a chain of such pairs.
+/// Groups therefore do not depend on the order. The group with the largest margin comes first.
+/// @param max_differences number of candidates
 std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
-                                         int most_apart);
+                                         int max_differences);
 
 /// Groups around patterns of largest margin: the pattern with the largest margin takes the patterns
-/// of its block whose contact sets differ from its own in at most `most_apart` candidates, then the
-/// pattern with the largest margin of the rest, and so on. Of equal margins the first in the list
-/// comes first.
-/// @param most_groups maximum number of groups
+/// of its block whose contact sets differ from its own in at most `max_differences` candidates,
+/// then the pattern with the largest margin of the rest, and so on. Of equal margins the first in
+/// the list comes first.
+/// @param max_groups maximum number of groups
 /// @return nothing if there would be more
 std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
-    const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups);
+    const std::vector<wedged::Configuration>& patterns, int max_differences,
+    std::size_t max_groups);
 
 }  // namespace kusabi::run

@@ -57,14 +57,14 @@ std::string problem_line(const problems::WedgedProblem& problem) {
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
                           problem.contact_names.size());
   const auto& bodies = problem.modes.bodies;
-  constexpr std::size_t most_described = 3;
-  for (std::size_t k = 0; k < std::min(bodies.size(), most_described); ++k) {
+  constexpr std::size_t max_described = 3;
+  for (std::size_t k = 0; k < std::min(bodies.size(), max_described); ++k) {
     line += bodies.size() == 1 ? "; unconstrained: "
                                : fmt::format("; unconstrained from node {} on: ", bodies[k].node);
     line += bodies[k].motions;
   }
-  if (bodies.size() > most_described)
-    line += fmt::format("; and {} more unconstrained bodies", bodies.size() - most_described);
+  if (bodies.size() > max_described)
+    line += fmt::format("; and {} more unconstrained bodies", bodies.size() - max_described);
   return line;
 }
 

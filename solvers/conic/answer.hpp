@@ -22,7 +22,7 @@ struct Tolerances {
   double resolution = std::numeric_limits<double>::infinity();
 
   /// |t*| above this is classified by its sign.
-  [[nodiscard]] double least_resolved() const { return std::min(sign, resolution); }
+  [[nodiscard]] double min_resolved() const { return std::min(sign, resolution); }
 };
 
 /// Early stop as soon as the sign is proved; otherwise the iteration continues to the full accuracy
@@ -55,9 +55,9 @@ struct ConicResult {
 
 /// Sign proved by the bracket.
 inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
-  const double least = tolerances.least_resolved();
-  if (answer.upper < -least) return Sign::infeasible;
-  return answer.lower > least ? Sign::feasible : Sign::marginal;
+  const double minimum = tolerances.min_resolved();
+  if (answer.upper < -minimum) return Sign::infeasible;
+  return answer.lower > minimum ? Sign::feasible : Sign::marginal;
 }
 
 /// True if the bracket of a marginal result lies within the tolerance.
@@ -67,8 +67,8 @@ inline bool is_within_tolerance(const ConicResult& answer, const Tolerances& tol
 
 /// True if the bracket is so narrow about zero that its sign is not resolved.
 inline bool is_unresolvable(const ConicResult& answer, const Tolerances& tolerances) {
-  const double least = tolerances.least_resolved();
-  return answer.upper <= least && answer.lower >= -least;
+  const double minimum = tolerances.min_resolved();
+  return answer.upper <= minimum && answer.lower >= -minimum;
 }
 
 /// Width of a bracket, relative to its bounds, below which the value has three digits to spare.

@@ -79,7 +79,7 @@ class Bounds {
     for (std::size_t k = 0; k < owners.size(); ++k) {
       if (k == 0 || owners[k] != owners[k - 1]) first_cones_.push_back(static_cast<int>(k));
     }
-    least_ = least_eigenvalue(compliance);
+    minimum_ = min_eigenvalue(compliance);
     if (motions.count() == 0) return;
     std::vector<Eigen::Index> rows;
     for (const int cone : first_cones_) rows.push_back(D * static_cast<Eigen::Index>(cone));
@@ -142,9 +142,9 @@ class Bounds {
     residual = std::sqrt(residual);
     rho = safety * std::sqrt(rho);
     Below result{-infinity, residual, noise, infinity};
-    if (!(least_ > 0) && !sets.contact_rows.empty()) return result;
-    const double corrected = rho == 0 ? 0 : safety * rho / least_;
-    const double elsewhere = rho == 0 ? 0 : safety * rho / std::sqrt(least_);
+    if (!(minimum_ > 0) && !sets.contact_rows.empty()) return result;
+    const double corrected = rho == 0 ? 0 : safety * rho / minimum_;
+    const double elsewhere = rho == 0 ? 0 : safety * rho / std::sqrt(minimum_);
     const double unit = 4 * numbers::unit_roundoff<Real>;
     const double sum_error = corrected * std::sqrt(inverse) * safety + rounding_ * sizes +
                              load.reaction * static_cast<double>(sets.cones.size());
@@ -165,7 +165,7 @@ class Bounds {
         correction.close == 0
             ? 0
             : safety * correction.close * rho *
-                  (1 + std::sqrt(static_cast<double>(sets.contact_rows.size()) / least_));
+                  (1 + std::sqrt(static_cast<double>(sets.contact_rows.size()) / minimum_));
     const auto gap_cost = [&](int j) {
       const double lift = moved == 0 ? 0 : moved * motions_.lift(j);
       return normal_root(j) * (noise + elsewhere) + lift;
@@ -202,11 +202,11 @@ class Bounds {
             std::abs(cut.reaction) * correction_force + unit * (std::abs(cut.share) * sizes)) /
                cut.level);
     }
-    const double least_sum = (numbers::rounded(sum) - sum_error) * (1 - double_rounding);
-    const double most_sum = (numbers::rounded(sum) + sum_error) * (1 + double_rounding);
-    if (!(least_sum > 0) || !std::isfinite(level)) return result;
-    result.level = level > 0 ? level / most_sum * (1 - double_rounding)
-                             : level / least_sum * (1 + double_rounding);
+    const double min_sum = (numbers::rounded(sum) - sum_error) * (1 - double_rounding);
+    const double max_sum = (numbers::rounded(sum) + sum_error) * (1 + double_rounding);
+    if (!(min_sum > 0) || !std::isfinite(level)) return result;
+    result.level = level > 0 ? level / max_sum * (1 - double_rounding)
+                             : level / min_sum * (1 + double_rounding);
     result.cost = raw - level;
     return result;
   }
@@ -277,11 +277,11 @@ class Bounds {
       pushes += force * Real(cut.level);
     }
     const double balanced = motions_.any() ? balance(sets, y) : 0;
-    if (!(balanced <= most_balance)) return {};
+    if (!(balanced <= max_balance)) return {};
     const double cut_noise = safety * rounding_ * shares;
     // A force changed by the equilibrium correction moves the candidates by at most this over R.
     const double noise = safety * ((error_ + rounding_) * size + balanced * balance_size(sets, y) +
-                                   (motions_.any() ? motion_noise(y) / motions_.least_root() : 0));
+                                   (motions_.any() ? motion_noise(y) / motions_.min_root() : 0));
     const double unit = 4 * numbers::unit_roundoff<Real>;
     double tau = -infinity;
     for (const int k : sets.cones) {
@@ -318,20 +318,20 @@ class Bounds {
     for (const int k : sets.cones)
       for (int d = 0; d < D; ++d) sizes += std::abs(numbers::rounded(Real(r[D * k + d])));
     double squares = 0;
-    double most = 0;
+    double maximum = 0;
     const auto m = static_cast<Eigen::Index>(first_cones_.size());
     for (Eigen::Index l = 0; l < motions_.count(); ++l) {
       const double off = std::abs(numbers::rounded(Real(normal[m + l])));
-      most += off * off;
+      maximum += off * off;
       squares += std::pow(off + sizes * motions_.noise(rounding_), 2);
     }
     const double change = safety * cost.carry * std::sqrt(squares);
     double motion = 0;
     for (Eigen::Index l = 0; l < alpha.size(); ++l)
       motion += std::abs(numbers::rounded(Real(alpha[l])));
-    return {safety * cost.carry * std::sqrt(most), change / motions_.least_root(),
+    return {safety * cost.carry * std::sqrt(maximum), change / motions_.min_root(),
             change * std::sqrt(static_cast<double>(D * sets.cones.size())) +
-                motion * motions_.noise(rounding_) / motions_.least_root()};
+                motion * motions_.noise(rounding_) / motions_.min_root()};
   }
 
   /// |y_j| on the gap rows; the magnitude for a force that may have either sign.
@@ -404,7 +404,7 @@ class Bounds {
   static constexpr double double_rounding = 0x1p-51;
   /// Limit of the relative equilibrium correction of valid multipliers: other conclusions, for
   /// other coefficients of friction, take them as exact.
-  static constexpr double most_balance = 1e-6;
+  static constexpr double max_balance = 1e-6;
   /// Relative error of an exact side equation, in states that count as feasible.
   static constexpr double negligible_sum = 1e-10;
 
@@ -437,7 +437,7 @@ class Bounds {
   /// Lower bound of the least eigenvalue of F_nn scaled to a unit diagonal. If the Cholesky
   /// factorisation of F - s I succeeds, F - s I + E is positive semidefinite with |E| <= (m + 4) u
   /// trace F. Zero if no bound is found.
-  [[nodiscard]] double least_eigenvalue(const Matrix& compliance) const {
+  [[nodiscard]] double min_eigenvalue(const Matrix& compliance) const {
     const auto m = static_cast<Eigen::Index>(first_cones_.size()) - loads_;
     Matrix scaled(m, m);
     using std::sqrt;
@@ -472,7 +472,7 @@ class Bounds {
   Eigen::VectorXd roots_;         // R of all rows of F, rounded up
   std::vector<int> owners_;       // of each cone
   std::vector<int> first_cones_;  // of each candidate
-  double least_ = 0;              // lower bound s of the least eigenvalue
+  double minimum_ = 0;            // lower bound s of the least eigenvalue
 };
 
 }  // namespace kusabi::conic

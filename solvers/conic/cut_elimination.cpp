@@ -8,14 +8,14 @@
 namespace kusabi::conic {
 
 template <int D, class Real>
-CutElimination<D, Real>::CutElimination(int most_rows, int most_cuts, int most_cones)
-    : cut_of_cone_(static_cast<std::size_t>(most_cones), -1) {
-  cuts_.reserve(static_cast<std::size_t>(most_cuts));
-  if (most_cuts == 0) return;
-  const Eigen::Index room = padded<Real>(most_rows + 1);
-  outer_.setZero(room * padded<Real>(most_cuts));
+CutElimination<D, Real>::CutElimination(int max_rows, int max_cuts, int max_cones)
+    : cut_of_cone_(static_cast<std::size_t>(max_cones), -1) {
+  cuts_.reserve(static_cast<std::size_t>(max_cuts));
+  if (max_cuts == 0) return;
+  const Eigen::Index room = padded<Real>(max_rows + 1);
+  outer_.setZero(room * padded<Real>(max_cuts));
   border_.setZero(room);
-  shares_.setZero(padded<Real>(most_cuts));
+  shares_.setZero(padded<Real>(max_cuts));
 }
 
 template <int D, class Real>

@@ -43,8 +43,8 @@ class CutElimination {
   using Square = Eigen::Matrix<Real, D, D>;
   using Vector = Eigen::Matrix<Real, D, 1>;
 
-  /// @param most_rows m + p
-  CutElimination(int most_rows, int most_cuts, int most_cones);
+  /// @param max_rows m + p
+  CutElimination(int max_rows, int max_cuts, int max_cones);
 
   /// Sets the cuts of a node.
   void start(const NodeProgram<D, Real>& program);

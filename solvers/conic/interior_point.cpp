@@ -32,15 +32,15 @@ KUSABI_INLINE void multiply_columns(const Real* a, int distance, int rows,
 
 template <int D, class Real>
 InteriorPoint<D, Real>::InteriorPoint(const Program& program)
-    : elimination_(program.first_cut(), program.most_cuts(), program.most_cones()),
-      normal_equations_(program.first_cut() + (program.most_cuts() > 0 ? 1 : 0)) {
-  const Eigen::Index rows = padded<Real>(program.most_rows());
+    : elimination_(program.first_cut(), program.max_cuts(), program.max_cones()),
+      normal_equations_(program.first_cut() + (program.max_cuts() > 0 ? 1 : 0)) {
+  const Eigen::Index rows = padded<Real>(program.max_rows());
   const int motions = program.motions().lifting;
   moved_.setZero(rows, motions);
   motion_.setZero(motions);
   // the constructor allocates; solvers are copied with their state
   schur_.compute(MatrixOf<Real>::Identity(motions, motions));
-  const Eigen::Index cones = padded<Real>(program.most_cones());
+  const Eigen::Index cones = padded<Real>(program.max_cones());
   for (Points* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
     points->setZero(cones, D);
   for (Vector* numbers : {&v_, &y_, &w_, &weights_, &lambda_, &predictor_, &correction_, &dy_,
@@ -387,7 +387,7 @@ bool InteriorPoint<D, Real>::advance(const Program& program) {
   const InverseStepLengths corrected = directions(program, dy_);
   const Real dual_length = step_length(boundary_fraction, corrected.dual);
   const Real primal_length = step_length(boundary_fraction, corrected.primal);
-  return std::max(primal_length, dual_length) > least_step_length &&
+  return std::max(primal_length, dual_length) > min_step_length &&
          move_primal(program, primal_length) && move_dual(program, dual_length);
 }
 
@@ -407,7 +407,7 @@ auto InteriorPoint<D, Real>::centring_step(const Program& program, Real compleme
 template <int D, class Real>
 bool InteriorPoint<D, Real>::centre(const Program& program, Real complementarity) {
   int full = 0;  // a second full step is accurate enough
-  for (int step = 0; step < most_centring_steps && full < 2; ++step) {
+  for (int step = 0; step < max_centring_steps && full < 2; ++step) {
     const Step made = centring_step(program, complementarity);
     if (made == Step::failed || !factorise(program)) return false;
     if (made == Step::full) ++full;
@@ -448,7 +448,7 @@ template <int D, class Real>
 void InteriorPoint<D, Real>::measure(const Program& program,
                                      std::vector<FaceDistances>& distances) {
   // Below this, the distance of a face is limited by rounding only.
-  constexpr double least = 1e-14;
+  constexpr double minimum = 1e-14;
   constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
   const int rows = scaled_columns(program).rows;
   std::array<typename CutElimination<D, Real>::Part, static_cast<std::size_t>(width)> parts;
@@ -470,7 +470,7 @@ void InteriorPoint<D, Real>::measure(const Program& program,
       Square rest = -own * own.transpose() - part.weight * part.cone * part.cone.transpose();
       Eigen::Matrix<double, D, 1> lambda;
       for (int d = 0; d < D; ++d) {
-        rest(d, d) += Real(1 + least);
+        rest(d, d) += Real(1 + minimum);
         lambda[d] = numbers::rounded(in_lane(lambdas[static_cast<std::size_t>(d)], lane));
       }
       const Real slack = 1.0 - faces_.row(lane * height + D).head(rows).squaredNorm() -
@@ -478,7 +478,7 @@ void InteriorPoint<D, Real>::measure(const Program& program,
       distances[static_cast<std::size_t>(row)] = {
           .separation = lambda.dot(rest.template cast<double>().ldlt().solve(lambda)),
           .contact =
-              numbers::rounded(Real(lambda_[row] * lambda_[row] / std::max(slack, Real(least))))};
+              numbers::rounded(Real(lambda_[row] * lambda_[row] / std::max(slack, Real(minimum))))};
     }
   }
 }
@@ -505,7 +505,7 @@ bool InteriorPoint<D, Real>::move_primal(const Program& program, Real step_lengt
 
 template <int D, class Real>
 bool InteriorPoint<D, Real>::move_dual(const Program& program, Real step_length) {
-  for (int halving = 0; halving <= most_halvings; ++halving, step_length /= 2) {
+  for (int halving = 0; halving <= max_halvings; ++halving, step_length /= 2) {
     trial_ = y_ + step_length * dy_;
     if (refresh_dual(program, trial_)) {
       y_.swap(trial_);

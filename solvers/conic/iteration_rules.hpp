@@ -14,7 +14,7 @@ template <class Real>
 inline constexpr bool extended = !std::is_same_v<Real, double>;
 
 /// Extended precision takes more iterations than Tolerances::iterations.
-inline constexpr int most_extended_iterations = 150;
+inline constexpr int max_extended_iterations = 150;
 
 /// Programs with fewer rows take microseconds an iteration in doubles.
 inline constexpr int rows_that_take_long = 64;
@@ -57,16 +57,16 @@ Real step_length(double share, const Real& inverse) {
 }
 
 /// Shorter steps no longer change the bracket.
-inline constexpr double least_step_length = 1e-6;
+inline constexpr double min_step_length = 1e-6;
 
 /// At the rounding level a step may move the new z across the boundary. The step is halved at most
 /// this often; after that the digits are used up.
-inline constexpr int most_halvings = 8;
+inline constexpr int max_halvings = 8;
 
 /// Share of the distance to the boundary for steps towards the centre. Six steps mostly suffice; an
 /// inexact centre only changes the order of the candidates slightly.
 inline constexpr double centring_fraction = 0.9;
-inline constexpr int most_centring_steps = 8;
+inline constexpr int max_centring_steps = 8;
 
 /// The centre of a relaxation is computed where t is about this many times its bound below the
 /// bound, where all inequalities have room. Near the maximum of t the central path bends towards a

@@ -16,7 +16,7 @@ namespace {
 constexpr double negligible = 1e-10;
 
 // Reciprocal of the least singular value above the threshold; zero for a zero matrix.
-double inverse_of_least(const Eigen::MatrixXd& part, double negligible_share) {
+double inverse_of_minimum(const Eigen::MatrixXd& part, double negligible_share) {
   if (part.size() == 0) return 0;
   Eigen::VectorXd values;
   if (part.rows() > part.cols()) {
@@ -30,10 +30,10 @@ double inverse_of_least(const Eigen::MatrixXd& part, double negligible_share) {
       return std::numeric_limits<double>::infinity();
   }
   const double floor = negligible_share * values[0];
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const double value : values)
-    if (value > floor || negligible_share == 0) least = std::min(least, value);
-  return std::isfinite(least) ? 1.001 / least : 0;
+    if (value > floor || negligible_share == 0) minimum = std::min(minimum, value);
+  return std::isfinite(minimum) ? 1.001 / minimum : 0;
 }
 
 // True if a load has a part orthogonal to all rows of `part`, which is taken as zero below the
@@ -60,7 +60,7 @@ RigidModeBounds::RigidModeBounds(Eigen::MatrixXd motions, int lifting, double er
       first_rows_(std::move(first_rows)),
       lifting_(lifting),
       error_(error) {
-  least_root_ = roots_.size() == 0 ? 0 : roots_.minCoeff();
+  min_root_ = roots_.size() == 0 ? 0 : roots_.minCoeff();
   largest_ = motions_.size() == 0 ? 0 : motions_.cwiseAbs().maxCoeff();
 }
 
@@ -79,7 +79,7 @@ double RigidModeBounds::carry(std::span<const int> cones, int dimension,
   for (const int j : loads)
     if (acts_alone(part, motions_.row(dimension * j) / roots_[dimension * j]))
       return std::numeric_limits<double>::infinity();
-  return inverse_of_least(part, negligible);
+  return inverse_of_minimum(part, negligible);
 }
 
 double RigidModeBounds::close(std::span<const int> contact) const {
@@ -89,7 +89,7 @@ double RigidModeBounds::close(std::span<const int> contact) const {
     const auto at = first_rows_[static_cast<std::size_t>(i)];
     part.row(row++) = motions_.row(at).head(lifting_) / roots_[at];
   }
-  return inverse_of_least(part, negligible);
+  return inverse_of_minimum(part, negligible);
 }
 
 double RigidModeBounds::lift(int candidate) const {
@@ -106,7 +106,7 @@ double RigidModeBounds::balance(std::span<const int> rows, const std::vector<dou
   }
   const double size = load.norm() + noise * std::sqrt(static_cast<double>(lifting_));
   if (size == 0) return 0;
-  return size * inverse_of_least(part, whole ? 0 : negligible);
+  return size * inverse_of_minimum(part, whole ? 0 : negligible);
 }
 
 }  // namespace kusabi::conic

@@ -28,7 +28,7 @@ class RigidModeBounds {
 
   [[nodiscard]] bool any() const { return motions_.cols() > 0; }
   [[nodiscard]] int count() const { return static_cast<int>(motions_.cols()); }
-  [[nodiscard]] double least_root() const { return least_root_; }
+  [[nodiscard]] double min_root() const { return min_root_; }
 
   /// Error bound of the entries of G.
   [[nodiscard]] double error() const { return error_; }
@@ -67,7 +67,7 @@ class RigidModeBounds {
   std::vector<Eigen::Index> first_rows_;
   int lifting_ = 0;
   double error_ = 0;
-  double least_root_ = 0;
+  double min_root_ = 0;
   double largest_ = 0;
 };
 

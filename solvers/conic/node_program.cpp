@@ -82,7 +82,7 @@ NodeProgram<D, Real>::NodeProgram(const Matrix& compliance, std::span<const doub
     : motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
       owners_(std::move(owners)),
-      padded_cones_(padded<Real>(this->most_cones())),
+      padded_cones_(padded<Real>(this->max_cones())),
       loads_(loads) {
   check(compliance.template cast<double>(), friction, owners_, D);
   if (motions_.count() > 0 && motions_.at_cones.rows() != compliance.rows())
@@ -111,11 +111,11 @@ NodeProgram<D, Real>::NodeProgram(const Matrix& compliance, std::span<const doub
 }
 
 template <int D, class Real>
-void NodeProgram<D, Real>::make_room(int most_cuts) {
-  most_cuts_ = most_cuts;
-  cuts_.reserve(static_cast<std::size_t>(most_cuts));
-  cut_rows_.reserve(static_cast<std::size_t>(most_cuts));
-  const Eigen::Index room = padded<Real>(most_rows());
+void NodeProgram<D, Real>::make_room(int max_cuts) {
+  max_cuts_ = max_cuts;
+  cuts_.reserve(static_cast<std::size_t>(max_cuts));
+  cut_rows_.reserve(static_cast<std::size_t>(max_cuts));
+  const Eigen::Index room = padded<Real>(max_rows());
   matrix_.setZero(padded<Real>(first_cut()) * D * padded_cones_);
   right_side_.setZero(room);
   slack_.setZero(room);
@@ -142,7 +142,7 @@ void NodeProgram<D, Real>::select(const IndexSet& contact, const IndexSet& separ
     throw std::invalid_argument("a candidate is ignored and has a sign");
   if (!IndexSet::below(m - loads_).includes(contact | without_reaction))
     throw std::invalid_argument("a sign pattern names a candidate that does not exist");
-  if (static_cast<int>(cuts.size()) > most_cuts_)
+  if (static_cast<int>(cuts.size()) > max_cuts_)
     throw std::invalid_argument("there are more cuts than there is room for");
 
   cones_.clear();

@@ -89,7 +89,7 @@ class NodeProgram {
               Motions<Real> motions = {}, int loads = 0);
 
   /// Allocates room for cuts; initially there is none.
-  void make_room(int most_cuts);
+  void make_room(int max_cuts);
 
   /// Sets mu, one number per cone, for the next calls of select().
   /// @throws std::invalid_argument if the size differs or a number is out of range
@@ -113,14 +113,14 @@ class NodeProgram {
   /// m + p: the row of the first cut.
   int first_cut() const { return candidates() + motions_.count(); }
   /// Maximum of rows() over all nodes.
-  int most_rows() const { return first_cut() + most_cuts_; }
-  int most_cuts() const { return most_cuts_; }
+  int max_rows() const { return first_cut() + max_cuts_; }
+  int max_cuts() const { return max_cuts_; }
   const Motions<Real>& motions() const { return motions_; }
   /// H of the node, with the rows of cuts: rows() numbers padded with zeros, one column for each
   /// mode with a normal part.
   const Matrix& free_columns() const { return free_columns_; }
   /// Number of cones of all candidates: m unless a candidate has several.
-  int most_cones() const { return static_cast<int>(friction_.size()); }
+  int max_cones() const { return static_cast<int>(friction_.size()); }
 
   /// C, the cones of the candidates that may have a reaction; cone c of the standard form is the
   /// cone cones()[c] of the problem.
@@ -154,7 +154,7 @@ class NodeProgram {
   void multiply(const ConePoints<D, Real>& x, Vector& sum) const;
   /// products = A'y + C'eta of the rows() numbers (y, eta), padded with zeros.
   void multiply_transposed(const Vector& weights, ConePoints<D, Real>& products) const;
-  /// b, rows() numbers padded with zeros to most_rows(), as is slack().
+  /// b, rows() numbers padded with zeros to max_rows(), as is slack().
   const Vector& right_side() const { return right_side_; }
   /// 1 for each row with a slack, 0 for the others and the padding.
   const Vector& slack() const { return slack_; }
@@ -224,7 +224,7 @@ class NodeProgram {
   std::vector<int> cones_, gap_rows_, contact_rows_;  // U: the rows without a slack
   std::vector<Cut> cuts_;
   std::vector<CutRow<Real>> cut_rows_;
-  int most_cuts_ = 0, padded_cones_, loads_;
+  int max_cuts_ = 0, padded_cones_, loads_;
   Vector matrix_;      // A, room for all cones and rows
   Vector right_side_;  // b
   Vector slack_;

@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Each repetition of the projection gains several digits; more repetitions only change rounding.
 template <class Real>
-constexpr int most_projections = extended<Real> ? 3 : 4;
+constexpr int max_projections = extended<Real> ? 3 : 4;
 
 // Ratio of a residual to its rounding level above which another projection is made, if it costs a
 // noticeable part of the level.
@@ -28,7 +28,7 @@ constexpr double visible_residual = 4;
 constexpr double visible_cost = 1e-2;
 
 // Normal forces below this part of the largest one are treated as tending to zero.
-constexpr double least_force = 1e-6;
+constexpr double min_force = 1e-6;
 
 // Limit of the modes' coefficients, where displacements are of the order of one: above it they are
 // taken as unbounded, and a candidate that moves by this part of the largest normal displacement is
@@ -57,20 +57,20 @@ NodeSolver<D, Real>::NodeSolver(NodeProgram<D, Real> program, Tolerances toleran
       bounds_(program_.compliance(), error, program_.owners(), program_.motions(),
               program_.loads()),
       tolerances_(tolerances),
-      reaction_(Vector::Zero(D * program_.most_cones())),
+      reaction_(Vector::Zero(D * program_.max_cones())),
       displacement_(reaction_),
       motion_(Vector::Zero(program_.motions().lifting)),
       multipliers_(Vector::Zero(program_.first_cut())),
       trial_(reaction_),
       trial_motion_(motion_),
       face_distances_(static_cast<std::size_t>(program_.candidates())),
-      best_(Vector::Zero(padded<Real>(program_.most_rows()))) {}
+      best_(Vector::Zero(padded<Real>(program_.max_rows()))) {}
 
 template <int D, class Real>
-void NodeSolver<D, Real>::make_room(int most_cuts) {
-  program_.make_room(most_cuts);
+void NodeSolver<D, Real>::make_room(int max_cuts) {
+  program_.make_room(max_cuts);
   iteration_ = InteriorPoint<D, Real>(program_);
-  best_.setZero(padded<Real>(program_.most_rows()));
+  best_.setZero(padded<Real>(program_.max_rows()));
 }
 
 template <int D, class Real>
@@ -157,25 +157,25 @@ template <int D, class Real>
 void NodeSolver<D, Real>::take_equilibrated(ConicResult& answer, const Vector& y) {
   const auto m = static_cast<Eigen::Index>(program_.candidates());
   const double largest = numbers::rounded(Real(y.head(m).cwiseAbs().maxCoeff()));
-  for (const double least : {0.0, least_force * largest, infinity}) {
+  for (const double minimum : {0.0, min_force * largest, infinity}) {
     Vector forces = y;
     for (Eigen::Index i = 0; i < m; ++i)
-      if (std::abs(numbers::rounded(y[i])) < least) forces[i] = Real(0);
-    if (least == infinity) forces.tail(forces.size() - program_.first_cut()).setZero();
+      if (std::abs(numbers::rounded(y[i])) < minimum) forces[i] = Real(0);
+    if (minimum == infinity) forces.tail(forces.size() - program_.first_cut()).setZero();
     program_.to_multipliers(forces);
     take_multipliers(answer, forces);
-    if (answer.upper < -tolerances_.least_resolved()) return;
+    if (answer.upper < -tolerances_.min_resolved()) return;
   }
 }
 
 template <int D, class Real>
-double NodeSolver<D, Real>::most_of(std::size_t cut) {
+double NodeSolver<D, Real>::max_of(std::size_t cut) {
   const double force = numbers::rounded(cut_multiplier(cut));
   const double reach =
       bounds_.reach(program_.sets(), program_.friction(), best_, program_.pull(best_));
   if (!(force > 0)) return reach < 0 ? -infinity : infinity;
-  const double most = reach / force;
-  return most + 0x1p-51 * std::abs(most);
+  const double maximum = reach / force;
+  return maximum + 0x1p-51 * std::abs(maximum);
 }
 
 template <int D, class Real>
@@ -189,7 +189,7 @@ void NodeSolver<D, Real>::raise_lower(ConicResult& answer, Keep keep) {
     const auto proof = bounds_.below(program_.sets(), program_.friction(), trial_,
                                      program_.normal_displacements(trial_, trial_motion_),
                                      trial_motion_, motion_cost_);
-    const bool last = projection == most_projections<Real> ||
+    const bool last = projection == max_projections<Real> ||
                       proof.residual <= visible_residual * proof.noise ||
                       (!extended<Real> && proof.cost <= visible_cost * std::abs(proof.level));
     const bool proves = proof.level > answer.lower;

@@ -58,7 +58,7 @@ class NodeSolver {
              int loads = 0);
 
   /// Allocates room for cuts; initially there is none.
-  void make_room(int most_cuts);
+  void make_room(int max_cuts);
 
   /// Sets the stop test: solve() then throws support::Stopped soon after it becomes true. Only
   /// programs with many rows ask, once an iteration.
@@ -110,7 +110,7 @@ class NodeSolver {
   /// Upper bound of the left side of a cut of the last node, for sum_k r_nk = 1 and t >= 0, proved
   /// by the same multipliers. Infinity if they prove nothing, minus infinity if they exclude t >= 0
   /// for any cut.
-  double most_of(std::size_t cut);
+  double max_of(std::size_t cut);
 
  private:
   NodeSolver(NodeProgram<D, Real> program, Tolerances tolerances, double error);
@@ -170,10 +170,10 @@ class NodeSolver {
 template <int D, class Real>
 template <class Ends>
 bool NodeSolver<D, Real>::iterate(ConicResult& answer, Keep keep, Ends ends) {
-  const int most = extended<Real> ? most_extended_iterations : tolerances_.iterations;
+  const int maximum = extended<Real> ? max_extended_iterations : tolerances_.iterations;
   for (int iteration = 0;; ++iteration) {
     sink_upper(answer);
-    if (ends(Side::upper) || iteration == most) return true;
+    if (ends(Side::upper) || iteration == maximum) return true;
     ++answer.iterations;
     if (extended<Real> || program_.rows() >= rows_that_take_long) support::leave_if(stop_);
     if (!iteration_.factorise(program_)) return false;

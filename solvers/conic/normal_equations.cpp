@@ -12,7 +12,7 @@ namespace kusabi::conic {
 namespace {
 
 // Smaller matrices stay in the cache without copies.
-constexpr int most_direct_rows = 48;
+constexpr int max_direct_rows = 48;
 
 // Right sides appended below M.
 constexpr int sides = 2;
@@ -146,10 +146,10 @@ KUSABI_INLINE void substitute_back(const Real* factor, int distance, int rows, c
 }  // namespace
 
 template <class Real>
-NormalEquations<Real>::NormalEquations(int most_rows) {
-  resize(most_rows);
+NormalEquations<Real>::NormalEquations(int max_rows) {
+  resize(max_rows);
   matrix_.assign(static_cast<std::size_t>(height_ * padded_rows_), Real(0));
-  if (padded_rows_ > most_direct_rows)
+  if (padded_rows_ > max_direct_rows)
     copied_.assign(static_cast<std::size_t>(copied_columns) *
                        static_cast<std::size_t>(padded_rows_ + block_height<Real> * lanes<Real>),
                    Real(0));
@@ -166,7 +166,7 @@ void NormalEquations<Real>::resize(int rows) {
 template <class Real>
 KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::assemble(const PackedColumns<Real>& b) {
   constexpr int width = lanes<Real>;
-  if (padded_rows_ <= most_direct_rows) {
+  if (padded_rows_ <= max_direct_rows) {
     for (int column = 0; column < padded_rows_; column += width)
       assemble_rows(b, b.data + column, padded_rows_ - column, b.data + column,
                     &matrix_[place(column, column)], height_, true);

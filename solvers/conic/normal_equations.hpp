@@ -15,7 +15,7 @@ namespace kusabi::conic {
 template <class Real = double>
 class NormalEquations {
  public:
-  explicit NormalEquations(int most_rows);
+  explicit NormalEquations(int max_rows);
 
   /// Sets the number of rows of M, at most that of construction; call assemble() next.
   void resize(int rows);

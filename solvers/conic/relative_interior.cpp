@@ -44,25 +44,25 @@ std::vector<double> NodeSolver<D, Real>::sizes() {
 // Violation of the wedging conditions by the reaction, relative to the magnitudes compared.
 template <int D, class Real>
 double NodeSolver<D, Real>::violation() {
-  double most = 0;
+  double maximum = 0;
   const double whole = reaction_size();
   const Vector& normal = program_.normal_displacements(reaction_, motion_);
   for (const int j : program_.gap_rows())
-    most = std::max(most, -numbers::rounded(normal[j]) / (own_root(D * j) * whole));
+    maximum = std::max(maximum, -numbers::rounded(normal[j]) / (own_root(D * j) * whole));
   for (const int k : program_.cones()) {
     const double mu = program_.friction()[static_cast<std::size_t>(k)];
     const Real tangential = reaction_.template segment<D - 1>(D * k + 1).norm();
     const double outside = numbers::rounded(Real(tangential - Real(mu) * reaction_[D * k]));
-    most = std::max(most, outside * own_root(D * k) / (whole * std::max(mu, 1.0)));
+    maximum = std::max(maximum, outside * own_root(D * k) / (whole * std::max(mu, 1.0)));
   }
-  return most;
+  return maximum;
 }
 
 namespace {
 
 /// A range of widths of the bracket, in which sizes are compared at its beginning and at its end.
 struct Window {
-  double widest, opens, closes, least;
+  double widest, opens, closes, minimum;
 };
 
 /// The window above the rounding of the file: a normal with sixteen digits that should be parallel
@@ -94,7 +94,7 @@ std::pair<const Point*, const Point*> ends_of(const Window& window,
   for (const Point& point : path) {
     if (point.width <= window.widest && (open == nullptr || point.width >= window.opens))
       open = &point;
-    if (point.width >= window.least) closed = &point;
+    if (point.width >= window.minimum) closed = &point;
     if (point.width <= window.closes && closed == &point) break;
   }
   return {open, closed};
@@ -157,7 +157,7 @@ std::optional<RelativeInterior> NodeSolver<D, Real>::relative_interior(const Ind
     if (all) return RelativeInterior{carriers, movers};
   }
   for (const Window& window : {shallow, deep}) {
-    if (window.least == 0 && (answer.lower > 0 || answer.upper < 0)) continue;
+    if (window.minimum == 0 && (answer.lower > 0 || answer.upper < 0)) continue;
     const auto [open, closed] = ends_of(window, path);
     if (open == nullptr || closed == nullptr) continue;
     const auto result = remaining(*open, *closed, carriers, movers);

@@ -14,7 +14,7 @@ namespace {
 
 /// Accuracy of a program without proof: residuals and gap.
 constexpr double digits = 1e-8;
-constexpr int most_iterations = 60;
+constexpr int max_iterations = 60;
 
 /// Shift of the diagonal of the normal equations, relative to it.
 constexpr double relaxed_shift = 1e-14;
@@ -219,7 +219,7 @@ std::optional<RelaxedPoint> WeightedRelaxation<D>::minimise(std::span<const doub
     for (int d = 1; d < D; ++d)
       matrix_.col(d * stride_ + c) *= friction[static_cast<std::size_t>(c)];
   start(gap, reaction);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     set_residuals();
     if (converged()) return RelaxedPoint{x_.head(m_), v_};
     if (!std::isfinite(complementarity_) || !(y_.cwiseAbs().maxCoeff() < without_end)) return {};

@@ -47,7 +47,7 @@ class Sum {
 
 // Adds the minimum of r x over [lower, upper], with |r - residual| <= error; false if it is
 // unbounded.
-bool add_least(Sum& total, const Sum& residual, double lower, double upper, Residuals residuals) {
+bool add_minimum(Sum& total, const Sum& residual, double lower, double upper, Residuals residuals) {
   const Precise& r = residual.value();
   const double error = residual.error();
   const bool above = r >= Precise(error);
@@ -61,8 +61,8 @@ bool add_least(Sum& total, const Sum& residual, double lower, double upper, Resi
       return true;
     }
   } else if (std::isfinite(lower) && std::isfinite(upper)) {
-    const auto least = std::min(product(lower), product(upper));
-    total.add(least, error * std::max(std::abs(lower), std::abs(upper)));
+    const auto minimum = std::min(product(lower), product(upper));
+    total.add(minimum, error * std::max(std::abs(lower), std::abs(upper)));
     return true;
   }
   return residuals == Residuals::forgiven && std::abs(r.x[0]) <= forgiven_share * residual.size();
@@ -97,7 +97,7 @@ SafeBound bound(const LinearProgram& program, std::span<const Precise> duals,
     // The second double of the pair is smaller than the distance to the neighbours of the first.
     result.residuals.push_back({rounded::sum_down(rounded::before(middle), -error),
                                 rounded::sum_up(-rounded::before(-middle), error)});
-    if (!add_least(total, sums[j], lower[j], upper[j], residuals)) finite = false;
+    if (!add_minimum(total, sums[j], lower[j], upper[j], residuals)) finite = false;
   }
   const double value = rounded::sum_down(rounded::before(total.value().x[0]), -total.error());
   if (finite && !std::isnan(value)) result.value = value;

@@ -22,11 +22,11 @@ using Vector = std::vector<Precise>;
 
 // Relative residual at which a basis is solved.
 constexpr double solved = 0x1p-90;
-constexpr int most_corrections = 24;
+constexpr int max_corrections = 24;
 // Tolerance of basic values and reduced costs, relative to the magnitudes around them: the error
 // implied by the residual above for a basis that is not too ill-conditioned.
 constexpr double on_it = 1e-21;
-constexpr int most_rounds = 24;
+constexpr int max_rounds = 24;
 // Largest increase of the scale factor per round; the remainder is 1e-9 in the scaled program.
 constexpr double scale_a_round = 0x1p40;
 // The largest violation is scaled to one; bounds beyond this are then omitted.
@@ -76,7 +76,7 @@ class Refinement {
     values_.assign(extended_.columns.size(), 0.0);
     reduced_.clear();
     for (const auto& column : extended_.columns) reduced_.emplace_back(column.cost);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       load(round == 0);
       result.status = simplex_.solve_robustly({.stop = stop_});
       const bool stays = round > 1 && result.basis == given_basis();
@@ -150,7 +150,7 @@ class Refinement {
                                          const std::function<bool(Vector&)>& approximate) {
     Vector x(right.size(), 0.0);
     double worst_before = infinity;
-    for (int time = 0; time < most_corrections; ++time) {
+    for (int time = 0; time < max_corrections; ++time) {
       Vector product(right.size(), 0.0);
       std::vector<double> terms(right.size());
       apply(x, product, terms);
@@ -189,8 +189,8 @@ class Refinement {
   // Approximate solution by a factorisation in 104 bits, for a basis too ill-conditioned for
   // doubles.
   bool approximate_in_all_bits(Vector& right, bool transposed) const {
-    constexpr std::size_t most_rows = 200;
-    if (rows_ == 0 || rows_ > most_rows) return false;
+    constexpr std::size_t max_rows = 200;
+    if (rows_ == 0 || rows_ > max_rows) return false;
     const auto count = static_cast<Eigen::Index>(rows_);
     numbers::PreciseMatrix matrix = numbers::PreciseMatrix::Zero(count, count);
     for (std::size_t p = 0; p < rows_; ++p) {
@@ -357,11 +357,11 @@ class Refinement {
         continue;
       }
       if (lower == upper) continue;
-      const double least = on_it * reduced_size_[k];
+      const double minimum = on_it * reduced_size_[k];
       const double at = reduced_[k].x[0];
       const bool at_lower = values_[k] == Precise(lower);
       const bool at_upper = values_[k] == Precise(upper);
-      const bool wrong = (at < -least && !at_upper) || (at > least && !at_lower);
+      const bool wrong = (at < -minimum && !at_upper) || (at > minimum && !at_lower);
       if (wrong) worst_cost_ = std::max(worst_cost_, std::abs(at));
     }
     return worst_value_ == 0 && worst_cost_ == 0;

@@ -86,7 +86,7 @@ void load(glp_prob* lp, const std::string& file) {
 
 // Bytes of a file, decompressed if compressed.
 std::string unpacked(const std::string& file) {
-  constexpr std::size_t most = std::size_t{1} << 32U;
+  constexpr std::size_t maximum = std::size_t{1} << 32U;
   const auto close = [](gzFile open) { gzclose(open); };
   const std::unique_ptr<gzFile_s, decltype(close)> stream(gzopen(file.c_str(), "rb"), close);
   std::string text;
@@ -100,7 +100,7 @@ std::string unpacked(const std::string& file) {
     }
     if (count == 0) return text;
     text.append(piece.data(), static_cast<std::size_t>(count));
-    if (text.size() > most) {
+    if (text.size() > maximum) {
       throw InputError(file, {}, "the file is larger than 4 GiB; expected a smaller program");
     }
   }

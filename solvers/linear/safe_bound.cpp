@@ -33,11 +33,11 @@ SafeBound bound(const LinearProgram& program, std::span<const double> duals,
   }
   bool finite = true;
   for (std::size_t j = 0; j < residual.size(); ++j) {
-    const double least = least_product(residual[j], lower[j], upper[j]);
-    if (std::isfinite(least)) {
-      total = rounded::sum_down(total, least);
+    const double minimum = min_product(residual[j], lower[j], upper[j]);
+    if (std::isfinite(minimum)) {
+      total = rounded::sum_down(total, minimum);
     } else {
-      finite = finite && least > 0;
+      finite = finite && minimum > 0;
     }
   }
   if (std::isnan(total)) total = -infinity;
@@ -46,7 +46,7 @@ SafeBound bound(const LinearProgram& program, std::span<const double> duals,
 
 }  // namespace
 
-double least_product(const Interval& residual, double lower, double upper) {
+double min_product(const Interval& residual, double lower, double upper) {
   using rounded::product_down;
   return std::min({product_down(residual.lower, lower), product_down(residual.lower, upper),
                    product_down(residual.upper, lower), product_down(residual.upper, upper)});

@@ -36,7 +36,7 @@ SafeBound safe_bound(const LinearProgram& program, std::span<const double> duals
 
 /// Minimum of r x over r in `residual` and x in [lower, upper], rounded down: the contribution of
 /// one column.
-double least_product(const Interval& residual, double lower, double upper);
+double min_product(const Interval& residual, double lower, double upper);
 
 /// The bound without costs: above zero if no point satisfies all rows and bounds.
 double safe_infeasibility(const LinearProgram& program, std::span<const double> duals,

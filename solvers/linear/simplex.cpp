@@ -24,13 +24,13 @@ constexpr double dual_tolerance = 1e-9;
 // Limit of steps per row, since GLPK's methods can cycle. Ordinary programs take some steps per
 // row.
 constexpr int steps_a_row = 50;
-constexpr int least_steps = 2000;
+constexpr int min_steps = 2000;
 
 // Size of a piece of a solve that may be stopped: a number of steps that take about a second at
 // most. A step costs as much as reading the program once or twice; at the beginning of a piece GLPK
 // copies the program, entry by entry, and discards its steepest-edge weights.
 constexpr double reading_a_piece = 2e8;
-constexpr double least_piece = 500;
+constexpr double min_piece = 500;
 
 int bound_type(double lower, double upper) {
   if (lower == upper) return GLP_FX;
@@ -282,7 +282,7 @@ LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
 int Simplex::steps_a_piece() const {
   const double size = static_cast<double>(rows()) + static_cast<double>(columns()) +
                       static_cast<double>(glp_get_num_nz(problem_->lp));
-  return static_cast<int>(std::max(least_piece, reading_a_piece / std::max(1.0, size)));
+  return static_cast<int>(std::max(min_piece, reading_a_piece / std::max(1.0, size)));
 }
 
 LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
@@ -294,18 +294,18 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   control.meth = method;
   control.tol_bnd = primal_tolerance;
   control.tol_dj = dual_tolerance;
-  const int enough = least_steps + steps_a_row * (rows() + columns());
-  const int most = std::min(limits.iterations, enough);
+  const int enough = min_steps + steps_a_row * (rows() + columns());
+  const int maximum = std::min(limits.iterations, enough);
   if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
   const int before = glp_get_it_cnt(problem_->lp);
-  const int piece = limits.stop ? steps_a_piece() : most;
+  const int piece = limits.stop ? steps_a_piece() : maximum;
   int done = 0;
   int code = 0;
   for (;;) {
-    control.it_lim = std::min(piece, most - done);
+    control.it_lim = std::min(piece, maximum - done);
     problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
     done = std::max(0, glp_get_it_cnt(problem_->lp) - before);
-    if (code != GLP_EITLIM || done >= most) break;
+    if (code != GLP_EITLIM || done >= maximum) break;
     if (support::asked(limits.stop)) {
       iterations_ += static_cast<std::uint64_t>(done);
       return LinearStatus::interrupted;

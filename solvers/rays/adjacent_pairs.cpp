@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t looks_between_stops = 256;
 
 /// Number of cached third rays: on trusses sixteen answer nine tests of ten.
-constexpr std::size_t most_third_rays = 16;
+constexpr std::size_t max_third_rays = 16;
 
 std::vector<int> numbers_below(std::size_t count) {
   std::vector<int> numbers(count);
@@ -40,7 +40,7 @@ std::vector<AdjacentPairs::Part> AdjacentPairs::halves(const Part& part) const {
   return {};
 }
 
-std::vector<AdjacentPairs::Part> AdjacentPairs::parts(std::uint64_t most_pairs) const {
+std::vector<AdjacentPairs::Part> AdjacentPairs::parts(std::uint64_t max_pairs) const {
   std::vector<Part> found;
   std::vector<Part> open{whole()};
   while (!open.empty()) {
@@ -49,7 +49,7 @@ std::vector<AdjacentPairs::Part> AdjacentPairs::parts(std::uint64_t most_pairs) 
     if (!may_be_adjacent(common(part.plus->all, part.minus->all))) continue;
     const auto pairs = static_cast<std::uint64_t>(part.plus->size()) *
                        static_cast<std::uint64_t>(part.minus->size());
-    const auto halves_of_it = pairs > most_pairs ? halves(part) : std::vector<Part>{};
+    const auto halves_of_it = pairs > max_pairs ? halves(part) : std::vector<Part>{};
     if (halves_of_it.empty()) found.push_back(part);
     open.insert(open.end(), halves_of_it.rbegin(), halves_of_it.rend());
   }
@@ -113,7 +113,7 @@ class AdjacentPairs::Descent {
     }
     const auto third = pairs_.all_.superset(pair.common, {pair.plus, pair.minus});
     if (!third) return false;
-    if (third_rays_.size() == most_third_rays) third_rays_.pop_back();
+    if (third_rays_.size() == max_third_rays) third_rays_.pop_back();
     third_rays_.insert(third_rays_.begin(), *third);
     return true;
   }

@@ -40,9 +40,9 @@ class AdjacentPairs {
 
   Part whole() const { return {&plus_.root(), &minus_.root()}; }
 
-  /// Partition of the search, in its order, into parts of at most `most_pairs` pairs each unless
+  /// Partition of the search, in its order, into parts of at most `max_pairs` pairs each unless
   /// they are pairs of leaves. Parts without adjacent pairs may be omitted.
-  std::vector<Part> parts(std::uint64_t most_pairs) const;
+  std::vector<Part> parts(std::uint64_t max_pairs) const;
 
   /// Calls `found` for each adjacent pair of a part.
   /// @param stop called now and then; empty: never  @return false if it returned true

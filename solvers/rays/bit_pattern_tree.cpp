@@ -14,7 +14,7 @@ namespace {
 constexpr int leaf_size = 8;
 
 /// Sample size for the choice of the splitting bit.
-constexpr int most_sampled = 128;
+constexpr int max_sampled = 128;
 
 constexpr int bits_in_word = 64;
 
@@ -31,7 +31,7 @@ struct Split {
 };
 
 Split best_split(std::span<const ZeroSet> sets, std::span<const int> members) {
-  const std::size_t step = (members.size() + most_sampled - 1) / most_sampled;
+  const std::size_t step = (members.size() + max_sampled - 1) / max_sampled;
   std::array<std::array<int, bits_in_word>, words.size()> counts{};
   int sampled = 0;
   for (std::size_t at = 0; at < members.size(); at += step, ++sampled) {
@@ -43,12 +43,12 @@ Split best_split(std::span<const ZeroSet> sets, std::span<const int> members) {
     }
   }
   Split best;
-  int least = sampled;  // above the count of any splitting bit
+  int minimum = sampled;  // above the count of any splitting bit
   for (std::size_t word = 0; word < words.size(); ++word) {
     for (int place = 0; place < bits_in_word; ++place) {
       const int unevenness = std::abs(2 * counts[word][static_cast<std::size_t>(place)] - sampled);
-      if (unevenness < least) {
-        least = unevenness;
+      if (unevenness < minimum) {
+        minimum = unevenness;
         best = {words[word], bit(place)};
       }
     }

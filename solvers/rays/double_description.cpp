@@ -39,7 +39,7 @@ constexpr std::uint64_t pieces_of_cut = 512;
 /// The candidate at which a list is divided: the cost of a part is about cubic in its length.
 std::optional<int> division(const RayList& list) {
   std::optional<int> best;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (Candidates rest = list.done.gaps & ~(list.contact | list.separated); rest != 0;
        rest &= rest - 1) {
     const Candidates here = rest & (~rest + 1);
@@ -51,9 +51,9 @@ std::optional<int> division(const RayList& list) {
     }
     const double longer = std::max(contact, separated);
     const double cubes = contact * contact * contact + separated * separated * separated;
-    if (longer < static_cast<double>(list.zeros.size()) && cubes < least) {
+    if (longer < static_cast<double>(list.zeros.size()) && cubes < minimum) {
       best = std::countr_zero(here);
-      least = cubes;
+      minimum = cubes;
     }
   }
   return best;
@@ -222,7 +222,7 @@ bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
     stopped_ = conduct_.agree ? conduct_.agree(stop_asked) : stop_asked;
     if (stopped_) return false;
     effort_ += std::exchange(next_.effort, {});
-    if (list_.zeros.size() > conduct_.most_rays && division(list_)) return false;
+    if (list_.zeros.size() > conduct_.max_rays && division(list_)) return false;
     if (left.empty() || !conduct_.give_up) continue;
     stopped_ = conduct_.give_up(effort_);
     if (stopped_) return false;
@@ -245,9 +245,9 @@ int DoubleDescription::cheapest(const std::vector<int>& rows) {
     for (Eigen::Index ray = 0; ray < block.cols(); ++ray) {
       for (std::size_t place = 0; place < rows.size(); ++place) {
         const auto row = static_cast<Eigen::Index>(place);
-        const double least = zero_tolerance * scale(row, ray);
-        if (value(row, ray) > least) ++sides[place].plus;
-        if (value(row, ray) < -least) ++sides[place].minus;
+        const double minimum = zero_tolerance * scale(row, ray);
+        if (value(row, ray) > minimum) ++sides[place].plus;
+        if (value(row, ray) < -minimum) ++sides[place].minus;
       }
     }
   }
@@ -420,10 +420,10 @@ struct PatternRaysByTurns::State {
         separated(cone.all() & ~in_contact),
         description(cone, in_contact, in_contact,
                     {.stop = std::move(stop), .give_up = [this](const Effort& effort) {
-                       return effort.pairs > most_pairs;
+                       return effort.pairs > max_pairs;
                      }}) {}
 
-  std::uint64_t most_pairs = 0;
+  std::uint64_t max_pairs = 0;
   Candidates contact;
   Candidates separated;
   DoubleDescription description;
@@ -436,9 +436,9 @@ PatternRaysByTurns::PatternRaysByTurns(PatternRaysByTurns&&) noexcept = default;
 PatternRaysByTurns& PatternRaysByTurns::operator=(PatternRaysByTurns&&) noexcept = default;
 PatternRaysByTurns::~PatternRaysByTurns() = default;
 
-bool PatternRaysByTurns::go_on(std::uint64_t most_pairs) {
-  if (state_->description.effort().pairs > most_pairs) return false;
-  state_->most_pairs = most_pairs;
+bool PatternRaysByTurns::go_on(std::uint64_t max_pairs) {
+  if (state_->description.effort().pairs > max_pairs) return false;
+  state_->max_pairs = max_pairs;
   auto& description = state_->description;
   return description.cut_by(state_->contact, Keep::zero) &&
          description.cut_by(state_->separated, Keep::nonnegative);

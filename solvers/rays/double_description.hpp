@@ -58,7 +58,7 @@ struct NewRays {
 /// Limits, stop requests and parallelism of an enumeration.
 struct Conduct {
   /// Maximum number of rays: above it the enumeration ends, if the list can be divided.
-  std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t max_rays = std::numeric_limits<std::uint64_t>::max();
 
   /// Called now and then; true ends the enumeration. With sharing it may differ between the ranks:
   /// it then ends shared pieces, and `agree` combines it after each step. Empty: never.
@@ -142,9 +142,9 @@ class PatternRaysByTurns {
   PatternRaysByTurns& operator=(PatternRaysByTurns&&) noexcept;
   ~PatternRaysByTurns();
 
-  /// Resumes until more than `most_pairs` pairs were tested, over all turns, or all rays are found.
+  /// Resumes until more than `max_pairs` pairs were tested, over all turns, or all rays are found.
   /// Only `stop` interrupts a step. @return true if all rays are found
-  bool go_on(std::uint64_t most_pairs);
+  bool go_on(std::uint64_t max_pairs);
 
   /// @pre go_on has returned true
   Enumeration result() &&;

@@ -15,7 +15,7 @@ namespace {
 constexpr double small_correction = 1e-9;
 
 /// If elimination in doubles has some correct digits, the second correction is small enough.
-constexpr int most_corrections = 3;
+constexpr int max_corrections = 3;
 
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -144,7 +144,7 @@ std::optional<Eigen::VectorXd> rounded_null_vector(const LongMatrix& equalities,
       used(i, j) = equalities(elimination.row(i), elimination.column(j));
     }
   }
-  for (int done = 0; done < most_corrections; ++done) {
+  for (int done = 0; done < max_corrections; ++done) {
     const LongVector residual = used * x;
     const Eigen::VectorXd correction = elimination.correction(residual.cast<double>());
     x.head(rank) -= correction.cast<long double>();

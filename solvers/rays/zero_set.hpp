@@ -20,15 +20,15 @@ namespace kusabi::rays {
 using Candidates = std::uint64_t;
 
 /// One word, unlike the sets of sign patterns: billions of pairs of rays are compared.
-inline constexpr int most_candidates = 64;
+inline constexpr int max_candidates = 64;
 
 inline Candidates bit(int candidate) {
   return Candidates{1} << static_cast<unsigned>(candidate);
 }
 
-/// The candidates 0, ..., count - 1; count <= most_candidates.
+/// The candidates 0, ..., count - 1; count <= max_candidates.
 inline Candidates first_candidates(int count) {
-  return count >= most_candidates ? ~Candidates{0} : bit(count) - 1;
+  return count >= max_candidates ? ~Candidates{0} : bit(count) - 1;
 }
 
 /// True if `a` has the lowest candidate that is in only one of the two sets: lexicographic order,

@@ -23,9 +23,9 @@ struct RunningError {
   RunningError(double number, double bound) : value(number), error(bound) {}
 
   /// Upper bound of |x|, of its value in `Precise`, and of |value|.
-  [[nodiscard]] double most() const { return std::abs(value) + 0x1p-52 * error; }
+  [[nodiscard]] double maximum() const { return std::abs(value) + 0x1p-52 * error; }
   /// Lower bound of the same.
-  [[nodiscard]] double least() const { return std::abs(value) - 0x1p-52 * error; }
+  [[nodiscard]] double minimum() const { return std::abs(value) - 0x1p-52 * error; }
 
   RunningError& operator+=(const RunningError& other);
   RunningError& operator-=(const RunningError& other);
@@ -33,7 +33,7 @@ struct RunningError {
 };
 
 inline RunningError operator+(const RunningError& a, const RunningError& b) {
-  return {a.value + b.value, a.error + b.error + a.most() + b.most()};
+  return {a.value + b.value, a.error + b.error + a.maximum() + b.maximum()};
 }
 inline RunningError operator-(const RunningError& a) {
   return {-a.value, a.error};
@@ -42,21 +42,21 @@ inline RunningError operator-(const RunningError& a, const RunningError& b) {
   return a + -b;
 }
 inline RunningError operator*(const RunningError& a, const RunningError& b) {
-  const double x = a.most();
-  const double y = b.most();
+  const double x = a.maximum();
+  const double y = b.maximum();
   return {a.value * b.value, x * b.error + y * a.error + x * y};
 }
 /// Infinite error if b may be zero.
 inline RunningError operator/(const RunningError& a, const RunningError& b) {
-  const double y = b.least();
+  const double y = b.minimum();
   if (!(y > 0)) return {a.value / b.value, std::numeric_limits<double>::infinity()};
-  return {a.value / b.value, (a.error + a.most() + a.most() * b.error / y) / y};
+  return {a.value / b.value, (a.error + a.maximum() + a.maximum() * b.error / y) / y};
 }
 /// Infinite error if a may be zero.
 inline RunningError sqrt(const RunningError& a) {
-  const double x = a.least();
+  const double x = a.minimum();
   if (!(x > 0)) return {std::sqrt(a.value), std::numeric_limits<double>::infinity()};
-  return {std::sqrt(a.value), a.error / (2 * std::sqrt(x)) + std::sqrt(a.most())};
+  return {std::sqrt(a.value), a.error / (2 * std::sqrt(x)) + std::sqrt(a.maximum())};
 }
 inline RunningError abs(const RunningError& a) {
   return {std::abs(a.value), a.error};

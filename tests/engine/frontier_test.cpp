@@ -114,8 +114,8 @@ TEST(Frontier, GivesLargeFamiliesInPieces) {
     EXPECT_EQ(pieces.size() > nodes.size() / 3, limit == 1);
     std::size_t place = 0;
     for (const auto& piece : pieces) {
-      const auto most = std::max(limit, 2 * piece.trail.size() * sizeof(TrailStep));
-      EXPECT_TRUE(piece.nodes.size() == 1 || pack(piece).size() <= most + 100);  // list headers
+      const auto maximum = std::max(limit, 2 * piece.trail.size() * sizeof(TrailStep));
+      EXPECT_TRUE(piece.nodes.size() == 1 || pack(piece).size() <= maximum + 100);  // list headers
       for (const auto& open : piece.nodes) ASSERT_EQ(open.node, nodes[place++].node);
       EXPECT_EQ(piece.trail.size(), piece.nodes.back().depth);
     }

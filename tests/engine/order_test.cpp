@@ -85,15 +85,15 @@ TEST(Order, HybridGoesDownToALeafAndThenToTheLeastBound) {
     EXPECT_EQ(problem.opened[depth].decided, static_cast<int>(depth));
   }
   // Among the second children left by a dive, the one with the least bound comes next.
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t depth = 0; depth < items; ++depth) {
     auto left = problem.opened[depth];
     ++left.decided;  // without the item
     if (problem.opened[depth + 1].chosen != left.chosen) {
-      least = std::min(least, problem.bound(left));
+      minimum = std::min(minimum, problem.bound(left));
     }
   }
-  EXPECT_EQ(problem.bound(problem.opened[items + 1]), least);
+  EXPECT_EQ(problem.bound(problem.opened[items + 1]), minimum);
 }
 
 TEST(Order, AFullHeapDives) {

@@ -42,11 +42,11 @@ std::vector<Path> by_objective(P problem, const Pool& pool,
   std::stable_sort(all.begin(), all.end(), [&](const auto& one, const auto& other) {
     return problem.objective(one.solution) < problem.objective(other.solution);
   });
-  const double least = problem.objective(all.front().solution);
+  const double minimum = problem.objective(all.front().solution);
   std::vector<Path> paths;
   for (const auto& [path, solution] : all) {
-    const double above = problem.objective(solution) - least;
-    const bool near = above <= pool.gap && !(above > pool.relative_gap * std::abs(least));
+    const double above = problem.objective(solution) - minimum;
+    const bool near = above <= pool.gap && !(above > pool.relative_gap * std::abs(minimum));
     if (near && problem.objective(solution) <= cutoff && paths.size() < pool.count) {
       paths.push_back(path);
     }
@@ -165,12 +165,12 @@ struct Valuable : Knapsack {
   double objective(const Solution& solution) const { return solution.value; }
   double bound(const Node& node) const { return -Knapsack::bound(node); }
   void expand(Node&& node, Expansion<Valuable>& out) {
-    least_cutoff = std::min(least_cutoff, out.cutoff());
+    min_cutoff = std::min(min_cutoff, out.cutoff());
     excluded += out.ruled_out(0) ? 1 : 0;
     possible += out.ruled_out(1e9) ? 0 : 1;
     Knapsack::expand(std::move(node), out);
   }
-  double least_cutoff = 0;
+  double min_cutoff = 0;
   int excluded = 0;
   int possible = 0;
 };
@@ -180,10 +180,10 @@ TEST(Sense, OfAMaximumIsThatOfTheNegativeMinimum) {
     auto knapsack = Knapsack::random(seed, 12);
     Valuable valuable(Knapsack::random(seed, 12));
     for (const auto& pool : pools) {
-      const auto least = search(knapsack, for_the_best(pool));
-      const auto most = simulate(valuable, 3, seed, {}, for_the_best(pool)).outcome;
-      EXPECT_EQ(paths_of(most), paths_of(least)) << "seed " << seed;
-      EXPECT_EQ(most.bound, -least.bound);
+      const auto minimum = search(knapsack, for_the_best(pool));
+      const auto maximum = simulate(valuable, 3, seed, {}, for_the_best(pool)).outcome;
+      EXPECT_EQ(paths_of(maximum), paths_of(minimum)) << "seed " << seed;
+      EXPECT_EQ(maximum.bound, -minimum.bound);
     }
   }
 }
@@ -204,7 +204,7 @@ TEST(Sense, OfCutoffBoundAndProgressIsTheUsers) {
   };
   const auto outcome = search(valuable, options);
   EXPECT_EQ(objective, outcome.bound);
-  EXPECT_EQ(valuable.least_cutoff, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(valuable.min_cutoff, -std::numeric_limits<double>::infinity());
   EXPECT_GT(valuable.excluded, 0);
   EXPECT_EQ(static_cast<std::uint64_t>(valuable.possible), outcome.opened());
   options.cutoff = outcome.bound + 1;

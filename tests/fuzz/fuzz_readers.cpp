@@ -30,14 +30,14 @@ const Reader reader = chosen_reader();
 
 }  // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t maximum);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t most, unsigned /*seed*/) {
-  const auto now = LLVMFuzzerMutate(data, size, most);
+                                               std::size_t maximum, unsigned /*seed*/) {
+  const auto now = LLVMFuzzerMutate(data, size, maximum);
   std::string bytes(data, data + now);
   kusabi::fuzz::repair(reader, bytes);
-  if (bytes.size() > most) return now;
+  if (bytes.size() > maximum) return now;
   std::copy(bytes.begin(), bytes.end(), data);
   return bytes.size();
 }

@@ -89,11 +89,11 @@ std::optional<std::string> refusal(Read read) {
 
 std::optional<std::string> try_structure(const std::string& bytes) {
   // The rest takes time of the cube of the size.
-  constexpr std::size_t most_nodes = 60;
+  constexpr std::size_t max_nodes = 60;
   std::optional<problems::Structure> structure;
   auto refused = refusal<support::InputError>(
       [&] { structure = problems::read_structure(bytes, "fuzzed.toml"); });
-  if (refused || structure->node_names.size() > most_nodes) return refused;
+  if (refused || structure->node_names.size() > max_nodes) return refused;
   refused = refusal<support::InputError>([&] { problems::wedged_problem(checked(*structure)); });
   const auto other =
       refusal<support::InputError>([&] { problems::limit_problem(checked(*structure)); });
@@ -102,7 +102,7 @@ std::optional<std::string> try_structure(const std::string& bytes) {
 
 std::optional<std::string> try_mesh(const std::string& bytes, const std::string& name,
                                     int dimension) {
-  constexpr std::size_t most_nodes = 60;
+  constexpr std::size_t max_nodes = 60;
   problems::ProblemText problem;
   problem.toml = "name = \"fuzzed\"\ndimension = " + std::to_string(dimension) +
                  "\nunits = { length = \"m\", force = \"kN\" }\n[[mesh]]\nname = \"m\"\nfile = \"" +
@@ -114,7 +114,7 @@ std::optional<std::string> try_mesh(const std::string& bytes, const std::string&
   std::optional<problems::Structure> structure;
   const auto refused = refusal<support::InputError>(
       [&] { structure = problems::read_structure(problem, "fuzzed.toml"); });
-  if (refused || structure->node_names.size() > most_nodes) return refused;
+  if (refused || structure->node_names.size() > max_nodes) return refused;
   for (const auto& warning : structure->warnings) check_line(warning);
   refusal<support::InputError>([&] { problems::wedged_problem(checked(*structure)); });
   return std::nullopt;

@@ -60,8 +60,8 @@ std::vector<std::string> corpus(Reader reader) {
 
 using Bits = std::mt19937_64;
 
-std::size_t below(Bits& bits, std::size_t most) {
-  return static_cast<std::size_t>(bits() % std::max<std::size_t>(1, most));
+std::size_t below(Bits& bits, std::size_t maximum) {
+  return static_cast<std::size_t>(bits() % std::max<std::size_t>(1, maximum));
 }
 
 // One change: a byte, a piece left out, doubled, moved from another file, or a number made extreme.

@@ -42,6 +42,13 @@ class CheckWords(Planted):
             "engine/rank.cpp:1: 'give way'; expected: relax",
             "engine/rank.cpp:2: 'loose body'; expected: unconstrained body"]))
 
+    def test_finds_terms_in_scripts_without_a_suffix_and_in_no_other_file_without_one(self):
+        self.write("engine/start", "#!/bin/bash\nsent=gift\n")
+        self.write("engine/stop.sh", "gift=1\n")
+        self.write("engine/data", "gift\n")
+        self.assertEqual(self.check(), (1, [
+            "engine/start:2: 'gift'; expected: transfer", "engine/stop.sh:1: 'gift'; expected: transfer"]))
+
     def test_ignores_strings_quotations_and_other_folders(self):
         self.write("engine/rank.cpp", '// Section "A loose body".\nauto key = "gift \\" sent";\n')
         self.write("run/main.cpp", "int gift = 0;\n")

@@ -11,7 +11,7 @@ import unittest
 MPIRUN = sys.argv.pop()
 BUILD = sys.argv.pop()
 DOCS = pathlib.Path(sys.argv.pop())
-HOUSE = DOCS.parent.parent
+ROOT = DOCS.parent.parent
 PAGE = """# A page
 
 <a id="place"></a>See [here](#a-page), [there](#place), [and there](other.md#other-page), with `--mu`.

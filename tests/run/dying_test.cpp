@@ -138,13 +138,13 @@ TEST_F(Dying, OfAClosedPipeLosesNoFile) {
 
 TEST_F(Dying, OfAFullStandardOutputLosesNoFile) {
   // Files may have one mebibyte, and the file at standard output has that size already.
-  constexpr rlim_t most = 1U << 20U;
+  constexpr rlim_t maximum = 1U << 20U;
   for (const auto& call : calls()) {
     const auto child = start(call.words, [&] {
       open_as(STDERR_FILENO, in_folder("said"));
       open_as(STDOUT_FILENO, in_folder("table"));
-      lseek(STDOUT_FILENO, most, SEEK_SET);
-      const rlimit limit{most, most};
+      lseek(STDOUT_FILENO, maximum, SEEK_SET);
+      const rlimit limit{maximum, maximum};
       setrlimit(RLIMIT_FSIZE, &limit);
     });
     EXPECT_EQ(end_of(child), 1) << call.words.front();
@@ -191,8 +191,8 @@ TEST_F(Dying, OfAFullDiskSavesWhatItCan) {
   const auto child = start(call.words, [&] {
     open_as(STDERR_FILENO, in_folder("said"));
     open_as(STDOUT_FILENO, in_folder("table"));
-    constexpr rlim_t most = 12'000;
-    const rlimit limit{most, most};
+    constexpr rlim_t maximum = 12'000;
+    const rlimit limit{maximum, maximum};
     setrlimit(RLIMIT_FSIZE, &limit);
   });
   EXPECT_EQ(end_of(child), 1);

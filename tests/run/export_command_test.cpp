@@ -73,10 +73,10 @@ int row_called(const LinearProgram& program, const std::string& name) {
 }
 
 // Least load factor over all vertices of the uncertain loads: a linear program (5) for each.
-double least_of_all_corners(const LinearProgram& statics, const std::vector<std::string>& uncertain,
-                            double alpha) {
+double min_over_corners(const LinearProgram& statics, const std::vector<std::string>& uncertain,
+                        double alpha) {
   kusabi::linear::Simplex simplex(statics);
-  double least = kusabi::linear::infinity;
+  double minimum = kusabi::linear::infinity;
   for (unsigned corner = 0; corner < 1U << uncertain.size(); ++corner) {
     for (std::size_t j = 0; j < uncertain.size(); ++j) {
       const int row = row_called(statics, "equilibrium." + uncertain[j]);
@@ -87,9 +87,9 @@ double least_of_all_corners(const LinearProgram& statics, const std::vector<std:
     }
     simplex.use_slack_basis();
     EXPECT_EQ(simplex.solve_robustly(), LinearStatus::optimal);
-    least = std::min(least, -simplex.objective());
+    minimum = std::min(minimum, -simplex.objective());
   }
-  return least;
+  return minimum;
 }
 
 std::vector<std::string> uncertain_of(const LinearProgram& worst_case) {
@@ -107,12 +107,12 @@ TEST_F(ExportCommand, TheOptimumOfTheZeroOneProgramIsTheWorstCorner) {
   const auto statics = exported("mps " + truss + " --program static", "static.mps");
   const auto uncertain = uncertain_of(kusabi::linear::read_program(worst).mixed.program);
   ASSERT_EQ(uncertain.size(), 7U);
-  const double least =
-      least_of_all_corners(kusabi::linear::read_program(statics).mixed.program, uncertain, 0.45);
-  EXPECT_NEAR(result("mip " + quoted(worst))["objective"], least, 1e-8);
-  EXPECT_NEAR(result("limit " + truss + " --alpha 0.45")["worst_case"]["upper"], least, 1e-8);
+  const double minimum =
+      min_over_corners(kusabi::linear::read_program(statics).mixed.program, uncertain, 0.45);
+  EXPECT_NEAR(result("mip " + quoted(worst))["objective"], minimum, 1e-8);
+  EXPECT_NEAR(result("limit " + truss + " --alpha 0.45")["worst_case"]["upper"], minimum, 1e-8);
   if (!has("glpsol --version")) GTEST_SKIP() << "glpsol is not installed";
-  EXPECT_NEAR(by_glpsol(worst), least, 1e-6);
+  EXPECT_NEAR(by_glpsol(worst), minimum, 1e-6);
 }
 
 // Truss and figure of the paper.

@@ -158,15 +158,15 @@ TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
   const auto all = nlohmann::json::parse(content(in_folder("result.json")))["result"]["patterns"];
   const auto best = std::ranges::max_element(
       all, {}, [](const nlohmann::json& pattern) { return pattern["margin"].get<double>(); });
-  double least = 0;
+  double minimum = 0;
   for (const auto& reaction : (*best)["reaction"]) {
     const auto r = reaction.get<std::vector<double>>();
-    if (r[0] > 0) least = std::max(least, std::hypot(r[1], r[2]) / r[0]);
+    if (r[0] > 0) minimum = std::max(minimum, std::hypot(r[1], r[2]) / r[0]);
   }
-  EXPECT_LT(least, 0.65);
+  EXPECT_LT(minimum, 0.65);
   EXPECT_THAT(run.output,
               HasSubstr(fmt::format("Its configuration sticks from friction coefficient {:.4g} on",
-                                    least)));
+                                    minimum)));
   EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.3").output,
               HasSubstr("It cannot stick at friction coefficient 0.3."));
 }

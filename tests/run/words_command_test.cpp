@@ -62,11 +62,11 @@ std::string in_one_line(const std::string& text) {
 // Lines that can be folded; file names cannot.
 std::size_t longest_line(const std::string& text) {
   std::istringstream lines(text);
-  std::size_t most = 0;
+  std::size_t maximum = 0;
   for (std::string line; std::getline(lines, line);) {
-    if (in_one_line(line).find(' ') != std::string::npos) most = std::max(most, width(line));
+    if (in_one_line(line).find(' ') != std::string::npos) maximum = std::max(maximum, width(line));
   }
-  return most;
+  return maximum;
 }
 
 class Words : public Command {

@@ -30,15 +30,15 @@ std::string complaint(const std::string& text) {
 TEST(BoundLines, AreReadAsTheyWereWritten) {
   const auto certificate = read_certificate(two_candidates(2).text(), "cert");
   ASSERT_EQ(certificate.bounds.size(), 3U);
-  const auto& [line, block, candidate, side, most, multipliers] = certificate.bounds[0];
+  const auto& [line, block, candidate, side, maximum, multipliers] = certificate.bounds[0];
   EXPECT_EQ(line, 16U);
   EXPECT_EQ(block, 0U);
   EXPECT_EQ(candidate, 1);
   EXPECT_EQ(side, Side::separated);
-  EXPECT_EQ(most, 0.25);
+  EXPECT_EQ(maximum, 0.25);
   EXPECT_EQ(multipliers, (std::vector<double>{0, 1, 0, 0, 1}));
   EXPECT_EQ(certificate.bounds[1].side, Side::contact);
-  EXPECT_EQ(certificate.bounds[1].most, std::nullopt);
+  EXPECT_EQ(certificate.bounds[1].maximum, std::nullopt);
   EXPECT_EQ(certificate.records[0].claim, Claim::cut);
   EXPECT_EQ(certificate.records[0].numbers, (std::vector<double>{-4, -4, 0, 1}));
 }

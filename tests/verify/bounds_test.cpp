@@ -85,9 +85,9 @@ TEST(Bounds, HoldForEveryStiffnessWithinTheRadius) {
 
 TEST(Bounds, ReactionsAreBoundedAsFarAsTheRelaxationGoes) {
   // Without cuts: r_na = r_tb <= mu r_nb, so r_na <= s mu/(1 + mu), which is 2/3 and 1/2.
-  const auto refused = [](double mu, double most, double y) {
+  const auto refused = [](double mu, double maximum, double y) {
     auto draft = two_candidates(mu);
-    draft.bounds = {"bound 1 0 contact" + numbers({most, y, 0, 0, 0, 1})};
+    draft.bounds = {"bound 1 0 contact" + numbers({maximum, y, 0, 0, 0, 1})};
     draft.nodes = {"marginal 1 0 0\n"};
     return !verdict(draft.text()).refusals.empty();
   };
@@ -210,14 +210,14 @@ TEST(BoundsOfAnUnconstrainedBar, AreRefusedBelowHalfOfTheReactions) {
     draft.nodes = {"marginal 1 0 0\n"};
     return !verdict(draft.text()).refusals.empty();
   };
-  const auto bound = [](double most, double x, double turn, double y = 0) {
-    return "bound 1 0 contact" + numbers({most, y, y, x, 0, turn, 0, 0, 1});
+  const auto bound = [](double maximum, double x, double turn, double y = 0) {
+    return "bound 1 0 contact" + numbers({maximum, y, y, x, 0, turn, 0, 0, 1});
   };
   EXPECT_FALSE(refused(bound(0.51, -0.3, 0.4)));
-  for (const double most : {0.4999, 0.3})
+  for (const double maximum : {0.4999, 0.3})
     for (int k = -10; k <= 10; ++k)
       for (const double y : {-1.0, 0.0, 1.0})
-        EXPECT_TRUE(refused(bound(most, -0.06 * k, 0.08 * k, y))) << k;
+        EXPECT_TRUE(refused(bound(maximum, -0.06 * k, 0.08 * k, y))) << k;
   EXPECT_TRUE(refused(bound(0.6, 0.3, -0.4)));
   EXPECT_TRUE(refused("never 1 0 contact" + numbers({0, 0, -0.3, 0, 0.4, 0, 0})));
 }
@@ -237,7 +237,7 @@ TEST(BoundsOfAnUnconstrainedBar, NoAlterationProvesAFalseBound) {
       for (const auto& bound : certificate.bounds) {
         if (proof.add_bound(bound)) continue;
         ++added;
-        EXPECT_TRUE(bound.side == Side::separated || (bound.most && *bound.most >= 0.5));
+        EXPECT_TRUE(bound.side == Side::separated || (bound.maximum && *bound.maximum >= 0.5));
       }
       const auto said = verdict(wrong);
       EXPECT_TRUE(!said.proved() || said.feasible.size() + said.marginal >= 1) << wrong;
@@ -259,15 +259,15 @@ TEST(Bounds, AreCheckedWithoutAReaderToo) {
   EXPECT_EQ(refusal([](CandidateBound&) {}), "");
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.candidate = 2; }),
               HasSubstr("not in its block"));
-  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.most = 0; }), HasSubstr("above zero"));
-  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.most = -1; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.maximum = 0; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](CandidateBound& bound) { bound.maximum = -1; }), HasSubstr("above zero"));
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.numbers.back() = 0; }),
               HasSubstr("above zero"));
   EXPECT_THAT(refusal([](CandidateBound& bound) { bound.numbers[2] = -1; }), HasSubstr("negative"));
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     for (std::size_t k = 0; k < 5; ++k)
       EXPECT_NE(refusal([&](CandidateBound& bound) { bound.numbers[k] = bad; }), "") << bad << k;
-    EXPECT_NE(refusal([&](CandidateBound& bound) { bound.most = bad; }), "");
+    EXPECT_NE(refusal([&](CandidateBound& bound) { bound.maximum = bad; }), "");
   }
 }
 
@@ -291,7 +291,7 @@ TEST(Bounds, AnyNumbersAreJudged) {
 bool is_true(const CandidateBound& bound) {
   const bool has_part =
       bound.candidate == 0 ? bound.side == Side::separated : bound.side == Side::contact;
-  return !has_part || (bound.most && *bound.most >= 1);
+  return !has_part || (bound.maximum && *bound.maximum >= 1);
 }
 
 TEST(Bounds, NoAlterationProvesAFalseBound) {

@@ -19,11 +19,11 @@ DyadicList nearly_singular(const Dyadic& change) {
 
 TEST(EnclosedFactor, DecidesTheSignOfATinyPivot) {
   const Dyadic e(0x1p-80);
-  EXPECT_FALSE(least_eigenvalue(Profile::full(2), nearly_singular(e)));
+  EXPECT_FALSE(min_eigenvalue(Profile::full(2), nearly_singular(e)));
   const auto factor = EnclosedFactor::of(2, nearly_singular(e));
   ASSERT_TRUE(factor);
   const mpq_class bound = e.rational() / (2 + e.rational());  // 1 / trace of the inverse
-  const auto found = factor->least_eigenvalue().rational();
+  const auto found = factor->min_eigenvalue().rational();
   EXPECT_LE(found, bound);
   EXPECT_GT(found, bound * (1 - Dyadic(0x1p-200).rational()));
   const auto x = factor->solve({Enclosure(1.0), Enclosure(0.0)});
@@ -53,11 +53,11 @@ TEST(EnclosedFactor, BoundsTheLeastEigenvalueOfAHilbertMatrix) {
     mpz_bin_uiui(second.get_mpz_t(), 2 * i, i);
     trace += (2 * i + 1) * first * first * second * second;
   }
-  EXPECT_FALSE(least_eigenvalue(Profile::full(size), DyadicList(lower)));
+  EXPECT_FALSE(min_eigenvalue(Profile::full(size), DyadicList(lower)));
   const auto factor = EnclosedFactor::of(size, DyadicList(lower));
   ASSERT_TRUE(factor);
   const mpq_class bound = mpq_class(multiple) / trace;
-  const auto found = factor->least_eigenvalue().rational();
+  const auto found = factor->min_eigenvalue().rational();
   EXPECT_LE(found, bound);
   EXPECT_GT(found, bound * (1 - Dyadic(0x1p-200).rational()));
 }

@@ -174,8 +174,8 @@ TEST(Proof, HoldsForEveryStiffnessWithinTheRadius) {
     auto stiffness = recorded_stiffness(certificate);
     stiffness.radius = Dyadic(radius);
     const Proof proof(certificate, stiffness);
-    EXPECT_TRUE(proof.least_eigenvalue());
-    EXPECT_LE(proof.least_eigenvalue()->nearest(), 1 - radius);
+    EXPECT_TRUE(proof.min_eigenvalue());
+    EXPECT_LE(proof.min_eigenvalue()->nearest(), 1 - radius);
     return proof.judgement(certificate.records[0]).refusal.has_value();
   };
   const std::string feasible = "alive 1 1 0 0x1p+1\n";

@@ -50,7 +50,7 @@ Case read_case(const Json& json) {
   for (const auto& each : json["bounds"]) {
     certificate.bounds.push_back({.candidate = each["candidate"],
                                   .side = side_of(each["side"]),
-                                  .most = number_or_nothing(each["most"]),
+                                  .maximum = number_or_nothing(each["most"]),
                                   .numbers = each["numbers"]});
     result.alone.push_back(each["alone"]);
   }
@@ -114,8 +114,8 @@ TEST(ReferenceBounds, AreProvedAndTrue) {
       const auto truth = greatest(problem, bound.side, bound.candidate);
       constexpr double accuracy = 1e-6;  // of the exact values
       if (truth) {
-        ASSERT_TRUE(bound.most);
-        EXPECT_GE(*bound.most, *truth - accuracy);
+        ASSERT_TRUE(bound.maximum);
+        EXPECT_GE(*bound.maximum, *truth - accuracy);
       }
     }
     for (const auto& record : problem.certificate.records)
@@ -131,12 +131,12 @@ TEST(ReferenceBounds, BelowTheTruthAreRefused) {
       if (!truth) return;
       for (const double share : {0.999, 0.9, 0.1}) {
         auto lower = bound;
-        lower.most = share * *truth;
+        lower.maximum = share * *truth;
         EXPECT_TRUE(refused(lower));
         ++tried;
       }
       auto never = bound;
-      never.most.reset();
+      never.maximum.reset();
       never.numbers.pop_back();
       EXPECT_TRUE(refused(never));
     });
@@ -151,7 +151,7 @@ TEST(ReferenceBounds, OfTheOtherSideAreRefusedUnlessTrue) {
       auto swapped = bound;
       swapped.side = other(bound.side);
       const auto truth = greatest(problem, swapped.side, bound.candidate);
-      if (!truth || (bound.most && *bound.most > 0.999 * *truth)) return;
+      if (!truth || (bound.maximum && *bound.maximum > 0.999 * *truth)) return;
       EXPECT_TRUE(refused(swapped));
       ++tried;
     });
@@ -165,7 +165,7 @@ TEST(ReferenceBounds, WithOtherMultipliersAreRefused) {
     const auto m = problem.certificate.candidates();
     Changed(problem).at_each([&](const CandidateBound& bound, std::size_t, const auto& refused) {
       auto changed = bound;
-      if (bound.most) {
+      if (bound.maximum) {
         changed.numbers.back() = 0;
         EXPECT_TRUE(refused(changed));
         changed.numbers.back() = -1;
@@ -226,7 +226,7 @@ TEST(ReferenceBounds, OfAnotherStructureAreRefused) {
     for (auto& entry : problem.certificate.stiffness) entry /= 64;
     for (const auto& bound : problem.certificate.bounds) {
       const auto truth = greatest(problem, bound.side, bound.candidate);
-      if (bound.side == Side::contact || !bound.most || !truth || *truth * 64 < *bound.most)
+      if (bound.side == Side::contact || !bound.maximum || !truth || *truth * 64 < *bound.maximum)
         continue;
       Proof proof(problem.certificate);
       EXPECT_TRUE(proof.add_bound(bound));

@@ -183,7 +183,7 @@ Verdict verdict(const std::string& text, const Structure* structure) {
     agreed = std::move(std::get<ConsistentStructure>(found));
   }
   auto proof = agreed ? Proof(certificate, agreed->stiffness, agreed->motions) : Proof(certificate);
-  if (!proof.least_eigenvalue()) {
+  if (!proof.min_eigenvalue()) {
     result.refusals.emplace_back("K");
     return result;
   }

@@ -38,7 +38,7 @@ TEST_P(SolidElement, HoldsWhatIsComputedInOtherWays) {
       const auto enclosed = enclosed_stiffness(verified, Freedom(verified));
       const auto precise = problems::element_matrix<numbers::Precise>(body, element);
       const auto bounds = problems::element_matrix<numbers::RunningError>(body, element);
-      const double largest = bounds(0, 0).most() + bounds(1, 1).most();
+      const double largest = bounds(0, 0).maximum() + bounds(1, 1).maximum();
       for (std::size_t i = 0; i < enclosed.size(); ++i) {
         for (std::size_t j = 0; j < enclosed.size(); ++j) {
           const auto& entry = enclosed[i].at(j);

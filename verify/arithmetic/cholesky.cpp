@@ -109,7 +109,7 @@ void Cholesky::solve(std::span<double> right) const {
 }
 
 // Candidates for the bound are half the estimate, a quarter of it, and so on.
-std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList& matrix) {
+std::optional<Dyadic> min_eigenvalue(const Profile& profile, const DyadicList& matrix) {
   std::vector<double> rounded;
   rounded.reserve(profile.entries());
   for (std::size_t at = 0; at < profile.entries(); ++at) rounded.push_back(matrix[at].nearest());

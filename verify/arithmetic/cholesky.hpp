@@ -34,6 +34,6 @@ class Cholesky {
 /// "K is positive definite"). @return nothing if the matrix is not positive definite, or too close
 /// to singular for a proof in double precision
 /// @param matrix the entries of its profile
-std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList& matrix);
+std::optional<Dyadic> min_eigenvalue(const Profile& profile, const DyadicList& matrix);
 
 }  // namespace kusabi::verify

@@ -57,20 +57,20 @@ void Elimination::add_equations_largest_first(const std::vector<Rationals>& rows
       size[k] = std::max(size[k], std::abs(own[k].get_d()));
   }
   while (!basis_.empty()) {
-    double most = 0;
+    double maximum = 0;
     std::size_t row = 0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < product.size(); ++i) {
       for (std::size_t k = 0; k < basis_.size(); ++k) {
         if (sgn(product[i][k]) == 0) continue;
         const double share = std::abs(product[i][k].get_d()) / size[k];
-        if (!(share > most)) continue;  // also if both are below all doubles
-        most = share;
+        if (!(share > maximum)) continue;  // also if both are below all doubles
+        maximum = share;
         row = i;
         at = k;
       }
     }
-    if (most == 0) break;
+    if (maximum == 0) break;
     take(at, product[row], product);
     size.erase(size.begin() + static_cast<std::ptrdiff_t>(at));
   }

@@ -36,7 +36,7 @@ std::vector<Enclosure> EnclosedFactor::solve(std::vector<Enclosure> right) const
 }
 
 // trace(A^-1) is the sum of the squares of the entries of D^-1/2 L^-1.
-Dyadic EnclosedFactor::least_eigenvalue() const {
+Dyadic EnclosedFactor::min_eigenvalue() const {
   const auto size = pivots_.size();
   Enclosure trace;
   for (std::size_t column = 0; column < size; ++column) {

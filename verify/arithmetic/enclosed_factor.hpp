@@ -21,7 +21,7 @@ class EnclosedFactor {
   [[nodiscard]] std::vector<Enclosure> solve(std::vector<Enclosure> right) const;
 
   /// A lower bound of the least eigenvalue of A, 1 / trace(A^-1): at most `size` times too small.
-  [[nodiscard]] Dyadic least_eigenvalue() const;
+  [[nodiscard]] Dyadic min_eigenvalue() const;
 
  private:
   // -L, strictly lower triangular, by rows of i numbers.

@@ -143,15 +143,15 @@ Dyadic sqrt_above(const Dyadic& value) {
 }
 
 DyadicList::DyadicList(std::span<const double> values, int kept_bits) {
-  long least = std::numeric_limits<long>::max();
+  long minimum = std::numeric_limits<long>::max();
   long largest = std::numeric_limits<long>::min();
   for (const double value : values) {
     if (value == 0) continue;
     const long its = parts_of(value).exponent;
-    least = std::min(least, its);
+    minimum = std::min(minimum, its);
     largest = std::max(largest, its);
   }
-  if (least <= largest) exponent = std::max(least, largest - kept_bits);
+  if (minimum <= largest) exponent = std::max(minimum, largest - kept_bits);
   mantissas.reserve(values.size());
   for (const double value : values) {
     const auto parts = parts_of(value);
@@ -166,11 +166,11 @@ DyadicList::DyadicList(std::span<const double> values, int kept_bits) {
 }
 
 DyadicList::DyadicList(std::span<const Dyadic> values) {
-  long least = std::numeric_limits<long>::max();
+  long minimum = std::numeric_limits<long>::max();
   for (const auto& value : values) {
-    if (value.sign() != 0) least = std::min(least, value.exponent());
+    if (value.sign() != 0) minimum = std::min(minimum, value.exponent());
   }
-  if (least < std::numeric_limits<long>::max()) exponent = least;
+  if (minimum < std::numeric_limits<long>::max()) exponent = minimum;
   mantissas.reserve(values.size());
   for (const auto& value : values) mantissas.push_back(value.multiples(exponent));
 }

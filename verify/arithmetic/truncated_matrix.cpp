@@ -12,7 +12,7 @@ namespace {
 // powers of two.
 constexpr long bits_of_entries = 54;
 constexpr std::size_t bits_of_vectors = 62;
-constexpr std::size_t most_columns = 1U << 10U;
+constexpr std::size_t max_columns = 1U << 10U;
 
 std::int64_t word(const mpz_class& value) {
   static_assert(sizeof(long) == sizeof(std::int64_t));
@@ -26,7 +26,7 @@ bool fits(const mpz_class& value) {
 }  // namespace
 
 TruncatedMatrix::TruncatedMatrix(const DyadicMatrix& matrix) : size_(matrix.size) {
-  if (size_ > most_columns) return;
+  if (size_ > max_columns) return;
   long bits = 0;
   for (const auto& entry : matrix.entries.mantissas)
     bits = std::max(bits, static_cast<long>(mpz_sizeinbase(entry.get_mpz_t(), 2)));

@@ -207,21 +207,22 @@ std::variant<std::vector<double>, std::string> forces_against_defects(
   const auto part = part_with_defects(members, slack, defect);
   if (!part) return "forces are not in equilibrium where no member has slack";
   if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);
-  double most = 0;
-  for (const auto i : part->members) most = std::max(most, slack[i]);
+  double maximum = 0;
+  for (const auto i : part->members) maximum = std::max(maximum, slack[i]);
   std::vector<double> best;
-  double least_excess = std::numeric_limits<double>::infinity();
+  double min_excess = std::numeric_limits<double>::infinity();
   // Weights in proportion to the slack are tried first; if they are too uneven for doubles, more
   // even ones.
   for (const double power : {1.0, 0.5, 0.0}) {
     std::vector<double> weight(slack.size(), 0.0);
-    for (const auto i : part->members) weight[i] = std::max(std::pow(slack[i] / most, power), tiny);
+    for (const auto i : part->members)
+      weight[i] = std::max(std::pow(slack[i] / maximum, power), tiny);
     auto forces = Reach(members, *part, weight).forces(defect);
     if (!forces) continue;
     double excess = 0;
     for (const auto i : part->members) excess = std::max(excess, (*forces)[i] / slack[i]);
-    if (excess < least_excess) {
-      least_excess = excess;
+    if (excess < min_excess) {
+      min_excess = excess;
       best = std::move(*forces);
     }
     if (excess <= 1) break;

@@ -13,7 +13,7 @@ namespace kusabi::verify {
 namespace {
 
 /// Larger counts are refused as damaged numbers before memory is allocated.
-constexpr std::uint64_t most = 10'000'000;
+constexpr std::uint64_t maximum = 10'000'000;
 
 std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
   const auto value = lines.integer(10, what);
@@ -59,8 +59,8 @@ void read_half_widths(Lines& lines, LimitCertificate& certificate) {
 }
 
 void read_truss(Lines& lines, LimitCertificate& certificate) {
-  certificate.displacements = lines.count("displacements", 0, most);
-  const auto members = lines.count("members", 0, most);
+  certificate.displacements = lines.count("displacements", 0, maximum);
+  const auto members = lines.count("members", 0, maximum);
   if (members < certificate.displacements) {
     lines.refuse("as many members as displacements at least: a truss of fewer is a mechanism");
   }
@@ -78,7 +78,7 @@ void read_truss(Lines& lines, LimitCertificate& certificate) {
 }
 
 void read_columns(Lines& lines, LimitCertificate& certificate) {
-  const auto uncertain = lines.count("uncertain", 0, most);
+  const auto uncertain = lines.count("uncertain", 0, maximum);
   for (std::size_t j = 0; j < uncertain; ++j) {
     lines.next();
     const std::string what = "'column', and displacements with a number that is not 0";
@@ -96,7 +96,7 @@ void read_columns(Lines& lines, LimitCertificate& certificate) {
 void read_names(Lines& lines, LimitCertificate& certificate) {
   const std::string what = "'name', a column that has none yet, and its name";
   const auto m = certificate.uncertain.size();
-  const auto named = lines.count("names", 0, most);
+  const auto named = lines.count("names", 0, maximum);
   certificate.names.resize(m);
   for (std::size_t k = 0; k < named; ++k) {
     lines.next();
@@ -131,9 +131,9 @@ LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size
   const std::string what = "'node', signs, shares of cuts, a factor, and forces";
   lines.expect_word("node", what);
   // Columns whose shares are zero have no line.
-  constexpr std::uint64_t most_signs = 1'000'000;
+  constexpr std::uint64_t max_signs = 1'000'000;
   if (certificate.uncertain.size() > lines.remainder().size() &&
-      certificate.uncertain.size() * nodes > most_signs) {
+      certificate.uncertain.size() * nodes > max_signs) {
     lines.refuse("a sign or a share for each column of T");
   }
   LimitNode node;
@@ -163,12 +163,12 @@ LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size
 void read_evidence(Lines& lines, LimitCertificate& certificate) {
   certificate.load = vector(lines, "load", certificate.uncertain.size());
   certificate.motion = vector(lines, "motion", certificate.displacements);
-  const auto cuts = lines.count("cuts", 0, most);
+  const auto cuts = lines.count("cuts", 0, maximum);
   for (std::size_t c = 0; c < cuts; ++c) {
     lines.next();
     certificate.cuts.push_back(read_cut(lines, certificate));
   }
-  const auto nodes = lines.count("nodes", 0, most);
+  const auto nodes = lines.count("nodes", 0, maximum);
   for (std::size_t n = 0; n < nodes; ++n) {
     lines.next();
     certificate.nodes.push_back(read_node(lines, certificate, nodes));
@@ -181,9 +181,9 @@ LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
                                   : "'claim' and 'largest' or 'none', the first of a case";
   lines.expect_word("claim", what);
   const auto word = lines.remainder();
-  for (const auto claim : {LimitClaim::largest, LimitClaim::least, LimitClaim::none}) {
+  for (const auto claim : {LimitClaim::largest, LimitClaim::minimum, LimitClaim::none}) {
     if (word != claim_word(claim)) continue;
-    const bool fits = claim == LimitClaim::least ? before == LimitClaim::largest : !before;
+    const bool fits = claim == LimitClaim::minimum ? before == LimitClaim::largest : !before;
     if (fits) return claim;
   }
   lines.refuse(what);
@@ -197,7 +197,7 @@ void read_claims(Lines& lines, const LimitStatement& without_claim,
     const auto claim = read_claim(lines, before);
     auto& [name, its_claim, evidence, residual] = statements.emplace_back(without_claim);
     its_claim = claim;
-    if (claim == LimitClaim::least) {
+    if (claim == LimitClaim::minimum) {
       for (double& value : evidence.reference) value = -value;
     }
     read_evidence(lines, evidence);
@@ -265,7 +265,7 @@ std::string_view claim_word(LimitClaim claim) {
   switch (claim) {
     case LimitClaim::largest:
       return "largest";
-    case LimitClaim::least:
+    case LimitClaim::minimum:
       return "least";
     case LimitClaim::none:
       break;

@@ -71,11 +71,11 @@ enum class LimitClaim {
   largest,  ///< the minimum of the largest factor
   /// The maximum of the least factor: minus the minimum for the opposite reference load. Without
   /// nodes only its lower bound is claimed.
-  least,
+  minimum,
   none,  ///< the recorded load has no admissible factor
 };
 
-/// A claim and its evidence. For the claim `least` the reference load is the opposite one.
+/// A claim and its evidence. For the claim `minimum` the reference load is the opposite one.
 struct LimitStatement {
   std::string load_case;  ///< empty: the problem file has no load cases
   LimitClaim claim = LimitClaim::largest;
@@ -93,7 +93,7 @@ std::string_view claim_word(LimitClaim claim);
 std::string limit_certificate_text(std::span<const LimitStatement> statements);
 
 /// The statements of a file. A load case has the claim `none` alone, or `largest` and optionally
-///        `least`; then, optionally, the same at residual strength.
+///        `minimum`; then, optionally, the same at residual strength.
 /// @param file for messages
 /// @throws CertificateError
 std::vector<LimitStatement> read_limit_certificate(std::string_view text, const std::string& file);

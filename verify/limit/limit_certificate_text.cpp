@@ -68,7 +68,7 @@ void put_loads(std::string& text, const LimitStatement& statement) {
   put(text, loads.dead);
   text += "\nreference";
   for (const double value : loads.reference)
-    put(text, statement.claim == LimitClaim::least ? -value : value);
+    put(text, statement.claim == LimitClaim::minimum ? -value : value);
   text += "\nuncertain " + std::to_string(loads.uncertain.size());
   for (const auto& column : loads.uncertain) {
     text += "\ncolumn";

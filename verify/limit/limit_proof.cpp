@@ -308,9 +308,9 @@ std::optional<std::string> LimitProof::yielding(const LimitNode& node,
     const Dyadic force(node.forces[i]);
     const Dyadic tension = Dyadic(certificate_.tension[i]) - force - taken[i];
     const Dyadic compression = Dyadic(certificate_.compression[i]) + force - taken[i];
-    const Dyadic& least = tension < compression ? tension : compression;
-    if (least.sign() < 0) return "member " + std::to_string(i) + " yields";
-    slack.push_back(double_below(least));
+    const Dyadic& minimum = tension < compression ? tension : compression;
+    if (minimum.sign() < 0) return "member " + std::to_string(i) + " yields";
+    slack.push_back(double_below(minimum));
   }
   const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
   const auto found = forces_against_defects(members, slack, defects);

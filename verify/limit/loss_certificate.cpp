@@ -146,9 +146,9 @@ void read_claim(Lines& lines, LossStatement& statement) {
   const auto& truss = statement.truss;
   const std::string of_loss = "'lose', a number of members above 0, and a factor of at least 1";
   begin(lines, "lose", of_loss);
-  statement.most = lines.integer(10, of_loss);
+  statement.maximum = lines.integer(10, of_loss);
   statement.sudden = lines.number(of_loss);
-  if (statement.most == 0 || statement.most > truss.bars.size() || statement.sudden < 1)
+  if (statement.maximum == 0 || statement.maximum > truss.bars.size() || statement.sudden < 1)
     lines.refuse(of_loss);
   lines.end_of_line(of_loss);
   begin(lines, "kept", "'kept' and members");
@@ -157,7 +157,7 @@ void read_claim(Lines& lines, LossStatement& statement) {
       "'lost', members, at most as many as are lost, and none that are kept";
   begin(lines, "lost", of_lost);
   statement.lost = members(lines, truss, of_lost);
-  if (statement.lost.size() > statement.most) lines.refuse(of_lost);
+  if (statement.lost.size() > statement.maximum) lines.refuse(of_lost);
   for (const auto member : statement.lost) {
     if (std::ranges::binary_search(statement.kept, member)) lines.refuse(of_lost);
   }

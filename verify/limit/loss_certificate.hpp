@@ -24,7 +24,7 @@ struct LossStatement {
   /// Places, supports, bars and loads; without uncertain loads, the dead load as given is meant.
   Structure truss;
   double sudden = 1;              ///< the yield forces are those of the file, divided by this
-  std::size_t most = 1;           ///< K, >= 1
+  std::size_t maximum = 1;        ///< K, >= 1
   std::vector<std::size_t> kept;  ///< members that are not lost, ascending
   std::vector<std::size_t> lost;  ///< the worst loss, ascending
   std::vector<double> load;       ///< zeta, one for each uncertain load

@@ -83,7 +83,7 @@ void put_loads(std::string& text, const Structure& truss) {
 }
 
 void put_claim(std::string& text, const LossStatement& statement) {
-  LineWriter(text, "lose") << statement.most << statement.sudden;
+  LineWriter(text, "lose") << statement.maximum << statement.sudden;
   LineWriter(text, "kept") << statement.kept;
   LineWriter lost(text, "lost");
   lost << statement.lost;

@@ -101,7 +101,7 @@ std::vector<std::string> LossClaim::check_loss(double& upper) const {
   if (!statement_.lower) return refusals;
   std::vector<support::IndexSet> supports;
   for (const auto& state : statement_.states) supports.push_back(set_of(state.support));
-  const LossCover cover(supports, set_of(statement_.kept), static_cast<int>(statement_.most));
+  const LossCover cover(supports, set_of(statement_.kept), static_cast<int>(statement_.maximum));
   if (const auto& flaw = cover.flaw()) {
     std::string why = "no state is left after the loss of";
     for (const int member : *flaw) why += ' ' + names_[static_cast<std::size_t>(member)];

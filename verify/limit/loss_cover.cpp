@@ -7,11 +7,11 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-LossCover::LossCover(const std::vector<IndexSet>& supports, const IndexSet& kept, int most)
+LossCover::LossCover(const std::vector<IndexSet>& supports, const IndexSet& kept, int maximum)
     : supports_(supports), needed_(supports.size()) {
   Numbers all;
   for (std::size_t k = 0; k < supports.size(); ++k) all.push_back(k);
-  covers({}, kept, most, all);
+  covers({}, kept, maximum, all);
 }
 
 std::vector<std::size_t> LossCover::needed() const {
@@ -63,9 +63,9 @@ bool LossCover::covers(const IndexSet& lost, const IndexSet& kept, int left,
   const auto size = [&](std::size_t k) { return (supports_[k] - kept).size(); };
   std::vector<int> sizes;
   for (const auto k : states) sizes.push_back(size(k));
-  const auto least = static_cast<std::size_t>(std::ranges::min_element(sizes) - sizes.begin());
-  const auto smallest = states[least];
-  if (left == 0 || sizes[least] == 0) {
+  const auto minimum = static_cast<std::size_t>(std::ranges::min_element(sizes) - sizes.begin());
+  const auto smallest = states[minimum];
+  if (left == 0 || sizes[minimum] == 0) {
     needed_[smallest] = true;
     return true;
   }

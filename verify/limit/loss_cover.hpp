@@ -10,12 +10,12 @@
 
 namespace kusabi::verify {
 
-/// Decides if every loss of up to `most` members misses the support of one of some states.
+/// Decides if every loss of up to `maximum` members misses the support of one of some states.
 class LossCover {
  public:
   /// @param kept members that are not lost @pre supports outlive this object
   LossCover(const std::vector<support::IndexSet>& supports, const support::IndexSet& kept,
-            int most);
+            int maximum);
 
   /// A loss that has a member of every support; nothing if there is none.
   [[nodiscard]] const std::optional<support::IndexSet>& flaw() const { return flaw_; }

@@ -88,7 +88,7 @@ class Condensation {
   Parts parts_;
   Profile profile_;
   std::optional<Cholesky> factor_;                 // of K_NN
-  Dyadic least_;                                   // lower bound of its eigenvalues
+  Dyadic minimum_;                                 // lower bound of its eigenvalues
   std::vector<std::vector<mpz_class>> dependent_;  // X, by columns, on the displacement grid
   std::vector<std::vector<mpz_class>> residual_;  // R = K_NC - K_NN X, on the product of both grids
   std::vector<mpz_class> complement_;             // S, c x c, on the stiffness grid
@@ -265,11 +265,11 @@ std::optional<std::string> Condensation::factorise() {
     }
   }
   support::leave_if(work_.stop);
-  const auto least = least_eigenvalue(profile_, entries);
+  const auto minimum = min_eigenvalue(profile_, entries);
   support::leave_if(work_.stop);
   factor_ = Cholesky::of(profile_, rounded);
-  if (!least || !factor_) return too_ill;
-  least_ = *least;
+  if (!minimum || !factor_) return too_ill;
+  minimum_ = *minimum;
   return {};
 }
 
@@ -292,13 +292,13 @@ void Condensation::solve_dependent() {
 }
 
 void Condensation::refine(std::size_t column) {
-  constexpr int most_rounds = 60;
+  constexpr int max_rounds = 60;
   constexpr long small = -125;
   const long grid = stiffness_grid + displacement_grid;
   std::vector<double> step(parts_.rest);
   std::vector<mpz_class> added(parts_.rest);
   long before = 0;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     long largest = small;
     for (const auto& value : residual_[column]) {
       if (sgn(value) != 0) largest = std::max(largest, Dyadic(value, grid).magnitude());
@@ -377,7 +377,7 @@ void Condensation::complement() {
   radius_ = delta * size_square + count.scaled(stiffness_grid);
   if (parts_.rest > 0) {
     const auto left = sqrt_above(square_sum(residual_, grid)) + delta * sqrt_above(size_square);
-    radius_ = radius_ + quotient_above(square(left), least_ - delta);
+    radius_ = radius_ + quotient_above(square(left), minimum_ - delta);
   }
 }
 
@@ -471,7 +471,7 @@ LoadedStiffness Condensation::separated(EnclosedMatrix whole) const {
 std::variant<LoadedStiffness, std::string> Condensation::result() {
   if (auto why = partition()) return *why;
   if (auto why = factorise()) return *why;
-  if (parts_.rest > 0 && !(least_ > sqrt_above(parts_.error_square))) return too_ill;
+  if (parts_.rest > 0 && !(minimum_ > sqrt_above(parts_.error_square))) return too_ill;
   solve_dependent();
   complement();
   return separated(in_contact_frames());

@@ -245,13 +245,13 @@ std::vector<GroundSpring> UnconstrainedBodies::grounding_springs(Elimination uns
   std::vector<GroundSpring> springs;
   while (!unseen.basis().empty()) {
     GroundSpring best{};
-    mpq_class most;
+    mpq_class maximum;
     for (const auto& [node, body] : body_of_) {
       for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
         if (structure_.fixed[node][axis]) continue;
         const mpq_class moves = abs(dot(at(node, axis), unseen.basis().front()));
-        if (moves > most) {
-          most = moves;
+        if (moves > maximum) {
+          maximum = moves;
           best = {node, axis, 1};
         }
       }

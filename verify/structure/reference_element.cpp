@@ -65,9 +65,9 @@ std::vector<Exponents> monomials(const Shape& shape) {
         int degree = i + j + k;
         int superlinear = 0;
         for (const int exponent : {i, j, k}) superlinear += exponent > 1 ? exponent : 0;
-        const int most = shape.quadratic ? 2 : 1;
-        const bool has = shape.simplex   ? degree <= most
-                         : shape.prism   ? i + j <= most && k <= most && i + j + k < 4
+        const int maximum = shape.quadratic ? 2 : 1;
+        const bool has = shape.simplex   ? degree <= maximum
+                         : shape.prism   ? i + j <= maximum && k <= maximum && i + j + k < 4
                          : shape.pyramid ? superlinear == 0 && (k == 1 || degree == 0)
                                          : superlinear <= (shape.quadratic ? 2 : 0);
         if (has) all.push_back({i, j, k});

@@ -19,7 +19,7 @@ constexpr int refined_bits = 64;
 constexpr int first_bits = 9;
 
 // Maximum size of a K that is factorised in intervals, which takes a tenth of a second for it.
-constexpr std::size_t most_enclosed = 100;
+constexpr std::size_t max_enclosed = 100;
 
 // The lower triangle of some rows and columns of a matrix, by rows.
 DyadicList lower_triangle(const DyadicMatrix& matrix, std::span<const std::size_t> numbers) {
@@ -77,12 +77,12 @@ RegularisedStiffness::RegularisedStiffness(EnclosedMatrix stiffness,
   const auto all = first_numbers(middle.size);
   const auto lower = lower_triangle(middle, all);
   whole_ = factor(all);
-  auto least = verify::least_eigenvalue(Profile::full(middle.size), lower);
-  if (!(whole_ && least) && middle.size <= most_enclosed) {
+  auto minimum = verify::min_eigenvalue(Profile::full(middle.size), lower);
+  if (!(whole_ && minimum) && middle.size <= max_enclosed) {
     enclosed_ = EnclosedFactor::of(middle.size, lower);
-    if (enclosed_) least = enclosed_->least_eigenvalue();
+    if (enclosed_) minimum = enclosed_->min_eigenvalue();
   }
-  if ((whole_ || enclosed_) && least && *least > radius) least_ = *least - radius;
+  if ((whole_ || enclosed_) && minimum && *minimum > radius) minimum_ = *minimum - radius;
 }
 
 Dyadic RegularisedStiffness::spread(const Dyadic& radius, const DyadicList& x) {
@@ -103,7 +103,7 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
                                                        const DyadicList& right,
                                                        const Check& check) const {
   if (enclosed_) return solve_enclosed(unknowns, right, check);
-  constexpr int most_rounds = 10;
+  constexpr int max_rounds = 10;
   const auto& middle = stiffness_.middle;
   const bool all = unknowns.size() == middle.size;
   const auto own = all ? std::optional<Cholesky>{} : factor(unknowns);
@@ -114,7 +114,7 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
   std::optional<std::string> refusal;
   std::vector<double> step(unknowns.size());
   std::vector<double> everywhere(middle.size, 0);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     for (std::size_t k = 0; k < unknowns.size(); ++k) {
       step[k] = (right[unknowns[k]] - kx[unknowns[k]]).nearest();
     }
@@ -185,7 +185,7 @@ std::optional<InverseColumns> RegularisedStiffness::inverse_columns(
     residual += DyadicList(unit);
     square_of_residual = square_of_residual + square(norm_above(residual) + spread(radius, x));
   }
-  result.error = quotient_above(sqrt_above(square_of_residual), *least_);
+  result.error = quotient_above(sqrt_above(square_of_residual), *minimum_);
   return result;
 }
 

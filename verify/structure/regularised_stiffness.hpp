@@ -33,7 +33,7 @@ class RegularisedStiffness {
 
   /// A lower bound s > 0 of the least eigenvalue of every regularised K; nothing if none was
   /// proved.
-  [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
+  [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
   /// Displacements with springs, in increasing order.
   [[nodiscard]] const std::vector<std::size_t>& springs() const { return springs_; }
@@ -54,7 +54,7 @@ class RegularisedStiffness {
                                                  const DyadicList& right, const Check& check) const;
 
   /// Columns of the inverse of every regularised K, with words of some 56 bits.
-  /// @return nothing if there is no approximation @pre least_eigenvalue()
+  /// @return nothing if there is no approximation @pre min_eigenvalue()
   [[nodiscard]] std::optional<InverseColumns> inverse_columns(
       std::span<const std::size_t> columns) const;
 
@@ -71,7 +71,7 @@ class RegularisedStiffness {
   TruncatedMatrix coarse_;
   std::vector<std::size_t> springs_;
   std::vector<double> rounded_;  // the middle of the enclosure, for approximate solutions
-  std::optional<Dyadic> least_;
+  std::optional<Dyadic> minimum_;
   Dyadic size_;
   std::optional<Cholesky> whole_;           // of all unknowns, which most solutions have
   std::optional<EnclosedFactor> enclosed_;  // the same, if doubles do not prove that K is definite

@@ -15,7 +15,7 @@ using support::IndexSet;
 namespace {
 
 // Maximum number of regularised stiffnesses in the cache; each is as large as K.
-constexpr std::size_t most_kept = 6;
+constexpr std::size_t max_kept = 6;
 
 // A rigid-body mode slides along U if its normal displacements on U are below this share of its
 // others. An example is the rotation of a conical plug about its axis with rounded normals.
@@ -45,25 +45,25 @@ BlockProof::BlockProof(ContactBlock block)
     if (!own) return;
     for (std::size_t k = 0; k < p; ++k) own_of_recorded_[p * k + column] = (*own)[k];
   }
-  least_ = regularised(springs).least_eigenvalue();
+  minimum_ = regularised(springs).min_eigenvalue();
 }
 
 void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double negligible,
                                 Elimination& rest, std::vector<std::size_t>& chosen) const {
   std::optional<double> first;
   while (!rest.basis().empty()) {
-    std::optional<double> most;
+    std::optional<double> maximum;
     std::size_t best = 0;
     for (const auto row : rows) {
       for (const auto& product : rest.products(block_.motions.rows[row])) {
         const double size = std::abs(product.get_d()) / block_.motions.lengths[row].nearest();
-        if (sgn(product) == 0 || (most && size <= *most)) continue;
-        most = size;
+        if (sgn(product) == 0 || (maximum && size <= *maximum)) continue;
+        maximum = size;
         best = row;
       }
     }
-    if (!most || (first && *most <= negligible * *first)) return;
-    if (!first) first = most;
+    if (!maximum || (first && *maximum <= negligible * *first)) return;
+    if (!first) first = maximum;
     rest.add_equation(block_.motions.rows[best]);
     chosen.push_back(best);
   }
@@ -91,7 +91,7 @@ const RegularisedStiffness& BlockProof::regularised(const std::vector<std::size_
   for (const auto& each : regularised_) {
     if (each.springs() == springs) return each;
   }
-  if (regularised_.size() == most_kept) regularised_.pop_back();
+  if (regularised_.size() == max_kept) regularised_.pop_back();
   regularised_.emplace_back(block_.stiffness, springs);
   return regularised_.back();
 }

@@ -74,20 +74,20 @@ class BlockProof {
 
   /// A lower bound s > 0 of the least eigenvalue of every K, with a spring for each rigid-body
   /// mode; nothing if none was proved.
-  [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
+  [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
   [[nodiscard]] std::size_t motions() const { return block_.motions.count; }
 
   /// Proves that no configuration is wedged below the node (U, R).
   /// @param numbers m multipliers, and p coefficients of the mean motion of w
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] Judgement judge_infeasible(const support::IndexSet& contact,
                                            const support::IndexSet& separated,
                                            std::span<const double> numbers) const;
 
   /// The same with the cuts of all added bounds.
   /// @param numbers those of judge_infeasible(), then m multipliers of cuts
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] Judgement judge_cut(const support::IndexSet& contact,
                                     const support::IndexSet& separated,
                                     std::span<const double> numbers) const;
@@ -95,17 +95,18 @@ class BlockProof {
   /// Proves that no configuration of the block is wedged, by a quadratic form.
   /// @param numbers m^2 multipliers of products, (d - 1) m^2 of slips, m of squares and, with
   ///        motions, m^2 of products of displacements
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] Judgement judge_form(std::span<const double> numbers) const;
 
   /// Proves a bound of a candidate, or that it is never on a side, with the cuts of the bounds
   /// added before, and adds it. @return the reason if it is not proved
-  /// @param most bound of r_n (contact) or u_n (separated) over sum_k r_nk; nothing: never on this
+  /// @param maximum bound of r_n (contact) or u_n (separated) over sum_k r_nk; nothing: never on
+  /// this
   ///        side
-  /// @param numbers those of judge_cut(), and with `most` the multiplier of its opposite
-  /// @pre least_eigenvalue()
+  /// @param numbers those of judge_cut(), and with `maximum` the multiplier of its opposite
+  /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> add_bound(std::size_t candidate, Side side,
-                                                     const std::optional<double>& most,
+                                                     const std::optional<double>& maximum,
                                                      std::span<const double> numbers);
 
   /// True if equilibrium makes the reaction of a contact of U zero in all configurations below the
@@ -115,7 +116,7 @@ class BlockProof {
 
   /// Proves that the leaf (U, R) has a configuration in its interior. @return the reason if not
   /// @param numbers tangential reactions of U, d - 1 each, and p coefficients of the mean motion
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> refusal_of_feasible(
       const support::IndexSet& contact, const support::IndexSet& separated,
       std::span<const double> numbers) const;
@@ -124,7 +125,7 @@ class BlockProof {
   /// combination of the loads with amounts >= 0 of which one is positive.
   /// @param numbers those of judge_infeasible()
   /// @param grip a restriction of the states; nothing: all states
-  /// @pre least_eigenvalue(), loads
+  /// @pre min_eigenvalue(), loads
   [[nodiscard]] Judgement judge_unheld(const support::IndexSet& contact,
                                        const support::IndexSet& separated,
                                        std::span<const LoadShare> shares,
@@ -133,14 +134,14 @@ class BlockProof {
 
   /// Bounds of the sum of the normal reactions of a state.
   struct Grip {
-    mpq_class least, most;
+    mpq_class minimum, maximum;
   };
 
   /// Proves that the leaf (U, R) has a state under a load. @return the reason if not
   /// @param numbers those of refusal_of_feasible(), with displacements that are zero along the
   ///        normals of U
   /// @param grip the bounds are set; null: none are requested
-  /// @pre least_eigenvalue(), loads
+  /// @pre min_eigenvalue(), loads
   [[nodiscard]] std::optional<std::string> refusal_of_held_state(const support::IndexSet& contact,
                                                                  const support::IndexSet& separated,
                                                                  LoadShare share,
@@ -261,12 +262,12 @@ class BlockProof {
   struct Recorded {
     std::vector<Rationals> rows;
     Rationals forces;
-    Rationals least;  // where u_n >= 0
+    Rationals minimum;  // where u_n >= 0
     std::vector<double> room;
   };
   [[nodiscard]] Recorded recorded_forces(const Combination& combination, double small,
                                          double raised) const;
-  [[nodiscard]] mpq_class least_force(const Combination& combination, std::size_t k) const;
+  [[nodiscard]] mpq_class min_force(const Combination& combination, std::size_t k) const;
   // Forces along the normals; where u_n >= 0 they are not below the coefficients of the
   // inequalities.
   struct Multipliers {
@@ -320,10 +321,10 @@ class BlockProof {
   ContactBlock block_;
   std::vector<double> near_motions_;  // G, dm x p, rounded
   std::vector<double>
-      own_of_recorded_;           // p x p: coefficients of the recorded modes in the block's modes
-  std::vector<Dyadic> friction_;  // mu
-  Dyadic steepest_;               // upper bound of the square root of 1 + the largest mu^2
-  std::optional<Dyadic> least_;   // s
+      own_of_recorded_;            // p x p: coefficients of the recorded modes in the block's modes
+  std::vector<Dyadic> friction_;   // mu
+  Dyadic steepest_;                // upper bound of the square root of 1 + the largest mu^2
+  std::optional<Dyadic> minimum_;  // s
   ProvedBounds bounds_;
   bool far_bounds_ = false;  // some bounds hold only for configurations that do not move far
   mutable std::list<RegularisedStiffness>

@@ -31,8 +31,8 @@ CandidateBound read_bound(Lines& lines, const Certificate& certificate) {
   if (!block.contains(bound.candidate)) lines.refuse(candidate);
   bound.side = read_side(lines);
   const std::string above_zero = "a bound above zero";
-  if (!never) bound.most = lines.number(above_zero);
-  if (bound.most && *bound.most <= 0) lines.refuse(above_zero);
+  if (!never) bound.maximum = lines.number(above_zero);
+  if (bound.maximum && *bound.maximum <= 0) lines.refuse(above_zero);
   const auto own = static_cast<std::size_t>(block.size());
   const auto moving = certificate.motions_of(block).size();
   lines.numbers(2 * own + moving + (never ? 0 : 1), bound.numbers, multipliers_of(moving));

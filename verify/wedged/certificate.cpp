@@ -11,7 +11,7 @@ namespace kusabi::verify {
 namespace {
 
 // Larger counts exceed any search; K would have more than 10^8 entries.
-constexpr std::size_t most_candidates = 4096;
+constexpr std::size_t max_candidates = 4096;
 constexpr std::string_view first_line = "kusabi certificate 1";
 constexpr std::string_view second_version = "kusabi certificate 2";
 constexpr std::string_view third_version = "kusabi certificate 3";
@@ -70,7 +70,7 @@ void read_header(Lines& lines, Certificate& certificate) {
   certificate.dimension = lines.integer(10, dimension);
   if (certificate.dimension != 2 && certificate.dimension != 3) lines.refuse(dimension);
   lines.end_of_line(dimension);
-  const auto m = lines.count("candidates", 1, most_candidates);
+  const auto m = lines.count("candidates", 1, max_candidates);
   read_names(lines, m, certificate);
   lines.next();
   lines.expect_word("friction", "'friction' and a coefficient for each contact candidate");

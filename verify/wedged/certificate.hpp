@@ -44,10 +44,10 @@ struct CandidateBound {
   Side side = Side::contact;
   /// Contact: r_n <= most s. Separated: u_n <= most s (length / force). Nothing: no wedged
   /// configuration has the candidate on this side. Positive.
-  std::optional<double> most{};
+  std::optional<double> maximum{};
   /// Multipliers of the normal displacements, one for each candidate of the block; coefficients of
   /// its rigid-body modes in the mean motion of w; multipliers of cuts, one for each candidate, >=
-  /// 0; and, if there is `most`, the multiplier of its opposite, > 0.
+  /// 0; and, if there is `maximum`, the multiplier of its opposite, > 0.
   std::vector<double> numbers{};
 };
 

@@ -137,7 +137,7 @@ std::string direction_name(const Certificate& certificate, std::size_t displacem
 
 // By candidate: a lower bound of the scale for comparisons, since K of an unconstrained body may be
 // zero where the K of a search has rounding errors.
-std::vector<double> least_scales(const Structure& structure, const ContactMotions& motions) {
+std::vector<double> min_scales(const Structure& structure, const ContactMotions& motions) {
   const double root = std::sqrt(typical_stiffness(structure));
   std::vector<double> scales(structure.contact.size(), 0.0);
   for (std::size_t row = 0; row < motions.rows.size(); ++row) {
@@ -150,11 +150,11 @@ std::vector<double> least_scales(const Structure& structure, const ContactMotion
 
 std::optional<std::string> other_stiffness(const Certificate& certificate,
                                            const EnclosedMatrix& stiffness,
-                                           const std::vector<double>& least_scale) {
+                                           const std::vector<double>& min_scale) {
   const auto d = certificate.dimension;
   const auto size = certificate.displacements();
   const auto& entries = stiffness.middle.entries;
-  auto scale = least_scale;
+  auto scale = min_scale;
   for (std::size_t i = 0; i < size; ++i) {
     scale[i / d] = std::max(scale[i / d], std::sqrt(entries[size * i + i].nearest()));
   }
@@ -188,7 +188,7 @@ std::variant<ConsistentStructure, std::string> consistency(const Certificate& ce
   auto& [enclosed, motions] = std::get<EnclosedProblem>(problem);
   if (auto why = other_bodies(certificate, motions)) return *why;
   if (auto why = other_motions(certificate, motions)) return *why;
-  if (auto why = other_stiffness(certificate, enclosed, least_scales(structure, motions)))
+  if (auto why = other_stiffness(certificate, enclosed, min_scales(structure, motions)))
     return *why;
   return ConsistentStructure{std::move(enclosed), std::move(motions), std::get<double>(friction)};
 }

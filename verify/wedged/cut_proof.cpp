@@ -21,7 +21,7 @@ Judgement BlockProof::judge_cut(const IndexSet& contact, const IndexSet& separat
 }
 
 std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side side,
-                                                 const std::optional<double>& most,
+                                                 const std::optional<double>& maximum,
                                                  std::span<const double> numbers) {
   Combination combination{.contact = {},
                           .separated = {},
@@ -31,18 +31,18 @@ std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side sid
                           .opposite = {}};
   (side == Side::contact ? combination.contact : combination.separated)
       .insert(static_cast<int>(candidate));
-  if (most) {
+  if (maximum) {
     const double theta = numbers.back();
-    if (!std::isfinite(*most) || *most <= 0 || !std::isfinite(theta) || theta <= 0) {
+    if (!std::isfinite(*maximum) || *maximum <= 0 || !std::isfinite(theta) || theta <= 0) {
       return "a bound and the multiplier of its opposite must be above zero";
     }
-    combination.opposite = {candidate, side, Dyadic(theta), Dyadic(theta) * Dyadic(*most)};
+    combination.opposite = {candidate, side, Dyadic(theta), Dyadic(theta) * Dyadic(*maximum)};
   }
   const auto judgement = judge_with_bounds(combination);
   if (judgement.refusal) return judgement.refusal;
   far_bounds_ = far_bounds_ || judgement.except_large_displacements;
-  if (most) {
-    bounds_.limit(candidate, side, *most);
+  if (maximum) {
+    bounds_.limit(candidate, side, *maximum);
   } else {
     bounds_.exclude(candidate, side);
   }

@@ -89,9 +89,10 @@ NormalRows normal_rows(const InverseColumns& inverse, const std::vector<Approxim
   const long top = inverse.exponent + Dyadic(mpz_class(long{largest}), 0).magnitude();
   for (std::size_t j = 0; j < lifting.size(); ++j) {
     // The unit of a is a power of two such that D is as large as F.
-    Dyadic most;
-    for (std::size_t i = 0; i < m; ++i) most = larger(most, absolute(lifting[j].values[d * i]));
-    const long shift = top - most.magnitude();
+    Dyadic maximum;
+    for (std::size_t i = 0; i < m; ++i)
+      maximum = larger(maximum, absolute(lifting[j].values[d * i]));
+    const long shift = top - maximum.magnitude();
     for (std::size_t i = 0; i < m; ++i)
       rows.grid.words[n * i + size + j] =
           lifting[j].values[d * i].scaled(shift).multiples(inverse.exponent).get_si();
@@ -218,11 +219,11 @@ bool FormMatrix::restrict_to_equilibrium(const std::vector<ApproximateList>& mot
   return true;
 }
 
-std::optional<Dyadic> FormMatrix::least_opposite() const {
+std::optional<Dyadic> FormMatrix::min_opposite() const {
   std::vector<Dyadic> opposite;
   opposite.reserve(lower_.size());
   for (const auto& entry : lower_) opposite.push_back(Dyadic() - entry);
-  return verify::least_eigenvalue(Profile::full(size_), DyadicList(opposite));
+  return verify::min_eigenvalue(Profile::full(size_), DyadicList(opposite));
 }
 
 }  // namespace kusabi::verify

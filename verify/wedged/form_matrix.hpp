@@ -52,7 +52,7 @@ class FormMatrix {
   bool restrict_to_equilibrium(const std::vector<ApproximateList>& motions);
 
   /// A lower bound of the least eigenvalue of minus the matrix; nothing if it is not positive.
-  [[nodiscard]] std::optional<Dyadic> least_opposite() const;
+  [[nodiscard]] std::optional<Dyadic> min_opposite() const;
 
   /// Bound of the error of x'(matrix)x for |x| = 1.
   [[nodiscard]] const Dyadic& error() const { return error_; }

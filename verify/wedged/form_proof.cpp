@@ -42,7 +42,7 @@ std::optional<BlockProof::MotionsOfForm> BlockProof::motions_of_form(
     const auto length = block_.motions.lengths[springs[j]] * (Dyadic(1.0) + block_.motions.spread);
     result.lifted_by_sliding =
         result.lifted_by_sliding +
-        quotient_above(length * sqrt_above(sum), *regularised.least_eigenvalue());
+        quotient_above(length * sqrt_above(sum), *regularised.min_eigenvalue());
   }
   return result;
 }
@@ -56,8 +56,7 @@ Judgement BlockProof::judge_form(std::span<const double> numbers) const {
     return {"a multiplier of two candidates is below zero, or one of squares not above"};
   const auto& stiffness =
       regularised(grounding(support::IndexSet::below(static_cast<int>(m))).springs);
-  if (!stiffness.least_eigenvalue())
-    return {"K is too ill-conditioned to compute its displacements"};
+  if (!stiffness.min_eigenvalue()) return {"K is too ill-conditioned to compute its displacements"};
   std::vector<std::size_t> normals;
   for (std::size_t i = 0; i < m; ++i) normals.push_back(d * i);
   const auto inverse = stiffness.inverse_columns(normals);
@@ -74,8 +73,8 @@ Judgement BlockProof::judge_form(std::span<const double> numbers) const {
     motions_of_block.push_back(restricted_to_candidates(block_.motions, motion));
   if (!matrix.restrict_to_equilibrium(motions_of_block))
     return {"its numbers are too large to compute with"};
-  const auto least = matrix.least_opposite();
-  if (!least || !(*least > matrix.error())) return {"its form is not negative definite"};
+  const auto minimum = matrix.min_opposite();
+  if (!minimum || !(*minimum > matrix.error())) return {"its form is not negative definite"};
   return {{}, far};
 }
 

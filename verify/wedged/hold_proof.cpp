@@ -46,17 +46,17 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
       part.reference = part.reference || loads[1].acts[candidate];
     }
     if (own.motions.count != header.motions_of(block).size()) {
-      least_.reset();
+      minimum_.reset();
       return;
     }
     parts_.push_back(part);
     blocks_.emplace_back(std::move(own));
-    const auto& least = blocks_.back().least_eigenvalue();
-    if (!least) {
-      least_.reset();
+    const auto& minimum = blocks_.back().min_eigenvalue();
+    if (!minimum) {
+      minimum_.reset();
       return;
     }
-    if (!least_ || *least < *least_) least_ = least;
+    if (!minimum_ || *minimum < *minimum_) minimum_ = minimum;
   }
   if (!certificate.total) return;
   for (auto& part : parts_) {  // the dead share has the total, also without a load
@@ -64,7 +64,7 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
     part = {.unconstrained = loaded, .dead = loaded, .reference = part.reference};
   }
   const auto loaded = std::ranges::count_if(parts_, [](const auto& part) { return part.dead; });
-  if (loaded != 1) least_.reset();
+  if (loaded != 1) minimum_.reset();
 }
 
 Judgement HoldProof::judgement(const HoldNode& node) const {
@@ -114,7 +114,7 @@ std::optional<std::string> HoldProof::refusal(const HoldState& state) const {
     return why;
   const mpq_class total(*certificate_.total);
   const mpq_class off = total * mpq_class(total_tolerance);
-  if (grip.least < total - off || grip.most > total + off)
+  if (grip.minimum < total - off || grip.maximum > total + off)
     return "its normal reactions do not add up to the total";
   return {};
 }
@@ -145,9 +145,9 @@ std::optional<FactorRange> HoldProof::excluded(const HoldTree& tree) const {
     range.high = std::max(range.high, reference);
   }
   if (!part.dead) {  // the factor is a multiple: all of one sign, or none
-    const double least = std::nextafter(0.0, unbounded_end);
+    const double minimum = std::nextafter(0.0, unbounded_end);
     if (upward != downward && !(range.low <= range.high))
-      return upward ? FactorRange{least, unbounded_end} : FactorRange{-unbounded_end, -least};
+      return upward ? FactorRange{minimum, unbounded_end} : FactorRange{-unbounded_end, -minimum};
     return {};
   }
   if (!(range.low <= range.high)) return {};
@@ -232,8 +232,8 @@ GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
             within(own, state.contact), within(own, state.separated), dead, state.numbers, &grip))
       continue;
     if (!range.states) range.states = FactorRange{unbounded_end, -unbounded_end};
-    range.states->low = std::min(range.states->low, not_below(grip.most));
-    range.states->high = std::max(range.states->high, not_above(grip.least));
+    range.states->low = std::min(range.states->low, not_below(grip.maximum));
+    range.states->high = std::max(range.states->high, not_above(grip.minimum));
   }
   return range;
 }

@@ -49,11 +49,11 @@ class HoldProof {
   HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& enclosure,
             const std::vector<double>& clearances);
 
-  [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
+  [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] Judgement judgement(const HoldNode& node) const;
-  /// @return the reason if it is not proved @pre least_eigenvalue()
+  /// @return the reason if it is not proved @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> refusal(const HoldState& state) const;
 
   /// Reason why the nodes of a tree do not cover all sign patterns; nothing if they do.
@@ -84,7 +84,7 @@ class HoldProof {
   std::vector<BlockProof> blocks_;
   std::vector<Part> parts_;
   std::vector<Rationals> work_on_other_modes_;  // of each load: modes that displace no candidate
-  std::optional<Dyadic> least_;
+  std::optional<Dyadic> minimum_;
 };
 
 /// The common parts of two lists of ranges in ascending order.

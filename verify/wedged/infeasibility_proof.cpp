@@ -95,7 +95,7 @@ std::optional<std::string> BlockProof::refusal_of_constrained(
 
 // Lower bound of the force: y_k is the force times a length with a bounded relative error, and at
 // least minus the coefficient of u_nk in the inequalities.
-mpq_class BlockProof::least_force(const Combination& combination, std::size_t k) const {
+mpq_class BlockProof::min_force(const Combination& combination, std::size_t k) const {
   const auto share = displacement_share(combination, k);
   if (share.sign() == 0) return 0;
   const auto& length = block_.motions.lengths[block_.dimension * k];
@@ -106,28 +106,28 @@ mpq_class BlockProof::least_force(const Combination& combination, std::size_t k)
 BlockProof::Recorded BlockProof::recorded_forces(const Combination& combination, double small,
                                                  double raised) const {
   Recorded result;
-  double most = 0;
-  for (const double y : combination.multipliers) most = std::max(most, std::abs(y));
+  double maximum = 0;
+  for (const double y : combination.multipliers) maximum = std::max(maximum, std::abs(y));
   for (std::size_t i = 0; i < candidates(); ++i) {
     const auto row = block_.dimension * i;
     const bool free = holds(combination.contact, i);
     result.rows.push_back(block_.motions.rows[row]);
-    result.least.push_back(free ? mpq_class(0) : least_force(combination, i));
-    const auto& least = result.least.back();
+    result.minimum.push_back(free ? mpq_class(0) : min_force(combination, i));
+    const auto& minimum = result.minimum.back();
     const double length = block_.motions.lengths[row].nearest();
     // The part above the lower bound; zero if it is small.
-    double more = combination.multipliers[i] / length - least.get_d();
-    if (std::abs(more) * length < small * most || !std::isfinite(more)) more = 0;
+    double more = combination.multipliers[i] / length - minimum.get_d();
+    if (std::abs(more) * length < small * maximum || !std::isfinite(more)) more = 0;
     if (!free) more = std::max(more, 0.0);
-    result.forces.push_back(least + mpq_class(more));
-    result.room.push_back(free ? most : std::max(more, raised * most));
+    result.forces.push_back(minimum + mpq_class(more));
+    result.room.push_back(free ? maximum : std::max(more, raised * maximum));
   }
   return result;
 }
 
 std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination& combination,
                                                                double small, double raised) const {
-  auto [rows, forces, least, room] = recorded_forces(combination, small, raised);
+  auto [rows, forces, minimum, room] = recorded_forces(combination, small, raised);
   // Forces that would fall below their lower bounds are fixed there, and the others are corrected;
   // one more is fixed in each round.
   while (true) {
@@ -135,9 +135,9 @@ std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination
     if (!exact) return {};
     bool all_allowed = true;
     for (std::size_t i = 0; i < candidates(); ++i) {
-      if (holds(combination.contact, i) || (*exact)[i] >= least[i]) continue;
+      if (holds(combination.contact, i) || (*exact)[i] >= minimum[i]) continue;
       all_allowed = false;
-      forces[i] = least[i];
+      forces[i] = minimum[i];
       room[i] = 0;
     }
     if (all_allowed) return Multipliers{along_normals(*exact), {}};
@@ -147,14 +147,14 @@ std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination
 // Directions with almost no part in equilibrium are not corrected.
 std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combination& combination,
                                                                     double small) const {
-  auto [rows, forces, least, room] = recorded_forces(combination, small, 0);
+  auto [rows, forces, minimum, room] = recorded_forces(combination, small, 0);
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
     const auto near = nearly_balanced(rows, forces, room);
     if (!near) return {};
     for (std::size_t i = 0; i < candidates(); ++i) {
       forces[i] = mpq_class((*near)[i].get_d());  // as many digits as were recorded
-      if (!holds(combination.contact, i) && forces[i] < least[i]) forces[i] = least[i];
+      if (!holds(combination.contact, i) && forces[i] < minimum[i]) forces[i] = minimum[i];
     }
   }
   auto carried = carried_by_springs(rows, forces);
@@ -253,12 +253,12 @@ std::optional<std::string> BlockProof::check_margins(const Combination& combinat
     }
     if (!delta || margin < *delta) delta = margin;
   }
-  if (delta && !(*delta * *least_ > epsilon * steepest_)) return too_little;
+  if (delta && !(*delta * *minimum_ > epsilon * steepest_)) return too_little;
   for (std::size_t j = 0; j < works.size(); ++j) {
     if (works[j].sign() >= 0) return "its multipliers do not rule out the load";
     const auto& load = combination.loads[j];
     const auto size = norm_above(load.forces) + load.error;
-    if (!((Dyadic() - works[j]) * *least_ > epsilon * size)) return too_little;
+    if (!((Dyadic() - works[j]) * *minimum_ > epsilon * size)) return too_little;
   }
   return {};
 }

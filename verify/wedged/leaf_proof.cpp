@@ -33,7 +33,7 @@ std::optional<std::string> BlockProof::refusal_of_leaf(Leaf leaf,
     stiffness = &regularised(springs);
   }
   if (auto why = read_leaf(numbers, leaf)) return why;
-  if (!stiffness->least_eigenvalue())
+  if (!stiffness->min_eigenvalue())
     return "K is not proved to be positive definite if its contacts are fixed along their normals";
   return stiffness->solve(leaf.unknowns, leaf.right,
                           [&](const auto& u, const auto& r, const auto& off) {
@@ -159,7 +159,7 @@ Dyadic BlockProof::normal_size(const ApproximateList& displacements,
 std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& stiffness,
                                                 const Leaf& leaf, const ApproximateList& shift,
                                                 const Dyadic& pressures) const {
-  const auto& s = *stiffness.least_eigenvalue();
+  const auto& s = *stiffness.min_eigenvalue();
   const auto change = (leaf.lift * leaf.correction).scaled(1);
   if (!(s > change * stiffness.size())) return {};
   const auto gap = stiffness.size() * normal_size(shift, leaf.contact).scaled(1);
@@ -171,7 +171,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
                                                       const DyadicList& r,
                                                       const Dyadic& unknown) const {
   const auto d = block_.dimension;
-  const auto& s = *stiffness.least_eigenvalue();
+  const auto& s = *stiffness.min_eigenvalue();
   Dyadic rest_squared;
   for (const auto row : leaf.unknowns) {
     rest_squared = rest_squared + square(r[row] - leaf.right[row]);

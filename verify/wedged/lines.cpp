@@ -87,13 +87,13 @@ std::uint64_t Lines::integer(int base, const std::string& what) {
   return value;
 }
 
-std::size_t Lines::count(const std::string& keyword, std::size_t least, std::size_t most) {
+std::size_t Lines::count(const std::string& keyword, std::size_t minimum, std::size_t maximum) {
   const auto what = "'" + keyword + "' and a number";
   next();
   expect_word(keyword, what);
   const auto number = integer(10, what);
-  if (number < least || number > most)
-    refuse(what + " from " + std::to_string(least) + " to " + std::to_string(most));
+  if (number < minimum || number > maximum)
+    refuse(what + " from " + std::to_string(minimum) + " to " + std::to_string(maximum));
   if (number > left()) refuse(what + " that the rest of the file holds");
   end_of_line(what);
   return number;

@@ -77,16 +77,16 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
   for (const auto& block : certificate.blocks) {
     auto own_part = contact_block(certificate, stiffness, motions, block);
     if (own_part.motions.count != certificate.motions_of(block).size()) {
-      least_.reset();
+      minimum_.reset();
       return;
     }
     blocks_.emplace_back(std::move(own_part));
-    const auto& own = blocks_.back().least_eigenvalue();
+    const auto& own = blocks_.back().min_eigenvalue();
     if (!own) {
-      least_.reset();
+      minimum_.reset();
       return;
     }
-    if (!least_ || *own < *least_) least_ = own;
+    if (!minimum_ || *own < *minimum_) minimum_ = own;
   }
 }
 
@@ -94,7 +94,7 @@ std::optional<std::string> Proof::add_bound(const CandidateBound& bound) {
   const auto& block = certificate_.blocks[bound.block];
   if (!block.contains(bound.candidate)) return "its candidate is not in its block";
   const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();
-  return blocks_[bound.block].add_bound(static_cast<std::size_t>(own), bound.side, bound.most,
+  return blocks_[bound.block].add_bound(static_cast<std::size_t>(own), bound.side, bound.maximum,
                                         bound.numbers);
 }
 

@@ -30,22 +30,22 @@ class Proof {
   /// A proved lower bound s > 0 of the least eigenvalue of K, with a spring for each rigid-body
   /// mode; nothing if K was not proved to be positive definite up to these. Nothing else can be
   /// proved then.
-  [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
+  [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
   /// Proves a bound with those added before, and adds it for all later judgements. @return the
   /// reason if it is not proved
   /// @param bound with as many numbers as its claim requires, its candidate in its block
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> add_bound(const CandidateBound& bound);
 
   /// Checks the claim on a node. A node without a claim is not refused.
-  /// @pre least_eigenvalue()
+  /// @pre min_eigenvalue()
   [[nodiscard]] Judgement judgement(const Record& record) const;
 
  private:
   const Certificate& certificate_;
   std::vector<BlockProof> blocks_;
-  std::optional<Dyadic> least_;
+  std::optional<Dyadic> minimum_;
 };
 
 /// The problem of a block. @param loads of the structure, in their order; none: no states under

@@ -14,9 +14,9 @@ Dyadic inverse_below(const Dyadic& x) {
 
 }  // namespace
 
-void ProvedBounds::limit(std::size_t candidate, Side side, double most) {
+void ProvedBounds::limit(std::size_t candidate, Side side, double maximum) {
   auto& share = (side == Side::contact ? reaction_shares_ : gap_shares_)[candidate];
-  share = larger(share, inverse_below(Dyadic(most)));
+  share = larger(share, inverse_below(Dyadic(maximum)));
 }
 
 void ProvedBounds::exclude(std::size_t candidate, Side side) {

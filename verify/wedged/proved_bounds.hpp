@@ -22,7 +22,7 @@ class ProvedBounds {
       : gap_shares_(candidates), reaction_shares_(candidates, Dyadic(1.0)) {}
 
   /// Sets r_n <= most s in contact, or u_n <= most s separated. @pre proved; most > 0
-  void limit(std::size_t candidate, Side side, double most);
+  void limit(std::size_t candidate, Side side, double maximum);
 
   /// Excludes this side of the candidate. @pre proved
   void exclude(std::size_t candidate, Side side);

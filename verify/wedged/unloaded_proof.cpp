@@ -10,12 +10,12 @@ using support::IndexSet;
 bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
                                            const IndexSet& separated) const {
   // Larger sets are not tried: all pairs are examined, and few such nodes have this property.
-  constexpr std::size_t most_carrying = 64;
+  constexpr std::size_t max_carrying = 64;
   std::vector<std::size_t> carrying;
   for (std::size_t i = 0; i < candidates(); ++i) {
     if (!holds(separated, i)) carrying.push_back(i);
   }
-  if (motions() == 0 || carrying.size() > most_carrying) return false;
+  if (motions() == 0 || carrying.size() > max_carrying) return false;
   const auto fixed_at = [&](std::size_t candidate, Elimination motions) {
     for (std::size_t k = 0; k < block_.dimension; ++k)
       motions.add_equation(block_.motions.rows[block_.dimension * candidate + k]);

@@ -28,9 +28,9 @@ namespace kusabi::engine {
 template <class Node>
 class Heap {
  public:
-  /// @param most_nodes, most_bytes the heap is full from either on; one insertion may exceed them
-  explicit Heap(std::size_t most_nodes = no_limit, std::size_t most_bytes = no_limit)
-      : most_nodes_(most_nodes), most_bytes_(most_bytes) {}
+  /// @param max_nodes, max_bytes the heap is full from either on; one insertion may exceed them
+  explicit Heap(std::size_t max_nodes = no_limit, std::size_t max_bytes = no_limit)
+      : max_nodes_(max_nodes), max_bytes_(max_bytes) {}
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
 
@@ -39,7 +39,7 @@ class Heap {
 
   /// Bytes of the trails and, if there is a limit of bytes, of the nodes.
   [[nodiscard]] std::size_t bytes() const { return trail_bytes_ + node_bytes_; }
-  [[nodiscard]] bool full() const { return size() >= most_nodes_ || bytes() >= most_bytes_; }
+  [[nodiscard]] bool full() const { return size() >= max_nodes_ || bytes() >= max_bytes_; }
 
   /// The next node: none has a smaller bound.
   /// @pre not empty()
@@ -56,7 +56,7 @@ class Heap {
       const double bound = bound_of(std::as_const(open.node));
       if (std::isnan(bound)) throw std::domain_error("a bound is not a number");
       const auto bytes =
-          most_bytes_ == no_limit ? 0 : sizeof(Key) + sizeof(Entry) + packed_size_(open);
+          max_bytes_ == no_limit ? 0 : sizeof(Key) + sizeof(Entry) + packed_size_(open);
       insert({bound, ++puts_, 0}, {trail, bytes, std::move(open)});
     }
   }
@@ -182,8 +182,8 @@ class Heap {
     return bundle;
   }
 
-  std::size_t most_nodes_;
-  std::size_t most_bytes_;
+  std::size_t max_nodes_;
+  std::size_t max_bytes_;
   std::size_t trail_bytes_ = 0;
   std::size_t node_bytes_ = 0;
   PackedSize<OpenNode<Node>> packed_size_;

@@ -9,7 +9,7 @@ namespace kusabi::engine {
 namespace {
 
 // A rank with more open nodes than this requests none: it may well find further ones among them.
-constexpr unsigned most_left = 8;
+constexpr unsigned max_left = 8;
 
 }  // namespace
 
@@ -98,7 +98,7 @@ double Rank::quiet_until() const {
 }
 
 unsigned Rank::requests_at() const {
-  return victims_ && !asking() && !victims_->has_requested_early() ? most_left : 0;
+  return victims_ && !asking() && !victims_->has_requested_early() ? max_left : 0;
 }
 
 bool Rank::soon_idle() const {

@@ -16,7 +16,7 @@ namespace {
 constexpr double shortest_pause = 1e-6;
 constexpr double longest_pause = 10e-3;
 
-constexpr int most_neighbours = 32;
+constexpr int max_neighbours = 32;
 
 // The bias of the remainder is below 2^-40 for any realistic number.
 std::uint64_t draw(std::uint64_t& random, std::uint64_t below) {
@@ -26,7 +26,7 @@ std::uint64_t draw(std::uint64_t& random, std::uint64_t below) {
 
 std::vector<int> neighbours_of(int self, int ranks, std::uint64_t seed) {
   const auto others = static_cast<std::uint64_t>(ranks) - 1;
-  const auto count = std::min<std::uint64_t>(most_neighbours, others);
+  const auto count = std::min<std::uint64_t>(max_neighbours, others);
   std::set<int> neighbours;
   while (neighbours.size() < count) {
     const auto distance = 1 + static_cast<long>(draw(seed, others));
@@ -41,7 +41,7 @@ std::vector<int> neighbours_of(int self, int ranks, std::uint64_t seed) {
 Victims::Victims(int self, int ranks, std::uint64_t seed, std::vector<int> machine)
     : random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
       machine_(std::move(machine)),
-      max_refusals_(ranks <= few_ranks ? 0 : most_refusals),
+      max_refusals_(ranks <= few_ranks ? 0 : max_refusals),
       pause_(shortest_pause) {
   ensure(ranks >= 2, "a rank chooses a victim only among several ranks");
   neighbours_ = neighbours_of(self, ranks, seed);

@@ -44,7 +44,7 @@ class Victims {
  private:
   // While most ranks have work, the first request succeeds; three successive refusals indicate that
   // few have. Few ranks ask their lifelines at once: any rank is at most three of them away.
-  static constexpr unsigned most_refusals = 3;
+  static constexpr unsigned max_refusals = 3;
   static constexpr int few_ranks = 8;
   static constexpr unsigned early_requests = 2;
 

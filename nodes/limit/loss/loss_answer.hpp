@@ -31,7 +31,7 @@ struct LossCounts {
 };
 
 struct LossAnswer {
-  int most = 0;                     ///< K
+  int maximum = 0;                  ///< K
   bool uncertain = false;           ///< over all admissible loads
   double sudden = 1;                ///< dynamic factor
   int eligible = 0;                 ///< number of members that may be lost
@@ -45,7 +45,7 @@ struct LossAnswer {
   Eigen::VectorXd fatal_motion;  ///< shows that no factor remains after it; may be empty
   /// Minus infinity: no load factor remains after the worst loss known.
   LimitEnds ends;
-  /// Of `--at-least`: true, false, or nothing: undecided.
+  /// Of `--at-minimum`: true, false, or nothing: undecided.
   std::optional<double> target;
   std::optional<bool> reaches_target;
   bool proved = false;          ///< true if the requested result is proved

@@ -30,7 +30,7 @@ constexpr double no_cable_force = 1e-8;
 constexpr double variation_margin = 1e-8;
 
 /// Minimum decrease of the scaled factor for another program; smaller ones may be rounding errors.
-constexpr double least_fall = 1e-10;
+constexpr double min_fall = 1e-10;
 
 Eigen::VectorXd values(const std::vector<double>& numbers, int count) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), count);
@@ -76,7 +76,7 @@ Descent RemainingFactor::descend(Eigen::VectorXd zeta) {
     Collapse collapse{columns.back(), values(columns, model_.member_count()),
                       values(simplex_.duals(), model_.free_count())};
     const bool known = descent.status == LoadStatus::collapses;
-    if (known && collapse.factor >= descent.worst.collapse.factor - least_fall) return descent;
+    if (known && collapse.factor >= descent.worst.collapse.factor - min_fall) return descent;
     auto next = alpha_ == 0 ? zeta : worst_for(model_, alpha_, collapse.motion, zeta);
     const bool settled = next == zeta;
     descent.status = LoadStatus::collapses;
@@ -198,11 +198,11 @@ StateProgram::Result StateProgram::solve(const IndexSet& lost, const IndexSet& a
       simplex_.set_row_bounds(rows + 2 * i, -linear::infinity, tension);
       simplex_.set_row_bounds(rows + 2 * i + 1, -linear::infinity, compression);
     }
-    const double most = std::max(tension, compression);
+    const double maximum = std::max(tension, compression);
     for (std::size_t load = 0; load < loads_.size(); ++load) {
       const int column = force_column(load, i);
-      simplex_.set_column_bounds(column, 0, alone ? tension : most);
-      simplex_.set_column_bounds(column + 1, 0, alone ? compression : most);
+      simplex_.set_column_bounds(column, 0, alone ? tension : maximum);
+      simplex_.set_column_bounds(column + 1, 0, alone ? compression : maximum);
       simplex_.set_cost(column, weight);
       simplex_.set_cost(column + 1, weight);
     }
@@ -224,11 +224,12 @@ verify::StressState StateProgram::state() const {
   IndexSet stressed;
   IndexSet idle;
   for (int i = 0; i < model_.member_count(); ++i) {
-    double most = 0;
+    double maximum = 0;
     for (std::size_t load = 0; load < loads_.size(); ++load)
-      most = std::max(most, std::abs(at(force_column(load, i)) - at(force_column(load, i) + 1)));
+      maximum =
+          std::max(maximum, std::abs(at(force_column(load, i)) - at(force_column(load, i) + 1)));
     const bool cable = model_.tension(i) == 0 || model_.compression(i) == 0;
-    if (most < (cable ? no_cable_force : no_force)) idle.insert(i);
+    if (maximum < (cable ? no_cable_force : no_force)) idle.insert(i);
   }
   for (std::size_t load = 0; load < loads_.size(); ++load) {
     auto& column = state.columns.emplace_back();

@@ -48,9 +48,9 @@ constexpr double no_stress = 1e-12;
 /// Nodes of a round: few while there are few states, since all nodes of a round find states that
 /// others could have used.
 std::size_t nodes_of_a_round(std::size_t states) {
-  constexpr std::size_t most = 64;
+  constexpr std::size_t maximum = 64;
   constexpr std::size_t states_a_node = 16;
-  return std::clamp<std::size_t>(states / states_a_node, 1, most);
+  return std::clamp<std::size_t>(states / states_a_node, 1, maximum);
 }
 
 /// A result of shared work.
@@ -157,16 +157,16 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
 void LossSearch::start() {
   worst_ = after({});
   answer_.nominal = worst_.collapse.factor;
-  for (int k = 0; k < parameters_.most && worst_.status == LoadStatus::collapses; ++k) {
+  for (int k = 0; k < parameters_.maximum && worst_.status == LoadStatus::collapses; ++k) {
     if (analysis_.ended()) return;
     const auto losses = after_one_more(worst_);
     if (losses.empty()) return;
     if (k == 0) answer_.singles = losses;
-    const auto least = std::ranges::min_element(
+    const auto minimum = std::ranges::min_element(
         losses, {}, [](const SingleLoss& each) { return value(each.status, each.factor); });
     const double now = value(worst_.status, worst_.collapse.factor);
-    if (value(least->status, least->factor) >= now) return;
-    worst_ = after(worst_.lost | IndexSet::single(least->member));
+    if (value(minimum->status, minimum->factor) >= now) return;
+    worst_ = after(worst_.lost | IndexSet::single(minimum->member));
   }
 }
 
@@ -197,7 +197,7 @@ std::vector<LossPiece> LossSearch::open_round(const std::vector<LossNode>& batch
 // Nodes are kept with the next one in depth-first order last.
 void LossSearch::search_below() {
   const auto kept = IndexSet::below(model_.member_count()) - eligible_;
-  std::vector<LossNode> open{{{}, kept, std::min(parameters_.most, eligible_.size())}};
+  std::vector<LossNode> open{{{}, kept, std::min(parameters_.maximum, eligible_.size())}};
   program_.emplace(model_, alpha_ / model_.force_unit, known_.target / model_.factor_unit,
                    analysis_.budget().stop());
   while (!open.empty() && !missed_ && worst_.status == LoadStatus::collapses) {
@@ -206,7 +206,7 @@ void LossSearch::search_below() {
       return fmt::format(
           "losses of up to {} members: none of the closed nodes below the load factor {:.10g}; {} "
           "nodes closed, {} open, {} states",
-          parameters_.most, known_.target, answer_.counts.nodes, open.size(), states_.size());
+          parameters_.maximum, known_.target, answer_.counts.nodes, open.size(), states_.size());
     });
     const auto size = std::min(open.size(), nodes_of_a_round(states_.size()));
     const std::vector<LossNode> batch(open.rbegin(),
@@ -304,7 +304,7 @@ void LossSearch::record() {
   auto& statement = answer_.statement.emplace();
   statement.truss = truss_;
   statement.sudden = parameters_.sudden;
-  statement.most = static_cast<std::size_t>(std::min(parameters_.most, eligible_.size()));
+  statement.maximum = static_cast<std::size_t>(std::min(parameters_.maximum, eligible_.size()));
   for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
     statement.kept.push_back(static_cast<std::size_t>(i));
   statement.lost.assign(worst_.lost.begin(), worst_.lost.end());
@@ -316,12 +316,12 @@ void LossSearch::record() {
   statement.lower = lower_;
   const verify::LossCover cover(known_.supports,
                                 IndexSet::below(problem_.member_count()) - eligible_,
-                                static_cast<int>(statement.most));
+                                static_cast<int>(statement.maximum));
   for (const auto k : cover.needed()) statement.states.push_back(states_[k].state);
 }
 
 LossAnswer LossSearch::solve() {
-  answer_.most = parameters_.most;
+  answer_.maximum = parameters_.maximum;
   answer_.uncertain = alpha_ > 0;
   answer_.sudden = parameters_.sudden;
   answer_.eligible = eligible_.size();

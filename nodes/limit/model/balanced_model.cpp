@@ -14,11 +14,11 @@ using problems::LimitModel;
 using problems::LimitProblem;
 
 /// Maximum number of steps; no known truss takes more than three.
-constexpr int most_times = 8;
+constexpr int max_times = 8;
 
 // Iterates from one unit of force. @return true if a collapse was found
 bool balance(const LimitProblem& problem, LimitModel& model, double alpha) {
-  for (int time = 0; time < most_times; ++time) {
+  for (int time = 0; time < max_times; ++time) {
     LoadFactor load_factor(model);
     if (load_factor.solve(model.dead) != LoadStatus::collapses) return false;
     const double size = dissipation(problem, model, load_factor.collapse().motion);
@@ -51,10 +51,10 @@ double dissipation(const LimitProblem& problem, const LimitModel& model,
 std::optional<LimitModel> with_more_yield(const LimitProblem& problem, const LimitModel& model) {
   constexpr double more = 0x1p12;
   constexpr double enough = 0x1p40;
-  const bool cut_off = model.tension.maxCoeff() >= model.most_yield ||
-                       model.compression.maxCoeff() >= model.most_yield;
-  if (!cut_off || model.most_yield >= enough) return {};
-  return limit_model(problem, model.force_unit, model.most_yield * more);
+  const bool cut_off = model.tension.maxCoeff() >= model.max_yield ||
+                       model.compression.maxCoeff() >= model.max_yield;
+  if (!cut_off || model.max_yield >= enough) return {};
+  return limit_model(problem, model.force_unit, model.max_yield * more);
 }
 
 LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, double dissipation,
@@ -66,7 +66,7 @@ LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, doub
   for (const auto& column : problem.uncertain) load = std::max(load, alpha * column.largest());
   constexpr double farthest = 0x1p60;
   const double unit = model.force_unit * std::clamp(dissipation, 1 / farthest, farthest);
-  return limit_model(problem, std::max(unit, load), model.most_yield);
+  return limit_model(problem, std::max(unit, load), model.max_yield);
 }
 
 LimitModel balanced_model(const LimitProblem& problem, double alpha) {

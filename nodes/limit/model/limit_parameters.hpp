@@ -24,9 +24,9 @@ enum class LimitMethod {
 /// program for each cut (bench/README.md).
 inline constexpr int usual_split_from = 150;
 
-/// The least load factor over all losses of up to `most` members.
+/// The least load factor over all losses of up to `maximum` members.
 struct LossParameters {
-  int most = 1;                      ///< K
+  int maximum = 1;                   ///< K
   std::optional<double> at_least{};  ///< factor in question; nothing: the least one
   std::vector<int> kept{};           ///< members that are not lost
   double sudden = 1;                 ///< dynamic factor of the loads after the loss, >= 1

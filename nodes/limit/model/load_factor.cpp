@@ -12,7 +12,7 @@ using problems::LimitModel;
 
 /// Minimum decrease of the scaled factor for another round of a descent; smaller ones may be
 /// rounding errors.
-constexpr double least_fall = 1e-10;
+constexpr double min_fall = 1e-10;
 
 Eigen::VectorXd values(std::span<const double> numbers) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
@@ -27,7 +27,7 @@ LoadFactor::LoadFactor(const LimitModel& model, support::Stop stop)
       simplex_(problems::static_program(model, model.dead)) {}
 
 // The cost of lambda is -1 except here.
-std::optional<double> LoadFactor::least_factor(const Eigen::VectorXd& dead) {
+std::optional<double> LoadFactor::min_factor(const Eigen::VectorXd& dead) {
   const int factor = model_.member_count();
   simplex_.set_cost(factor, 1);
   restart();
@@ -88,7 +88,7 @@ Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
     if (status == LoadStatus::undetermined) return descent;
     Collapse collapse = load_factor.collapse();
     if (descent.status == LoadStatus::collapses &&
-        collapse.factor >= descent.worst.collapse.factor - least_fall) {
+        collapse.factor >= descent.worst.collapse.factor - min_fall) {
       return descent;
     }
     Eigen::VectorXd next = worst_for(model, alpha, collapse.motion, zeta);

@@ -40,7 +40,7 @@ class LoadFactor {
 
   /// The least factor of the load, of the order of the one that solve() finds. Nothing if the
   /// simplex method fails. @pre the first load has collapsed
-  std::optional<double> least_factor(const Eigen::VectorXd& dead);
+  std::optional<double> min_factor(const Eigen::VectorXd& dead);
 
   /// @pre the result of the last solve was `collapses`
   [[nodiscard]] Collapse collapse() const;

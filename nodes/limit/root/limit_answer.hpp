@@ -18,7 +18,7 @@ namespace kusabi::limit {
 struct LimitCollapse {
   double factor = 0;
   /// The least factor of the same load; nothing: the simplex method failed.
-  std::optional<double> least;
+  std::optional<double> minimum;
   Eigen::VectorXd forces;  ///< q, n^m
   Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1
 };

@@ -111,10 +111,10 @@ std::vector<int> Master::members_without_choice() const {
   bool to_the_end = false;
   for (int i = 0; i < model_.member_count(); ++i) {
     const int column = model_.free_count() + i;
-    const double most =
+    const double maximum =
         std::max(simplex_.value(column), simplex_.value(column + model_.member_count()));
-    to_the_end = to_the_end || most >= far;
-    if (room_(i) != 0 && most >= along) members.push_back(i);
+    to_the_end = to_the_end || maximum >= far;
+    if (room_(i) != 0 && maximum >= along) members.push_back(i);
   }
   if (!to_the_end) members.clear();
   return members;
@@ -142,9 +142,9 @@ bool Master::has_room(double share) const {
 }
 
 bool Master::make_room(double first, bool for_all) {
-  const double most = std::max(2e-7, first);
+  const double maximum = std::max(2e-7, first);
   Eigen::VectorXd has_choice = Eigen::VectorXd::Ones(model_.member_count());
-  for (double share = first; share <= most;) {
+  for (double share = first; share <= maximum;) {
     leave_room(share * has_choice);  // forces are of the order of one, or of their yield force
     if (solve() != linear::LinearStatus::optimal) return false;
     const auto without = for_all ? std::vector<int>() : members_without_choice();
@@ -156,8 +156,8 @@ bool Master::make_room(double first, bool for_all) {
   return true;  // decided by the exact proof
 }
 
-void Master::limit_dissipation(double most) {
-  simplex_.set_row_bounds(dissipation_row(), -linear::infinity, most);
+void Master::limit_dissipation(double maximum) {
+  simplex_.set_row_bounds(dissipation_row(), -linear::infinity, maximum);
 }
 
 void Master::add(const StaticCut& cut) {

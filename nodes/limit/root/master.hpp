@@ -64,7 +64,7 @@ class Master {
 
   /// Adds q^y'(c+ + c-) <= most, which keeps the first points near relevant motions while there are
   /// too few cuts. Infinity: no limit. The optimum is a bound only if the limit is not active.
-  void limit_dissipation(double most);
+  void limit_dissipation(double maximum);
   /// True if some c+, c- or gamma is at the limit of its box: the cuts give no bound.
   [[nodiscard]] bool presses_box() const;
   [[nodiscard]] bool dissipation_presses() const { return simplex_.dual(dissipation_row()) != 0; }

@@ -20,16 +20,16 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
   const Eigen::VectorXd yield = model.yield();
   Master master(model, alpha);
   for (const StaticCut& cut : cuts) master.add(cut);
-  double most = linear::infinity;  // D
+  double maximum = linear::infinity;  // D
   for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
     master.leave_room(rho * yield);
     if (master.solve() != linear::LinearStatus::optimal || master.presses_box()) continue;
-    most = std::min(most, (upper - master.objective()) / rho);
+    maximum = std::min(maximum, (upper - master.objective()) / rho);
   }
-  if (!std::isfinite(most)) return {};
-  most = most * (1 + widened) + widened;
+  if (!std::isfinite(maximum)) return {};
+  maximum = maximum * (1 + widened) + widened;
   MotionBounds bounds;
-  bounds.elongation = most * yield.cwiseInverse();
+  bounds.elongation = maximum * yield.cwiseInverse();
   bounds.motion.setConstant(model.uncertain_count(), linear::infinity);
   for (const StaticCut& cut : cuts) {
     double largest = 0;
@@ -37,7 +37,7 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
       largest = std::max(largest, std::abs(force) / yield(member));
     }
     double& bound = bounds.motion(cut.column);
-    bound = std::min(bound, most * largest + std::abs(cut.factor) + widened);
+    bound = std::min(bound, maximum * largest + std::abs(cut.factor) + widened);
   }
   return bounds;
 }

@@ -19,7 +19,7 @@ namespace {
 
 /// Maximum number of searches with adjusted units, if the worst case collapses at another order of
 /// forces than the nominal load.
-constexpr int most_balances = 3;
+constexpr int max_balances = 3;
 
 /// Shorter computations show no progress.
 constexpr auto patience = std::chrono::seconds(2);
@@ -69,13 +69,13 @@ void RootSearch::settle_for(double alpha) {
 }
 
 LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::VectorXd& dead) {
-  auto least = load_factor().least_factor(dead);
-  if (least) {
+  auto minimum = load_factor().min_factor(dead);
+  if (minimum) {
     // A load of zero has the exact factor zero.
-    if (std::abs(*least) <= closed_gap) *least = 0;
-    *least *= model().factor_unit;
+    if (std::abs(*minimum) <= closed_gap) *minimum = 0;
+    *minimum *= model().factor_unit;
   }
-  return {collapse.factor * model().factor_unit, least,
+  return {collapse.factor * model().factor_unit, minimum,
           problems::forces_in_units(model(), collapse.forces),
           problems::motion_in_units(model(), collapse.motion)};
 }
@@ -142,7 +142,7 @@ RootResult RootSearch::solve(double alpha) {
 
 RootResult RootSearch::solve_balanced(double alpha) {
   RootResult result = solve(scaled(alpha));
-  for (int time = 0; time < most_balances; ++time) {
+  for (int time = 0; time < max_balances; ++time) {
     const bool doubtful = result.status == RootStatus::open ||
                           result.status == RootStatus::unbounded ||
                           result.status == RootStatus::failed;

@@ -36,7 +36,7 @@ constexpr int steps_a_question = 10;
 /// after a face that is not the worst case's, and at each evaluation. Their sizes, relative to the
 /// largest displacement, are this and nine larger ones by this factor each.
 constexpr int first_tries = 10;
-constexpr double least_disturbance = 0.005;
+constexpr double min_disturbance = 0.005;
 constexpr double disturbance_ratio = 1.45;
 
 /// Metric: weight of a change of the factor relative to one of a force.
@@ -77,7 +77,7 @@ constexpr double good_gap = 2e-7;
 
 /// Maximum number of steps; then static cuts most likely do not suffice, or the collapse is
 /// unknown.
-constexpr int most_steps = 4000;
+constexpr int max_steps = 4000;
 
 class SplitRoot {
  public:
@@ -148,7 +148,7 @@ bool SplitRoot::try_disturbed(int times) {
   constexpr int sizes = 10;
   for (int k = 0; k < times && !stopped() && !enough(); ++k) {
     Eigen::VectorXd motion = result_.worst->collapse.motion;
-    const double size = least_disturbance * std::pow(disturbance_ratio, tries_++ % sizes) *
+    const double size = min_disturbance * std::pow(disturbance_ratio, tries_++ % sizes) *
                         motion.cwiseAbs().maxCoeff();
     for (double& u : motion) u += size * (static_cast<double>(bits_()) * 0x1p-31 - 1);
     if (!improve(std::move(motion))) return false;
@@ -163,11 +163,11 @@ double SplitRoot::share_of_best(const std::vector<double>& taken) const {
   double share = 0;
   for (int i = 0; i < program_.members(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    double most = program_.capacity(i);
-    if (best_ && best_taken_[at] < most - room) most -= room;
-    if (taken[at] <= most) continue;
+    double maximum = program_.capacity(i);
+    if (best_ && best_taken_[at] < maximum - room) maximum -= room;
+    if (taken[at] <= maximum) continue;
     if (!best_) return 1;
-    share = std::max(share, std::min(1.0, (taken[at] - most) / (taken[at] - best_taken_[at])));
+    share = std::max(share, std::min(1.0, (taken[at] - maximum) / (taken[at] - best_taken_[at])));
   }
   return share;
 }
@@ -254,7 +254,7 @@ void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
 RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
   int next_face = first_face;
   int tries = first_tries;
-  while (iteration.steps() < most_steps) {
+  while (iteration.steps() < max_steps) {
     if (!try_disturbed(tries)) return RootStatus::not_carried;
     tries = 1;
     const int look = iteration.steps() < first_face ? first_steps_a_look : steps_a_look;

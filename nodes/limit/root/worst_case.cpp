@@ -21,7 +21,7 @@ using problems::LimitModel;
 /// Costs of members that do not move in a pricing program, relative to the mean elongation: the
 /// first one, then smaller ones when no cut is violated, finally zero.
 constexpr double first_share = 1e-3;
-constexpr double least_share = 1e-9;
+constexpr double min_share = 1e-9;
 constexpr double share_fall = 1e-3;
 
 /// Tolerance of violated cuts, where motions are of the order of one.
@@ -35,7 +35,7 @@ constexpr double dissipation_share = 2;
 constexpr int batches = 12;
 
 /// Maximum number of rounds, far more than in any known instance.
-constexpr int most_rounds = 1000;
+constexpr int max_rounds = 1000;
 
 /// One run of the rounds.
 class Rounds {
@@ -109,7 +109,7 @@ bool Rounds::cut_off(const Relaxed& point) {
       if (stopped()) return false;
     }
     if (share_ == 0) return false;
-    share_ = share_ > least_share ? share_ * share_fall : 0;
+    share_ = share_ > min_share ? share_ * share_fall : 0;
   }
   return false;
 }
@@ -142,7 +142,7 @@ RootStatus Rounds::rounds() {
   std::vector<int> columns(model_.uncertain.size());
   for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
   price(z, columns, nullptr);
-  while (result_.counts.rounds < most_rounds) {
+  while (result_.counts.rounds < max_rounds) {
     if (stopped()) return RootStatus::stopped;
     ++result_.counts.rounds;
     const auto status = master_.solve();

@@ -124,8 +124,8 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
   for (const auto& column : problem.uncertain)
     certificate.alpha.push_back(alpha * column.half_width);
   for (Eigen::Index j = 0; j < worst.zeta.size(); ++j) {
-    const double most = certificate.alpha[static_cast<std::size_t>(j)];
-    certificate.load.push_back(worst.zeta(j) == 0 ? 0 : std::copysign(most, worst.zeta(j)));
+    const double maximum = certificate.alpha[static_cast<std::size_t>(j)];
+    certificate.load.push_back(worst.zeta(j) == 0 ? 0 : std::copysign(maximum, worst.zeta(j)));
   }
   for (const double u : problems::motion_in_units(model, worst.collapse.motion)) {
     certificate.motion.push_back(u);

@@ -83,7 +83,7 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
       ends.upper = verify::rounded_up(*value);
       ends.upper_proved = true;
     }
-    double least = infinite();
+    double minimum = infinite();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       double shown = has_proof[k] ? lower_end(proof, certificate.nodes[k]) : -infinite();
       const double wanted =
@@ -93,10 +93,10 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
         changed = changed || more > shown;
         shown = more;
       }
-      least = std::min(least, shown);
+      minimum = std::min(minimum, shown);
     }
-    if (std::isfinite(least) && !verify::flaw_of_sign_cover(certificate)) {
-      ends.lower = least;
+    if (std::isfinite(minimum) && !verify::flaw_of_sign_cover(certificate)) {
+      ends.lower = minimum;
       ends.lower_proved = true;
     }
   }

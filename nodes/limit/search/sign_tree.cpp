@@ -17,7 +17,7 @@ constexpr int rounds_at_a_node = 4;
 
 /// A cut is made where the violation of the point exceeds this, and kept if the cut is violated by
 /// more.
-constexpr double least_violation = 1e-7;
+constexpr double min_violation = 1e-7;
 
 /// Signs are not branched on where the violation is below this: the bound is then exact up to less
 /// than the gap that closes a node.
@@ -75,12 +75,12 @@ std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
     const Eigen::VectorXd violations = violations_at(model_, result.point);
     std::vector<int> columns;
     for (int j = 0; j < model_.uncertain_count(); ++j) {
-      if (violations(j) > least_violation) columns.push_back(j);
+      if (violations(j) > min_violation) columns.push_back(j);
     }
     bool any = false;
     tally_.counts.pricings += columns.size();
     for (auto& cut : price_alone(pricing_, pricing_aim(result.point.z, 0), columns)) {
-      if (result.point.gamma(cut.column) - cut.bound(result.point.z) < least_violation) continue;
+      if (result.point.gamma(cut.column) - cut.bound(result.point.z) < min_violation) continue;
       master_.add(cut);
       own_cuts_.push_back(std::move(cut));
       any = true;
@@ -156,8 +156,8 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   const double known = descend_from(here, out);
   const Eigen::VectorXd violations = violations_at(model_, here.point);
   Eigen::Index widest = 0;
-  const double most = violations.size() == 0 ? 0 : violations.maxCoeff(&widest);
-  if (here.bound >= known - closed_gap || most <= negligible_violation) {
+  const double maximum = violations.size() == 0 ? 0 : violations.maxCoeff(&widest);
+  if (here.bound >= known - closed_gap || maximum <= negligible_violation) {
     close(node.signs);
     return;
   }

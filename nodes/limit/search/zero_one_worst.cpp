@@ -52,20 +52,20 @@ std::optional<linear::MixedProgram> bounded_program(const LimitParameters& param
                                                     const RootResult& root) {
   const auto bounds = motion_bounds(model, alpha, root.cuts, root.worst->collapse.factor);
   Eigen::VectorXd big_m;
-  Eigen::VectorXd most_motion = Eigen::VectorXd::Constant(model.free_count(), linear::infinity);
-  Eigen::VectorXd most_elongation =
+  Eigen::VectorXd max_motion = Eigen::VectorXd::Constant(model.free_count(), linear::infinity);
+  Eigen::VectorXd max_elongation =
       Eigen::VectorXd::Constant(model.member_count(), linear::infinity);
   if (bounds) {
-    most_elongation = bounds->elongation;
+    max_elongation = bounds->elongation;
     for (int j = 0; j < model.uncertain_count(); ++j) {
       const auto& direction = model.uncertain[static_cast<std::size_t>(j)].direction;
-      if (direction.size() == 1) most_motion(direction.front().degree) = bounds->motion(j);
+      if (direction.size() == 1) max_motion(direction.front().degree) = bounds->motion(j);
     }
     big_m = 2 * bounds->motion;
   }
   if (parameters.big_m) big_m = *parameters.big_m * model.direction_unit / model.factor_unit;
   if (big_m.size() == 0) return std::nullopt;
-  return problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
+  return problems::worst_case_program(model, alpha, big_m, max_motion, max_elongation);
 }
 
 // (27) as printed: u and gamma are bounded by the rows only, which imply z >= 0.

@@ -11,7 +11,7 @@ namespace kusabi::limit::splitting {
 namespace {
 
 /// Number of differences.
-constexpr std::size_t most = 4;
+constexpr std::size_t maximum = 4;
 
 /// Regularisation of the normal equations, relative to their diagonal.
 constexpr double regularisation = 1e-10;
@@ -65,7 +65,7 @@ void Acceleration::remember(const MixedPoint& result) {
   combine(change, -1, 1, change_);
   combine(image, -1, 1, result);
   const auto at = static_cast<Eigen::Index>(oldest_);
-  if (changes_.size() < most) {
+  if (changes_.size() < maximum) {
     changes_.push_back(std::move(change));
     results_.push_back(std::move(image));
     gram_.conservativeResize(at + 1, at + 1);
@@ -75,7 +75,7 @@ void Acceleration::remember(const MixedPoint& result) {
   }
   gram_.row(at) = products(changes_[oldest_], changes_, sharing_).transpose();
   gram_.col(at) = gram_.row(at).transpose();
-  oldest_ = (oldest_ + 1) % most;
+  oldest_ = (oldest_ + 1) % maximum;
 }
 
 Eigen::VectorXd Acceleration::coefficients() {

@@ -20,12 +20,12 @@ Face face_of(const AffineProgram& program, double factor, const Eigen::VectorXd&
   face.factor = factor;
   const int members = program.members();
   const Eigen::VectorXd stretch = program.equilibrium.leftCols(members).transpose() * motion;
-  const double most_stretch = stretch.cwiseAbs().maxCoeff();
+  const double max_stretch = stretch.cwiseAbs().maxCoeff();
   for (int i = 0; i < members; ++i) {
-    const bool yields = std::abs(stretch(i)) > no_stretch * most_stretch;
+    const bool yields = std::abs(stretch(i)) > no_stretch * max_stretch;
     face.stretches.push_back(!yields ? 0 : stretch(i) > 0 ? 1 : -1);
   }
-  const double most_motion = motion.cwiseAbs().maxCoeff();
+  const double max_motion = motion.cwiseAbs().maxCoeff();
   face.critical = program.dead;
   face.columns.emplace_back();
   for (std::size_t j = 0; j < program.loads.size(); ++j) {
@@ -38,7 +38,7 @@ Face face_of(const AffineProgram& program, double factor, const Eigen::VectorXd&
       size += std::abs(value);
       face.critical(degree) += value;
     }
-    face.works.push_back(std::abs(work) > no_work * size * most_motion);
+    face.works.push_back(std::abs(work) > no_work * size * max_motion);
     face.columns.push_back(std::move(load));
   }
   face.signs = std::move(signs);

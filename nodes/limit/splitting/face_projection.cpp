@@ -10,7 +10,7 @@
 namespace kusabi::limit::splitting {
 namespace {
 
-constexpr int most_rounds = 60;
+constexpr int max_rounds = 60;
 
 /// Number of rounds after which one threshold at a time is changed, which always converges.
 constexpr int rounds_of_both = 20;
@@ -151,7 +151,7 @@ void FaceProjection::find(const ColumnBlocks& z, const Eigen::VectorXd& state) {
     if (stretch != 0) state_(i) = stretch * program_.capacity(i);
   }
   std::vector<int> left;
-  for (int round = 0; round < most_rounds && !active_.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !active_.empty(); ++round) {
     evaluate(z);
     left.clear();
     for (std::size_t k = 0; k < active_.size(); ++k) {

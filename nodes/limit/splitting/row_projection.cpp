@@ -8,7 +8,7 @@
 namespace kusabi::limit::splitting {
 namespace {
 
-constexpr int most_rounds = 60;
+constexpr int max_rounds = 60;
 
 /// Tolerance of equal thresholds, relative to the larger of one and their size.
 constexpr double same = 1e-15;
@@ -71,7 +71,7 @@ void RowProjection::find(const ColumnBlocks& z, double factor, double target) {
   active_.resize(thresholds_.size());
   std::iota(active_.begin(), active_.end(), 0);
   std::vector<int> left;
-  for (int round = 0; round < most_rounds && !active_.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !active_.empty(); ++round) {
     evaluate(z);
     left.clear();
     for (std::size_t k = 0; k < active_.size(); ++k) {

@@ -39,10 +39,10 @@ class CriticalDescent {
         feasible_(bracket.upper()) {}
 
   void run() {
-    const double most = grid_.most;
-    for (double start = std::min(feasible_.value_or(first_start), most);;
-         start = std::min(most, next_start * start)) {
-      if (start <= known_infeasible_ && start < most) continue;
+    const double maximum = grid_.maximum;
+    for (double start = std::min(feasible_.value_or(first_start), maximum);;
+         start = std::min(maximum, next_start * start)) {
+      if (start <= known_infeasible_ && start < maximum) continue;
       coarse_ = grid_.width;
       while (coarse_ < few_digits * start) coarse_ *= 2;
       infeasible_ = std::max(infeasible_, coarse_ * std::floor(known_infeasible_ / coarse_));
@@ -52,11 +52,11 @@ class CriticalDescent {
       if (!narrow()) return;
       if (feasible_ || infeasible_ < top) {  // a leaf is feasible, or numerically undecided
         if (coarse_ != grid_.width)
-          search(CriticalPhase::fine, grid_.width, feasible_.value_or(most));
+          search(CriticalPhase::fine, grid_.width, feasible_.value_or(maximum));
         return;
       }
-      if (start >= most) {
-        if (top != most) search(CriticalPhase::fine, grid_.width, most);
+      if (start >= maximum) {
+        if (top != maximum) search(CriticalPhase::fine, grid_.width, maximum);
         return;
       }
     }
@@ -71,7 +71,8 @@ class CriticalDescent {
     double undecided = 0;
     if (feasible_ && !goes_on(undecided)) return;
     for (;;) {
-      const CriticalGrid coarse{.width = coarse_, .most = grid_.most, .precision = grid_.precision};
+      const CriticalGrid coarse{
+          .width = coarse_, .maximum = grid_.maximum, .precision = grid_.precision};
       const auto found =
           dive_at(analysis_, problem_, std::llround(from_ / coarse_), coarse, bounds_);
       findings_.costs.push_back(
@@ -94,9 +95,9 @@ class CriticalDescent {
   bool goes_on(double undecided) {
     const double last = coarse_ * static_cast<double>(std::llround(*feasible_ / coarse_) - 1);
     if (last <= infeasible_) return false;
-    const double least = std::max(infeasible_, undecided);
-    const bool near = least > near_enough * *feasible_;
-    const double next = least > 0 ? std::sqrt(least * *feasible_) : share_of_last * *feasible_;
+    const double minimum = std::max(infeasible_, undecided);
+    const bool near = minimum > near_enough * *feasible_;
+    const double next = minimum > 0 ? std::sqrt(minimum * *feasible_) : share_of_last * *feasible_;
     const double below = std::max(coarse_ * std::floor(next / coarse_), infeasible_ + coarse_);
     from_ = near ? last : std::min(below, last);
     bounds_ = bounds_at(analysis_, problem_, from_, tightening_);
@@ -113,13 +114,14 @@ class CriticalDescent {
   bool search(CriticalPhase phase, double width, double from) {
     if (phase == CriticalPhase::fine || bounds_.blocks.empty())
       bounds_ = bounds_at(analysis_, problem_, from, tightening_);
-    const auto found = find_smallest(analysis_, problem_,
-                                     {CriticalDirection::down,
-                                      phase,
-                                      {.width = width, .most = from, .precision = grid_.precision},
-                                      std::max(infeasible_, known_infeasible_),
-                                      bounds_},
-                                     findings_.costs, findings_.global_ranks);
+    const auto found =
+        find_smallest(analysis_, problem_,
+                      {CriticalDirection::down,
+                       phase,
+                       {.width = width, .maximum = from, .precision = grid_.precision},
+                       std::max(infeasible_, known_infeasible_),
+                       bounds_},
+                      findings_.costs, findings_.global_ranks);
     infeasible_ = std::max(infeasible_, found.lower);
     if (std::isfinite(found.upper)) feasible_ = found.upper;
     found.narrow(bracket_, grid_.width);

@@ -54,12 +54,12 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
   const auto stop = analysis.budget().stop();
   auto tree = tree_at(problem, FrictionGrid(grid.width).at(multiple), grid, bounds);
   tree.end_when(stop);
-  const auto most = std::min<std::uint64_t>(dive_nodes_a_candidate * problem.contact_names.size(),
-                                            analysis.budget().left().nodes);
+  const auto maximum = std::min<std::uint64_t>(
+      dive_nodes_a_candidate * problem.contact_names.size(), analysis.budget().left().nodes);
   std::vector<SignPatternTree::Node> open{tree.root()};
   bool doubtful = false;
   try {
-    while (!open.empty() && result.opened < most && !support::asked(stop)) {
+    while (!open.empty() && result.opened < maximum && !support::asked(stop)) {
       const auto node = open.back();
       open.pop_back();
       auto decision = tree.decide(node);

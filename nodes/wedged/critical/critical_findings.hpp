@@ -44,7 +44,7 @@ struct CriticalParameters {
   CriticalStrategy strategy = CriticalStrategy::automatic;
   /// Upper limit of the search, mu^0 of the paper; methods that treat each pattern require it.
   /// Nothing: default_max_friction, or the largest possible coefficient.
-  std::optional<double> most{};
+  std::optional<double> maximum{};
   /// Width of the brackets. Nothing: default_width, or default_width_in_doubles.
   std::optional<double> width{};
   /// Bounding of candidates during the descent and for the verification of the bracket.
@@ -60,7 +60,7 @@ struct CriticalParameters {
 /// Parameters of the computation.
 struct CriticalGrid {
   double width = default_width;
-  double most = default_max_friction;
+  double maximum = default_max_friction;
   Precision precision = Precision::escalating;
 };
 

@@ -30,10 +30,10 @@ struct BlockStart {
   }
 };
 
-void take_leaf(CriticalFriction& critical, const SignPattern& leaf, std::int64_t most,
+void take_leaf(CriticalFriction& critical, const SignPattern& leaf, std::int64_t maximum,
                BlockStart& start) {
   const auto cell = critical.locate(leaf, {.infeasible = 0, .feasible = CriticalCell::nowhere},
-                                    CriticalMethod::newton, most);
+                                    CriticalMethod::newton, maximum);
   if (cell.feasible == CriticalCell::nowhere || critical.at(cell.feasible) >= start.feasible)
     return;
   start.feasible = critical.at(cell.feasible);
@@ -44,7 +44,7 @@ void take_leaf(CriticalFriction& critical, const SignPattern& leaf, std::int64_t
 void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
                  const support::Stop& stop, BlockStart& start) {
   const int m = static_cast<int>(block.contact_names.size());
-  const auto most = static_cast<std::int64_t>(std::llround(grid.most / grid.width));
+  const auto maximum = static_cast<std::int64_t>(std::llround(grid.maximum / grid.width));
   start.infeasible = 0;
   CriticalFriction root(block, grid.width, Precision::doubles);
   CriticalFriction leaves(block, grid.width, grid.precision);
@@ -52,15 +52,15 @@ void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
   leaves.end_when(stop);
   try {
     const auto cell = root.locate({}, {.infeasible = 0, .feasible = CriticalCell::nowhere},
-                                  CriticalMethod::newton, most);
+                                  CriticalMethod::newton, maximum);
     start.infeasible = root.at(cell.infeasible);
     // In doubles each program takes long, and the leaf is near the answer if the root is.
     const bool near = cell.infeasible > 0 || grid.precision != Precision::doubles;
-    if (near && cell.infeasible < most)
-      take_leaf(leaves, leaf_with(support::IndexSet::below(m), m), most, start);
+    if (near && cell.infeasible < maximum)
+      take_leaf(leaves, leaf_with(support::IndexSet::below(m), m), maximum, start);
     const auto singles = single_contacts(block);
     if (!singles.empty() && singles.front().factor < start.feasible)
-      take_leaf(leaves, leaf_with(support::IndexSet::single(singles.front().candidate), m), most,
+      take_leaf(leaves, leaf_with(support::IndexSet::single(singles.front().candidate), m), maximum,
                 start);
   } catch (const support::Stopped&) {
   }
@@ -105,7 +105,7 @@ std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedPr
                             const CriticalGrid& grid, NarrowingBracket& bracket) {
   const auto blocks = problems::blocks_of(problem);
   std::uint64_t programs = 0;
-  double infeasible = grid.most;
+  double infeasible = grid.maximum;
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
     const auto start = analysis.by_first_rank([&] {
       BlockStart own;

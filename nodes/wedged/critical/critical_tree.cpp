@@ -21,9 +21,10 @@ CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width,
       candidates(problems::all_candidates(problem)),
       rule(problem, std::vector<double>(problem.contact_names.size(), 1), Branching::relative) {}
 
-CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
-                           CriticalDirection direction, double known, Precision precision)
-    : grid_(width), most_(most), direction_(direction), known_(known) {
+CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width,
+                           std::int64_t maximum, CriticalDirection direction, double known,
+                           Precision precision)
+    : grid_(width), maximum_(maximum), direction_(direction), known_(known) {
   for (const auto& candidates : problems::blocks_of(problem)) {
     blocks_.emplace_back(problems::block_problem(problem, candidates), width, precision);
     blocks_.back().critical.end_when(interruption_.stop());
@@ -69,7 +70,7 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
     }
     if (const auto known = one_sided(free, bounds)) return split(node, *known, out);
   }
-  const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(most_)));
+  const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(maximum_)));
   if (!bound) {
     ++tally_.infeasible;
     return;
@@ -89,8 +90,8 @@ void CriticalTree::split(const Node& node, int candidate, engine::Expansion<Crit
 
 std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {
   // Nodes infeasible at the lower bound of the best cell cannot improve the bracket.
-  const double most = block.critical.at(most_);
-  const double lowest = cutoff < most ? cutoff - grid_.width() : most;
+  const double maximum = block.critical.at(maximum_);
+  const double lowest = cutoff < maximum ? cutoff - grid_.width() : maximum;
   const auto is_worth = [&](double bound) {
     return bound <= cutoff && bound < lowest + rounding * std::abs(lowest);
   };
@@ -106,8 +107,8 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
   auto& critical = blocks_[node.place.block].critical;
   const auto known = static_cast<std::int64_t>(node.bound / grid_.width());
   const auto cell = critical.locate(node.place.pattern, {known, CriticalCell::nowhere},
-                                    CriticalMethod::newton, most_);
-  if (cell.infeasible >= most_) {
+                                    CriticalMethod::newton, maximum_);
+  if (cell.infeasible >= maximum_) {
     ++tally_.infeasible;
     return;
   }

@@ -75,9 +75,9 @@ class CriticalTree {
     }
   };
 
-  /// @param width of the bracket  @param most upper limit of the search, x width
+  /// @param width of the bracket  @param maximum upper limit of the search, x width
   /// @param known no configuration is wedged below
-  CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+  CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t maximum,
                CriticalDirection direction = CriticalDirection::up, double known = 0,
                Precision precision = Precision::escalating);
 
@@ -114,7 +114,7 @@ class CriticalTree {
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
 
   FrictionGrid grid_;
-  std::int64_t most_;
+  std::int64_t maximum_;
   CriticalDirection direction_;
   double known_;
   NodeInterruption interruption_;

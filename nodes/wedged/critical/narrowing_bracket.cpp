@@ -78,7 +78,7 @@ void NarrowingBracket::show() {
   analysis_.say(
       upper_ ? fmt::format("bracket so far: {}, sticks at {:.9g} ({})", lower, *upper_,
                            proof(upper_proved_))
-             : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, most_));
+             : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, maximum_));
 }
 
 }  // namespace kusabi::wedged

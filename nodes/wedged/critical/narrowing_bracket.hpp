@@ -12,7 +12,8 @@ namespace kusabi::wedged {
 /// The bracket, equal on all ranks.
 class NarrowingBracket {
  public:
-  NarrowingBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
+  NarrowingBracket(engine::Analysis& analysis, double maximum)
+      : analysis_(analysis), maximum_(maximum) {}
 
   /// No configuration is wedged at this coefficient or below.
   [[nodiscard]] double lower() const { return lower_; }
@@ -47,7 +48,7 @@ class NarrowingBracket {
 
  private:
   engine::Analysis& analysis_;
-  double most_;
+  double maximum_;
   double lower_ = 0;
   std::optional<double> upper_;
   std::optional<PatternNode> leaf_;

@@ -8,8 +8,8 @@
 
 namespace kusabi::wedged {
 
-std::int64_t multiples(double most, double width) {
-  return static_cast<std::int64_t>(std::llround(most / width));
+std::int64_t multiples(double maximum, double width) {
+  return static_cast<std::int64_t>(std::llround(maximum / width));
 }
 
 // If the tree is infeasible up to the upper bound of the known leaf, the lower bound is the grid
@@ -31,7 +31,7 @@ SmallestCoefficient smallest_coefficient(const engine::OutcomeOf<CriticalTree>& 
   SmallestCoefficient smallest;
   smallest.status = outcome.status;
   const bool whole = outcome.status == engine::Status::solved;
-  smallest.lower = whole ? grid.most : std::min(grid.most, std::max(known, outcome.bound));
+  smallest.lower = whole ? grid.maximum : std::min(grid.maximum, std::max(known, outcome.bound));
   const FrictionGrid points(grid.width);
   for (const auto& found : outcome.solutions) {
     const auto& [cell, leaf] = found.solution;
@@ -50,7 +50,7 @@ SmallestCoefficient find_smallest(engine::Analysis& analysis,
                                   std::vector<CriticalCost>& costs,
                                   std::vector<engine::RankReport<CriticalTree>>& ranks) {
   const auto& [direction, phase, grid, known, bounds] = parameters;
-  CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), direction, known,
+  CriticalTree tree(problem, grid.width, multiples(grid.maximum, grid.width), direction, known,
                     grid.precision);
   if (direction == CriticalDirection::down) configure(tree, problem, bounds);
   engine::Options options;
@@ -58,8 +58,8 @@ SmallestCoefficient find_smallest(engine::Analysis& analysis,
   options.order =
       direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
   auto outcome = analysis.search(tree, options);
-  costs.push_back({phase, direction == CriticalDirection::up ? known : grid.most, outcome.opened(),
-                   bounds.programs + outcome.tally().programs});
+  costs.push_back({phase, direction == CriticalDirection::up ? known : grid.maximum,
+                   outcome.opened(), bounds.programs + outcome.tally().programs});
   const auto result = engine::from_first_rank(analysis.transport(), [&] {
     return smallest_coefficient(outcome, parameters.grid, parameters.known);
   });

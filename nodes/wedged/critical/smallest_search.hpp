@@ -39,8 +39,8 @@ struct SmallestCoefficient {
   void narrow(NarrowingBracket& bracket, double width) const;
 };
 
-/// The multiple of the width nearest to `most`.
-std::int64_t multiples(double most, double width);
+/// The multiple of the width nearest to `maximum`.
+std::int64_t multiples(double maximum, double width);
 
 /// The bracket that the outcome of a search implies.
 /// @param known no configuration is wedged below

@@ -43,7 +43,7 @@ bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
 bool CriticalFriction::lasts(const SignPattern& leaf, double factor,
                              const conic::Tolerances& zero) {
   return is_degenerate(leaf, factor * (1 + beside), zero) ||
-         is_degenerate(leaf, std::max(range_.least, factor * (1 - beside)), zero);
+         is_degenerate(leaf, std::max(range_.minimum, factor * (1 - beside)), zero);
 }
 
 // True if some candidates of the leaf are inactive, and the others are feasible without them.
@@ -65,7 +65,7 @@ LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
   constexpr conic::Tolerances of_tree;  // the tolerances of the tree of sign patterns
   const double factor = at(point);
-  if (factor < range_.least) return {point == 0 ? Kind::infeasible : Kind::unresolved, {}, {}};
+  if (factor < range_.minimum) return {point == 0 ? Kind::infeasible : Kind::unresolved, {}, {}};
   ++programs_;
   set_friction(factor);
   const auto answer = solver_.solve(leaf.contact, leaf.separated, sign_only);

@@ -23,9 +23,9 @@ constexpr double rounding = 1e-13;
 constexpr double first_probe = 1e-3;
 
 // Newton's method takes 4 to 5 steps. After this many it alternates with bisection, and after
-// `most_steps` only bisection is used.
+// `max_steps` only bisection is used.
 constexpr int trusted_steps = 8;
-constexpr int most_steps = 30;
+constexpr int max_steps = 30;
 
 // Bounds need two or three digits only, since children have bounds of their own.
 constexpr int bound_steps = 4;
@@ -34,11 +34,11 @@ constexpr double bound_digits = 1e-3;
 }  // namespace
 
 CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& problem) {
-  Range range{.least = min_friction, .most = max_friction};
+  Range range{.minimum = min_friction, .maximum = max_friction};
   for (const double own : problem.friction) {
     if (own == 0) continue;  // at any coefficient
-    range.least = std::max(range.least, min_friction / own);
-    range.most = std::min(range.most, max_friction / own);
+    range.minimum = std::max(range.minimum, min_friction / own);
+    range.maximum = std::min(range.maximum, max_friction / own);
   }
   return range;
 }
@@ -71,18 +71,18 @@ void CriticalFriction::set_friction(double factor) {
   solver_.set_friction(friction_);
 }
 
-double CriticalFriction::least_coefficient(const Eigen::VectorXd& pull,
-                                           const SignPattern& node) const {
+double CriticalFriction::min_coefficient(const Eigen::VectorXd& pull,
+                                         const SignPattern& node) const {
   const double noise = rounding * largest_ * solver_.multipliers().lpNorm<1>();
-  double least = infinity;
+  double minimum = infinity;
   for (std::size_t i = 0; i < own_.size(); ++i) {
     if (node.separated.contains(static_cast<int>(i))) continue;
     const auto at = solver_.normal(static_cast<int>(i));
     const double slip = own_[i] * (pull.segment(at + 1, solver_.dimension() - 1).norm() + noise);
     const double down = -pull[at] - noise;
-    least = std::min(least, down > 0 ? down / slip : 0);
+    minimum = std::min(minimum, down > 0 ? down / slip : 0);
   }
-  return std::max(0.0, least * (1 - rounding));
+  return std::max(0.0, minimum * (1 - rounding));
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
@@ -94,7 +94,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   FrictionProbe probe{.sign = answer.sign,
                       .degenerate = answer.sign == conic::Sign::marginal &&
                                     conic::is_within_tolerance(answer, tolerances),
-                      .infeasible_below = least_coefficient(pull_, node),
+                      .infeasible_below = min_coefficient(pull_, node),
                       .feasible_from = 0,
                       .newton = infinity,
                       .margin = 0.5 * (answer.lower + answer.upper)};
@@ -139,12 +139,12 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
 // Moves the bounds of the cell to the grid points that the probe proves. A quotient may be rounded
 // past a grid point that equals it exactly.
 void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
-                              std::int64_t most) const {
-  const double below = std::min(probe.infeasible_below, at(std::min(cell.feasible, most)));
+                              std::int64_t maximum) const {
+  const double below = std::min(probe.infeasible_below, at(std::min(cell.feasible, maximum)));
   auto infeasible = static_cast<std::int64_t>(std::floor(below / width()));
   if (at(infeasible + 1) <= below) ++infeasible;
-  cell.infeasible = std::max(cell.infeasible, std::min(infeasible, most));
-  if (probe.feasible_from < at(cell.feasible) && probe.feasible_from <= at(most)) {
+  cell.infeasible = std::max(cell.infeasible, std::min(infeasible, maximum));
+  if (probe.feasible_from < at(cell.feasible) && probe.feasible_from <= at(maximum)) {
     cell.feasible = static_cast<std::int64_t>(std::ceil(probe.feasible_from / width()));
     if (at(cell.feasible - 1) >= probe.feasible_from) --cell.feasible;
   }
@@ -169,24 +169,24 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
 }
 
 bool CriticalFriction::infeasible(const SignPattern& pattern, std::int64_t point) {
-  if (at(point) < range_.least)
+  if (at(point) < range_.minimum)
     return point == 0;  // without friction no configuration is wedged, since K is definite
   return probe(pattern, at(point), {}).sign == conic::Sign::infeasible;
 }
 
 CriticalCell CriticalFriction::feasible_from(const SignPattern& pattern, CriticalCell cell,
-                                             std::int64_t most) {
+                                             std::int64_t maximum) {
   const auto end = cell.feasible;
-  cell.feasible = most;
-  for (std::int64_t step = 0; end + step < most; step = std::max<std::int64_t>(1, 2 * step)) {
-    if (at(end + step) >= range_.least && decide(pattern, cell, end + step)) break;
+  cell.feasible = maximum;
+  for (std::int64_t step = 0; end + step < maximum; step = std::max<std::int64_t>(1, 2 * step)) {
+    if (at(end + step) >= range_.minimum && decide(pattern, cell, end + step)) break;
   }
   return cell;
 }
 
 CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
   const auto middle = std::midpoint(cell.infeasible, cell.feasible);
-  if (cell.feasible - cell.infeasible < 2 || at(middle) < range_.least) return cell;
+  if (cell.feasible - cell.infeasible < 2 || at(middle) < range_.minimum) return cell;
   if (decide(pattern, cell, middle)) return cell;
   decide_around(pattern, cell, middle);
   return cell;
@@ -196,7 +196,7 @@ CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell ce
 void CriticalFriction::decide_around(const SignPattern& pattern, CriticalCell& cell,
                                      std::int64_t marginal) {
   for (std::int64_t step = 1; cell.infeasible < marginal - step; step *= 2) {
-    if (at(marginal - step) < range_.least || decide(pattern, cell, marginal - step)) break;
+    if (at(marginal - step) < range_.minimum || decide(pattern, cell, marginal - step)) break;
   }
   for (std::int64_t step = 1; marginal + step < cell.feasible; step *= 2) {
     if (decide(pattern, cell, marginal + step)) break;
@@ -215,11 +215,11 @@ CriticalCell CriticalFriction::bisect(const SignPattern& pattern, CriticalCell c
 class CriticalFriction::Approach {
  public:
   Approach(CriticalFriction& critical, const SignPattern& pattern, CriticalCell cell,
-           std::int64_t most)
+           std::int64_t maximum)
       : critical_(critical),
         pattern_(pattern),
         cell_(cell),
-        most_(most),
+        maximum_(maximum),
         curve_(critical.width()) {}
 
   [[nodiscard]] const CriticalCell& cell() const { return cell_; }
@@ -227,10 +227,10 @@ class CriticalFriction::Approach {
   // True if the cell is found; false: bisection continues from it.
   bool run() {
     double factor = is_open() ? floor() : critical_.at(cell_.feasible);
-    for (int step = 1; step <= most_steps; ++step) {
+    for (int step = 1; step <= max_steps; ++step) {
       const auto said = ask(factor);
       const bool to_the_end =
-          cell_.infeasible >= most_ || (factor >= critical_.at(most_) && !said.degenerate);
+          cell_.infeasible >= maximum_ || (factor >= critical_.at(maximum_) && !said.degenerate);
       if (is_one_cell() || (is_open() && to_the_end)) return true;
       if (!decide_tip()) return false;
       if (is_one_cell()) return true;
@@ -244,7 +244,7 @@ class CriticalFriction::Approach {
       }
       if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
         estimate.factor = std::midpoint(floor(), top());
-      factor = std::min(estimate.factor, critical_.at(most_));
+      factor = std::min(estimate.factor, critical_.at(maximum_));
     }
     return false;
   }
@@ -255,16 +255,16 @@ class CriticalFriction::Approach {
 
   // Range in which t* may become zero.
   [[nodiscard]] double floor() const {
-    return std::max(critical_.at(cell_.infeasible), critical_.range_.least);
+    return std::max(critical_.at(cell_.infeasible), critical_.range_.minimum);
   }
   [[nodiscard]] double top() const {
-    return is_open() ? curve_.least_degenerate()
-                     : std::min(curve_.least_degenerate(), critical_.at(cell_.feasible));
+    return is_open() ? curve_.min_degenerate()
+                     : std::min(curve_.min_degenerate(), critical_.at(cell_.feasible));
   }
 
   FrictionProbe ask(double factor) {
     const auto said = critical_.probe(pattern_, factor);
-    critical_.narrow(cell_, said, most_);
+    critical_.narrow(cell_, said, maximum_);
     if (said.degenerate)
       curve_.add_degenerate(factor);
     else
@@ -275,7 +275,7 @@ class CriticalFriction::Approach {
   // True if a grid point within the cell is decided: infeasible, or feasible including flat cones.
   bool decided(std::int64_t point) {
     if (point <= cell_.infeasible || point >= cell_.feasible) return true;
-    if (critical_.at(point) < critical_.range_.least) return false;
+    if (critical_.at(point) < critical_.range_.minimum) return false;
     const auto said = ask(critical_.at(point));
     if (said.sign != conic::Sign::marginal) return true;
     if (!said.degenerate || !critical_.is_flat(pattern_, critical_.at(point))) return false;
@@ -287,7 +287,7 @@ class CriticalFriction::Approach {
   // flat cones only here: if one is a flat cone, so are those above.
   // @return false: one is undecided
   bool decide_tip() {
-    const double end = std::min(top(), critical_.at(most_));
+    const double end = std::min(top(), critical_.at(maximum_));
     const auto tip =
         std::min(cell_.feasible, static_cast<std::int64_t>(std::ceil(end / critical_.width())));
     return tip - cell_.infeasible > 2 || (decided(tip) && decided(cell_.infeasible + 1));
@@ -305,34 +305,34 @@ class CriticalFriction::Approach {
   CriticalFriction& critical_;
   const SignPattern& pattern_;
   CriticalCell cell_;
-  std::int64_t most_;
+  std::int64_t maximum_;
   MarginCurve curve_;
 };
 
 CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,
-                                        std::int64_t most) {
-  Approach newton(*this, pattern, cell, most);
+                                        std::int64_t maximum) {
+  Approach newton(*this, pattern, cell, maximum);
   if (newton.run()) return newton.cell();
-  return locate(pattern, newton.cell(), CriticalMethod::bisection, most);
+  return locate(pattern, newton.cell(), CriticalMethod::bisection, maximum);
 }
 
 CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell cell,
-                                      CriticalMethod method, std::int64_t most) {
-  if (method == CriticalMethod::newton) return approach(pattern, cell, most);
-  if (cell.feasible == CriticalCell::nowhere && !decide(pattern, cell, most)) return cell;
+                                      CriticalMethod method, std::int64_t maximum) {
+  if (method == CriticalMethod::newton) return approach(pattern, cell, maximum);
+  if (cell.feasible == CriticalCell::nowhere && !decide(pattern, cell, maximum)) return cell;
   return cell.feasible == CriticalCell::nowhere ? cell : bisect(pattern, cell);
 }
 
 double CriticalFriction::bound(const SignPattern& node, double from, double cutoff) {
   double known = from;
-  double factor = std::max({from, range_.least, std::min(first_probe, cutoff)});
+  double factor = std::max({from, range_.minimum, std::min(first_probe, cutoff)});
   for (int step = 0; step < bound_steps; ++step) {
     const auto said = probe(node, factor, {.when_infeasible = false, .when_feasible = true});
     known = std::max(known, said.infeasible_below);
     if (said.sign != conic::Sign::infeasible || known > cutoff) break;
     // Slightly below the zero of the tangent, such that the point remains infeasible.
     const double next = known + (1 - bound_digits) * (said.newton - known);
-    if (!(next > known * (1 + bound_digits)) || !(next <= range_.most)) break;
+    if (!(next > known * (1 + bound_digits)) || !(next <= range_.maximum)) break;
     factor = next;
   }
   return known;
@@ -353,12 +353,12 @@ std::optional<double> CriticalFriction::infeasible_below_with_cuts(const SignPat
   const auto cuts = cuts_of(free, bounds_);
   const auto sign = solver_.solve_with(cuts, node.contact, node.separated, {}).sign;
   if (sign == conic::Sign::marginal) return {};
-  const double below = least_coefficient(solver_.pull(), node);
+  const double below = min_coefficient(solver_.pull(), node);
   return sign == conic::Sign::infeasible ? std::max(below, factor) : below;
 }
 
 double CriticalFriction::infeasible_below(const SignPattern& node, double factor) {
-  const double at = std::max(factor, range_.least);
+  const double at = std::max(factor, range_.minimum);
   if (const auto known = infeasible_below_with_cuts(node, at)) return *known;
   return probe(node, at, {.when_infeasible = true, .when_feasible = true}).infeasible_below;
 }

@@ -84,7 +84,7 @@ class CriticalFriction {
  public:
   /// The coefficients for which the friction of all candidates is in the range of ContactSolver.
   struct Range {
-    double least, most;
+    double minimum, maximum;
   };
   static Range range(const problems::WedgedProblem& problem);
 
@@ -111,9 +111,9 @@ class CriticalFriction {
   /// is wider than the width only where signs on the grid are undecided.
   /// @param cell known bounds: infeasible at the lower one, feasible at the upper one unless
   ///        `nowhere`
-  /// @param most limit of the search (x width) if no feasible point is known
+  /// @param maximum limit of the search (x width) if no feasible point is known
   CriticalCell locate(const SignPattern& pattern, CriticalCell cell, CriticalMethod method,
-                      std::int64_t most);
+                      std::int64_t maximum);
 
   /// One step of the bisection (Algorithm 6.1, step 2b): the half of the cell with the change, or
   /// the cell unchanged if it cannot be halved.
@@ -127,8 +127,8 @@ class CriticalFriction {
 
   /// Moves the cell's upper bound up, by steps that double, to a grid point that is proved
   /// feasible.
-  /// @pre `most` is feasible
-  CriticalCell feasible_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
+  /// @pre `maximum` is feasible
+  CriticalCell feasible_from(const SignPattern& pattern, CriticalCell cell, std::int64_t maximum);
 
   /// A coefficient below which the node, and so all nodes below it, is proved infeasible; nearly
   /// the largest such. @param from known bound @param cutoff the search for a larger bound ends
@@ -156,7 +156,7 @@ class CriticalFriction {
   static constexpr conic::StopEarly full{.when_infeasible = false, .when_feasible = false};
   static constexpr conic::StopEarly sign_only{.when_infeasible = true, .when_feasible = true};
 
-  CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
+  CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t maximum);
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
   // True if a degenerate leaf is a flat cone at this coefficient.
   bool is_flat(const SignPattern& pattern, double factor);
@@ -169,14 +169,13 @@ class CriticalFriction {
   bool feasible_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);
   // The least coefficient at which w_ni + mu_i |w_ti| is not negative for some i not in R.
-  [[nodiscard]] double least_coefficient(const Eigen::VectorXd& pull,
-                                         const SignPattern& node) const;
+  [[nodiscard]] double min_coefficient(const Eigen::VectorXd& pull, const SignPattern& node) const;
   // The bound of the program with cuts, if it proves one.
   std::optional<double> infeasible_below_with_cuts(const SignPattern& node, double factor);
   // Moves a bound of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
   void decide_around(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
-  void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
+  void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t maximum) const;
 
   FrictionGrid grid_;
   Range range_;

@@ -10,8 +10,8 @@ namespace kusabi::wedged {
 namespace {
 
 /// Larger integers and larger powers of ten are not all exact in a double.
-constexpr std::int64_t most_exact = std::int64_t{1} << 53U;
-constexpr int most_places = 22;
+constexpr std::int64_t max_exact = std::int64_t{1} << 53U;
+constexpr int max_places = 22;
 
 }  // namespace
 
@@ -34,13 +34,13 @@ FrictionGrid::FrictionGrid(double width) : width_(width) {
   }
   if (at == written.ptr) return;
   places -= std::atoi(at + 1);
-  if (places < 0 || places > most_places || numerator > most_exact) return;
+  if (places < 0 || places > max_places || numerator > max_exact) return;
   numerator_ = numerator;
   for (int place = 0; place < places; ++place) denominator_ *= 10;
 }
 
 double FrictionGrid::at(std::int64_t multiple) const {
-  const bool exact = numerator_ != 0 && std::abs(multiple) <= most_exact / numerator_;
+  const bool exact = numerator_ != 0 && std::abs(multiple) <= max_exact / numerator_;
   if (!exact) return width_ * static_cast<double>(multiple);
   return static_cast<double>(numerator_ * multiple) / denominator_;
 }

@@ -42,7 +42,7 @@ void MarginCurve::add(double factor, double margin, double newton) {
 }
 
 void MarginCurve::add_degenerate(double factor) {
-  least_degenerate_ = std::min(least_degenerate_, factor);
+  min_degenerate_ = std::min(min_degenerate_, factor);
   above_.reset();
 }
 

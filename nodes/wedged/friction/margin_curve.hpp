@@ -27,7 +27,7 @@ class MarginCurve {
   void add_degenerate(double factor);
 
   /// The least coefficient of a degenerate point; infinity: none.
-  [[nodiscard]] double least_degenerate() const { return least_degenerate_; }
+  [[nodiscard]] double min_degenerate() const { return min_degenerate_; }
 
   /// The next estimate, in [floor, top). @param floor t* is negative there  @param top t* is not
   /// negative there; infinity: no such coefficient is known
@@ -48,7 +48,7 @@ class MarginCurve {
   double width_;
   // Of the points with t* < 0 the two with the largest coefficients; of those above the last.
   std::optional<Point> below_, further_below_, above_;
-  double least_degenerate_ = std::numeric_limits<double>::infinity();
+  double min_degenerate_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace kusabi::wedged

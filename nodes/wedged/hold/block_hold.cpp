@@ -11,16 +11,16 @@ namespace kusabi::wedged {
 namespace {
 
 /// Doublings of a load factor before its range counts as unbounded.
-constexpr int most_doublings = 60;
+constexpr int max_doublings = 60;
 
 /// Bisections of one end: more than the digits of a double.
-constexpr int most_halvings = 70;
+constexpr int max_halvings = 70;
 
 /// Maximum number of intervals of one block.
-constexpr int most_intervals = 64;
+constexpr int max_intervals = 64;
 
 /// Load factors below this share of the ratio of both loads are zero to all digits of either.
-constexpr double least_factor_share = 1e-12;
+constexpr double min_factor_share = 1e-12;
 
 /// Relative steps below a leaf's own coefficient at which the tree is searched if it is degenerate
 /// there.
@@ -31,11 +31,11 @@ constexpr std::array<double, 4> steps_below{0, 1e-8, 1e-6, 1e-4};
 constexpr double close_enough = 1e-7;
 
 /// The least friction factor that is not zero; infinite if there is none.
-double least_of_factors(const problems::WedgedProblem& problem) {
-  double least = unbounded_end;
+double min_of_factors(const problems::WedgedProblem& problem) {
+  double minimum = unbounded_end;
   for (const double factor : problem.friction)
-    if (factor > 0) least = std::min(least, factor);
-  return least;
+    if (factor > 0) minimum = std::min(minimum, factor);
+  return minimum;
 }
 
 std::vector<LoadShare> range_of(double low, double high) {
@@ -113,7 +113,7 @@ BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
   };
   bool met_open = false;
   bool stopped = false;
-  for (int step = 0; step < most_halvings && !stopped; ++step, stopped = ended()) {
+  for (int step = 0; step < max_halvings && !stopped; ++step, stopped = ended()) {
     const bool toward_infeasible = met_open && step % 2 != 0;
     const double from = !met_open ? feasible : toward_infeasible ? open_infeasible : feasible;
     const double to = !met_open ? infeasible : toward_infeasible ? infeasible : open_feasible;
@@ -156,7 +156,7 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
   double feasible = from;
   double step = std::max(std::abs(from), scale);
   double infeasible = end;
-  for (int doubling = 0; doubling < most_doublings && !ended(); ++doubling, step *= 2) {
+  for (int doubling = 0; doubling < max_doublings && !ended(); ++doubling, step *= 2) {
     const double next = from + direction * step;
     const HoldResult result = at(pattern, {1, next}, mu, standard);
     if (result == HoldResult::feasible) feasible = next;
@@ -165,7 +165,7 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
     break;
   }
   if (std::isinf(infeasible)) return {feasible, infeasible};
-  return bisect({feasible, infeasible}, least_factor_share * scale, [&](double factor) {
+  return bisect({feasible, infeasible}, min_factor_share * scale, [&](double factor) {
     return at(pattern, {1, factor}, mu, standard);
   });
 }
@@ -260,7 +260,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     const auto outcome = search(shares, mu, low, high);
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     if (found.status != engine::Status::solved ||
-        static_cast<int>(found.intervals.size()) >= most_intervals) {
+        static_cast<int>(found.intervals.size()) >= max_intervals) {
       found.unresolved = true;
       for (const Gap& each : unknown) gaps.push_back({each.low, each.high, false});
       return;
@@ -391,10 +391,10 @@ bool BlockHold::prove_lower(HoldingFriction& found, double most_infeasible) {
 // Bisects a range of coefficients in which leaves are degenerate, with one tree at each point. The
 // lower end is proved only if the last tree there is infeasible, otherwise computed.
 void BlockHold::narrow(HoldingFriction& found) {
-  for (int step = 0; found.upper && step < most_halvings; ++step) {
+  for (int step = 0; found.upper && step < max_halvings; ++step) {
     if (*found.upper - found.lower <= close_enough * *found.upper) return;
     const double mu = found.lower + (*found.upper - found.lower) / 2;
-    if (mu * least_of_factors(block_.problem) < min_friction) return;
+    if (mu * min_of_factors(block_.problem) < min_friction) return;
     const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return;
@@ -412,14 +412,14 @@ void BlockHold::narrow(HoldingFriction& found) {
 HoldingFriction BlockHold::friction() {
   HoldingFriction found;
   const auto& factors = block_.problem.friction;
-  double least = 0, most = 0;
+  double minimum = 0, maximum = 0;
   for (const double factor : factors) {
-    if (factor > 0) least = std::max(least, min_friction / factor);
-    most = std::max(most, factor);
+    if (factor > 0) minimum = std::max(minimum, min_friction / factor);
+    maximum = std::max(maximum, factor);
   }
-  found.most = most == 0 ? 0 : std::min(parameters_.most, max_friction / most);
+  found.maximum = maximum == 0 ? 0 : std::min(parameters_.maximum, max_friction / maximum);
   if (!first_bracket(found)) return found;
-  follow(found, least);
+  follow(found, minimum);
   if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
   if (found.status == engine::Status::solved) narrow(found);
   return found;
@@ -441,7 +441,7 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
   }
   found.lower_known = true;
   found.lower_proved = smooth.is_infeasible();
-  for (double mu = std::min(1.0, found.most); mu > 0; mu = std::min(10 * mu, found.most)) {
+  for (double mu = std::min(1.0, found.maximum); mu > 0; mu = std::min(10 * mu, found.maximum)) {
     const auto outcome = search(share, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return false;
@@ -452,24 +452,24 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
     }
     found.lower = mu;
     found.lower_proved = outcome.is_infeasible();
-    if (mu >= found.most) return false;
+    if (mu >= found.maximum) return false;
   }
   return false;
 }
 
 // Follows the leaf of the upper bound to its own coefficient, until the tree below it is
 // infeasible.
-// @param least coefficient that is not zero
-void BlockHold::follow(HoldingFriction& found, double least) {
-  while (*found.upper > least) {
+// @param minimum coefficient that is not zero
+void BlockHold::follow(HoldingFriction& found, double minimum) {
+  while (*found.upper > minimum) {
     HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, parameters_.precision);
-    const double start = std::max(found.lower, least);
+    const double start = std::max(found.lower, minimum);
     const auto result_at = [&](double mu) {
       nodes.set_friction(mu);
       return nodes.solve(*found.pattern);
     };
-    if (start == least && result_at(least) == HoldResult::feasible) {
-      found.upper = least;
+    if (start == minimum && result_at(minimum) == HoldResult::feasible) {
+      found.upper = minimum;
       return;
     }
     const Ends ends = bisect({*found.upper, start}, 0, result_at);

@@ -96,7 +96,7 @@ class BlockHold {
   bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
                    std::vector<Gap>& unknown, double mu);
   bool first_bracket(HoldingFriction& found);
-  void follow(HoldingFriction& found, double least);
+  void follow(HoldingFriction& found, double minimum);
   void narrow(HoldingFriction& found);
   bool prove_lower(HoldingFriction& found, double most_infeasible);
   [[nodiscard]] double factor_scale() const;

@@ -16,10 +16,10 @@ namespace kusabi::wedged {
 namespace {
 
 /// Doublings and halvings of a distance, as of a load factor.
-constexpr int most_extensions = 60;
+constexpr int max_extensions = 60;
 constexpr int first_directions = 8;
 /// Maximum number of half-planes of a piece: enough for the friction cones in space.
-constexpr std::size_t most_planes = 96;
+constexpr std::size_t max_planes = 96;
 /// The point about which the quadrants are, in units of the loads: of no particular pattern.
 const Eigen::Vector2d off_the_axes(0.0137, -0.0239);
 /// Distance of a vertex from a held point on the line to it, relative to that from a point inside.
@@ -100,12 +100,12 @@ PieceSearch::Shot PieceSearch::shoot(const Eigen::Vector2d& along) {
   double held = 0;
   double out = std::max(1.0, inside_.norm());
   int doubling = 0;
-  for (; doubling < most_extensions && feasible(out); ++doubling) {
+  for (; doubling < max_extensions && feasible(out); ++doubling) {
     held = out;
     out *= 2;
   }
-  if (doubling == most_extensions) return {.unbounded = true};
-  for (int step = 0; step < most_extensions && out - held > diagram_width / 8 * out; ++step) {
+  if (doubling == max_extensions) return {.unbounded = true};
+  for (int step = 0; step < max_extensions && out - held > diagram_width / 8 * out; ++step) {
     const double middle = held + (out - held) / 2;
     (feasible(middle) ? held : out) = middle;
   }
@@ -124,7 +124,7 @@ void PieceSearch::enclose() {
   const Eigen::Vector2d rise(works_[1] * unit_.x(), works_[2] * unit_.y());
   if (rise.norm() == 0) return;
   const HalfPlane plane{-rise.normalized(), (works_[0] + rise.dot(inside_)) / rise.norm()};
-  if (plane.most >= 0) planes_.push_back(plane);
+  if (plane.maximum >= 0) planes_.push_back(plane);
 }
 
 // Distances are known relative to themselves: a point inside that is not much farther from the
@@ -216,7 +216,7 @@ DiagramPiece PieceSearch::around(const Eigen::Vector2d& from) {
   piece.hull = sample;
   piece.is_whole_plane = sample.vertices.empty();
   piece.fine = piece.is_whole_plane;
-  for (std::size_t before = 0; planes_.size() > before && planes_.size() < most_planes;) {
+  for (std::size_t before = 0; planes_.size() > before && planes_.size() < max_planes;) {
     before = planes_.size();
     piece.hull = held_part(sample, piece.fine);
   }

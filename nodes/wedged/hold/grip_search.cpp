@@ -12,7 +12,7 @@
 namespace kusabi::wedged {
 namespace {
 
-constexpr int most_steps = 70;
+constexpr int max_steps = 70;
 /// Relative distances beyond a leaf's own end at which the tree is searched if it is degenerate
 /// there.
 constexpr std::array<double, 4> steps_beyond{0, 1e-8, 1e-6, 1e-4};
@@ -23,7 +23,7 @@ constexpr double negligible_sum = 1e-12;
 
 /// Width of a bracket at a largest sum of zero, relative to the size of the dead load and the
 /// clearances as a force.
-constexpr double least_sum_share = 1e-9;
+constexpr double min_sum_share = 1e-9;
 
 using Kind = GripRestriction::Kind;
 
@@ -92,16 +92,16 @@ bool BlockGrip::reaches(const LoadedPattern& pattern,
 // Moves `held` to the end of its pattern, and `out` beside it.
 void BlockGrip::follow(GripEnd& end, Kind kind) const {
   const bool up = kind == Kind::above;
-  const double floor = up ? least_sum_share * scale_of(block_, dead_load) : 0;
+  const double floor = up ? min_sum_share * scale_of(block_, dead_load) : 0;
   double out = up ? std::max(2 * end.held, floor) : 0;
   if (up) {
-    for (int step = 0; step < most_steps && reaches(*end.pattern, GripRestriction{kind, out});
+    for (int step = 0; step < max_steps && reaches(*end.pattern, GripRestriction{kind, out});
          ++step) {
       end.held = out;
       out *= 2;
     }
   }
-  for (int step = 0; step < most_steps && !analysis_.ended(); ++step) {
+  for (int step = 0; step < max_steps && !analysis_.ended(); ++step) {
     if (std::abs(out - end.held) <= std::max(floor, parameters_.width * std::max(out, end.held)))
       break;
     const double middle = end.held + (out - end.held) / 2;
@@ -117,7 +117,7 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   if (kind == Kind::below && reaches(apart, {})) return {.pattern = apart};
   GripEnd end{.held = sum_of(leaf), .out = 0, .pattern = leaf.pattern};
   const double begin = end.held;
-  for (int round = 0; round < most_steps; ++round) {
+  for (int round = 0; round < max_steps; ++round) {
     follow(end, kind);
     if (kind == Kind::below && end.held <= negligible_sum * begin) {
       end.out = 0;  // the sum is never negative
@@ -152,22 +152,23 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
 std::optional<GripOfBlock> BlockGrip::range() {
   GripOfBlock own;
   const auto wedged = search({}, {});
-  own.most.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
-  own.most.held_proved = !own.most.unbounded || !wedged.leaf.empty();
-  own.most.out_proved = own.most.unbounded || wedged.is_infeasible();
+  own.maximum.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
+  own.maximum.held_proved = !own.maximum.unbounded || !wedged.leaf.empty();
+  own.maximum.out_proved = own.maximum.unbounded || wedged.is_infeasible();
   if (!is_under_dead(block_)) return own;
   const auto first = search(std::array{dead_load}, {});
   if (first.is_infeasible()) return {};
   if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
-    if (!own.most.unbounded) own.most = {.held_proved = false, .out_proved = false, .known = false};
-    own.least.held_proved = false;
+    if (!own.maximum.unbounded)
+      own.maximum = {.held_proved = false, .out_proved = false, .known = false};
+    own.minimum.held_proved = false;
     return own;
   }
-  own.least = end(Kind::below, first.leaf.front());
-  if (own.most.unbounded) return own;
-  const bool known = own.most.out_proved;
-  own.most = end(Kind::above, first.leaf.front());
-  own.most.out_proved = own.most.out_proved && known;
+  own.minimum = end(Kind::below, first.leaf.front());
+  if (own.maximum.unbounded) return own;
+  const bool known = own.maximum.out_proved;
+  own.maximum = end(Kind::above, first.leaf.front());
+  own.maximum.out_proved = own.maximum.out_proved && known;
   return own;
 }
 
@@ -183,8 +184,8 @@ void add(GripEnd& sum, const GripEnd& own) {
 // Certificate of a block: trees beyond its ends, and the states at them.
 void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const GripOfBlock& own,
                  const std::vector<TreeEvidence>& trees, HoldRecord& record) {
-  for (const auto* end : {&own.least, &own.most}) {
-    const Kind kind = end == &own.least ? Kind::below : Kind::above;
+  for (const auto* end : {&own.minimum, &own.maximum}) {
+    const Kind kind = end == &own.minimum ? Kind::below : Kind::above;
     if (end->pattern)
       record_state(analysis, block, *end->pattern, dead_load, GripRestriction{kind, end->held},
                    record);
@@ -210,9 +211,9 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     if (found.status != engine::Status::solved) break;
     found.held = range.has_value();
     if (!found.held) break;
-    found.held_proved = found.held_proved && range->least.held_proved;
-    add(found.least, range->least);
-    add(found.most, range->most);
+    found.held_proved = found.held_proved && range->minimum.held_proved;
+    add(found.minimum, range->minimum);
+    add(found.maximum, range->maximum);
     if (record != nullptr) {
       record_grip(analysis, {block, blocks[number], number, mu, parameters.precision}, *range,
                   grip.trees(), *record);

@@ -26,7 +26,7 @@ struct GripEnd {
 /// The range of one block.
 struct GripOfBlock {
   std::uint32_t block = 0;
-  GripEnd least{}, most{};
+  GripEnd minimum{}, maximum{};
 };
 
 /// The range of the sum over all candidates.
@@ -34,7 +34,7 @@ struct GripRange {
   engine::Status status = engine::Status::solved;
   bool held = true;         ///< false: there is no state
   bool held_proved = true;  ///< false: it is not decided whether there is a state
-  GripEnd least{}, most{};
+  GripEnd minimum{}, maximum{};
   std::vector<GripOfBlock> blocks{};  ///< those on which a load acts or that can be wedged
   std::vector<HoldCost> costs{};
 };

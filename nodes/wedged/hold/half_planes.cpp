@@ -33,7 +33,8 @@ double cross(const Vector2d& a, const Vector2d& b) {
 
 bool inside(std::span<const HalfPlane> planes, const Vector2d& point) {
   return std::ranges::all_of(planes, [&](const HalfPlane& plane) {
-    return plane.normal.dot(point) <= plane.most + rounding * (std::abs(plane.most) + point.norm());
+    return plane.normal.dot(point) <=
+           plane.maximum + rounding * (std::abs(plane.maximum) + point.norm());
   });
 }
 
@@ -74,7 +75,7 @@ std::vector<HalfPlane> edges_of(const Polygon& hull) {
 std::optional<Vector2d> point_inside(std::vector<HalfPlane> planes) {
   auto part = intersection(planes);
   double size = 1;
-  for (const auto& plane : planes) size = std::max(size, std::abs(plane.most));
+  for (const auto& plane : planes) size = std::max(size, std::abs(plane.maximum));
   if (part.vertices.empty()) {
     for (const Vector2d& normal :
          {Vector2d(1, 0), Vector2d(-1, 0), Vector2d(0, 1), Vector2d(0, -1)})
@@ -88,7 +89,7 @@ std::optional<Vector2d> point_inside(std::vector<HalfPlane> planes) {
   for (const auto& vertex : part.vertices) extent = std::max(extent, (vertex - point).norm());
   for (const auto& ray : part.rays) point += extent * ray;
   const bool apart = std::ranges::all_of(planes, [&](const HalfPlane& plane) {
-    return plane.most - plane.normal.dot(point) > same_direction * extent;
+    return plane.maximum - plane.normal.dot(point) > same_direction * extent;
   });
   if (!apart) return {};
   return point;
@@ -125,13 +126,13 @@ std::optional<Polygon> common_part(const Polygon& one, const Polygon& other) {
   std::ranges::copy(edges_of(other), std::back_inserter(planes));
   const auto centre = point_inside(planes);
   if (!centre) return {};
-  for (auto& plane : planes) plane.most -= plane.normal.dot(*centre);
+  for (auto& plane : planes) plane.maximum -= plane.normal.dot(*centre);
   auto part = intersection(planes);
   // A half-plane or a strip: the points of its lines next to the centre.
   if (part.vertices.empty()) {
     for (const auto& plane : planes)
-      if (inside(planes, plane.most * plane.normal))
-        add(part.vertices, plane.most * plane.normal, same_direction * plane.most);
+      if (inside(planes, plane.maximum * plane.normal))
+        add(part.vertices, plane.maximum * plane.normal, same_direction * plane.maximum);
     if (part.vertices.size() == 1) part.rays.emplace_back(-part.vertices.front().normalized());
   }
   for (auto& vertex : part.vertices) vertex = *centre + (1 - moved_inwards) * vertex;

@@ -12,7 +12,7 @@ namespace kusabi::wedged {
 /// Points x with normal'x <= most.
 struct HalfPlane {
   Eigen::Vector2d normal;  ///< unit
-  double most;
+  double maximum;
 };
 
 /// The convex hull of the vertices, plus all multiples of the rays.

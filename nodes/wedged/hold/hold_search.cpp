@@ -205,7 +205,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
                                  const HoldParameters& parameters) {
   HoldingFriction found;
   found.upper = 0;
-  found.most = parameters.most;
+  found.maximum = parameters.maximum;
   found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.not_in_equilibrium = true;
@@ -241,7 +241,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
       found.pattern = own.pattern;
       found.state = own.state;
     }
-    if (!found.upper) found.most = own.most;
+    if (!found.upper) found.maximum = own.maximum;
     if (found.status != engine::Status::solved && is_loaded_from(loaded, blocks, number + 1)) {
       found.upper.reset();
       found.pattern.reset();

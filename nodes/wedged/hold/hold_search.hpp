@@ -69,7 +69,7 @@ struct HoldingFriction {
   bool upper_proved = true;
   bool any_by_supports = false;
   bool not_in_equilibrium = false;
-  double most = 0;          ///< upper limit of the search
+  double maximum = 0;       ///< upper limit of the search
   std::uint32_t block = 0;  ///< the decisive one
   std::optional<LoadedPattern> pattern{};
   std::optional<HeldState> state{};  ///< of the pattern, at `upper`
@@ -77,8 +77,8 @@ struct HoldingFriction {
 };
 
 struct HoldParameters {
-  double most = 1000;   ///< upper limit of the search
-  double width = 1e-9;  ///< of the brackets, relative
+  double maximum = 1000;  ///< upper limit of the search
+  double width = 1e-9;    ///< of the brackets, relative
   Precision precision = Precision::escalating;
   std::optional<double> total{};  ///< sum of the normal reactions of all states; of factors only
   HoldRecorder recorder{};        ///< of certificates of a coefficient; empty: none

@@ -10,7 +10,7 @@
 namespace kusabi::wedged {
 namespace {
 
-constexpr int most_programs = 15;
+constexpr int max_programs = 15;
 
 /// An excess up to this is zero: the programs are solved to 1e-8.
 constexpr double no_excess = 1e-7;
@@ -19,7 +19,7 @@ constexpr double no_excess = 1e-7;
 constexpr double hardly_less = 1e-3;
 
 /// Row sums count as no less than this share of the largest.
-constexpr double least_row = 1e-3;
+constexpr double min_row = 1e-3;
 
 template <int D>
 conic::WeightedRelaxation<D> relaxation(const problems::WedgedProblem& block, double unit) {
@@ -52,7 +52,7 @@ Linearisation::Linearisation(const problems::WedgedProblem& block)
     for (Eigen::Index k = 0; k < m; ++k)
       row_sums_[i] += (unconstrained ? std::abs(row[d * k]) : row[d * k]) / unit;
   }
-  row_sums_ = row_sums_.cwiseMax(least_row * row_sums_.maxCoeff());
+  row_sums_ = row_sums_.cwiseMax(min_row * row_sums_.maxCoeff());
 }
 
 void Linearisation::end_when(const support::Stop& stop) {
@@ -80,7 +80,7 @@ std::optional<LinearisedPattern> Linearisation::from(const support::IndexSet& co
     scale[i] = std::pow(own, 1 - share) * std::pow(row_sums_[i], share);
   }
   LinearisedPattern result{contact, std::numeric_limits<double>::infinity()};
-  for (int program = 0; program < most_programs; ++program) {
+  for (int program = 0; program < max_programs; ++program) {
     const auto point = minimise(result.contact, scale);
     if (!point) return {};
     const Vector gaps = point->gap.cwiseMax(0).cwiseQuotient(scale);

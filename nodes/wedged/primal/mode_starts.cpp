@@ -12,14 +12,14 @@
 namespace kusabi::wedged {
 namespace {
 
-constexpr Eigen::Index most_modes = 8;
+constexpr Eigen::Index max_modes = 8;
 constexpr int iterations = 30;
 
 /// Weight of the softest mode. It has one sign everywhere, so the others determine the shape.
 constexpr double weight_of_first = 0.3;
 
 /// Shares of the candidates that are in contact.
-constexpr double least_share = 0.1, most_share = 0.9;
+constexpr double min_share = 0.1, max_share = 0.9;
 
 /// Numbers in [0, 1), independent of the standard library.
 class Uniform {
@@ -49,7 +49,7 @@ ModeStarts::ModeStarts(const problems::WedgedProblem& block) {
     for (Eigen::Index i = 0; i < m; ++i) normal(i, j) = block.compliance.matrix(d * i, d * j);
   const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   normal = scale.asDiagonal() * normal * scale.asDiagonal();
-  const Eigen::Index count = std::min(m, most_modes);
+  const Eigen::Index count = std::min(m, max_modes);
   Uniform uniform(static_cast<std::uint64_t>(m));
   modes_.resize(m, count);
   for (Eigen::Index j = 0; j < count; ++j)
@@ -69,7 +69,7 @@ ModeStart ModeStarts::at(std::uint64_t number) const {
     weights[j] = uniform.normal() / std::sqrt(1.0 + static_cast<double>(j));
   weights[0] *= weight_of_first;
   const Eigen::VectorXd field = modes_ * weights;
-  const double share = least_share + (most_share - least_share) * uniform();
+  const double share = min_share + (max_share - min_share) * uniform();
   std::vector<double> sorted(field.begin(), field.end());
   std::ranges::sort(sorted);
   const double level =

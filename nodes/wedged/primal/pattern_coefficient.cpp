@@ -10,11 +10,11 @@ namespace kusabi::wedged {
 namespace {
 
 constexpr double digits = 1e-3;
-constexpr int most_probes = 30;
+constexpr int max_probes = 30;
 
 /// Without a limit: growth of the coefficient from one cone program to the next, and in all.
 constexpr double growth = 1.4;
-constexpr double most_growth = 8;
+constexpr double max_growth = 8;
 
 }  // namespace
 
@@ -23,11 +23,11 @@ std::optional<double> pattern_coefficient(CriticalFriction& critical,
                                           const CoefficientRange& range) {
   if (contact.empty()) return {};
   const auto pattern = leaf_with(contact, critical.solver().candidates());
-  const double most = std::isfinite(range.limit) ? range.limit : most_growth * range.first;
+  const double maximum = std::isfinite(range.limit) ? range.limit : max_growth * range.first;
   double infeasible = range.infeasible;
   double feasible = std::numeric_limits<double>::infinity();
   double factor = std::isfinite(range.limit) ? range.limit : range.first;
-  for (int program = 0; program < most_probes; ++program) {
+  for (int program = 0; program < max_probes; ++program) {
     const auto said = critical.probe(pattern, factor);
     if (said.sign == conic::Sign::feasible)
       feasible = std::min({feasible, factor, said.feasible_from});
@@ -41,9 +41,9 @@ std::optional<double> pattern_coefficient(CriticalFriction& critical,
       const bool by_tangent = program % 2 == 0 && tangent > infeasible && tangent < feasible;
       factor = by_tangent ? tangent : middle;
     } else {
-      if (infeasible >= most) return {};
+      if (infeasible >= maximum) return {};
       const double next = std::isfinite(said.newton) ? said.newton * (1 + digits) : 0;
-      factor = std::min(most, std::max(growth * factor, std::min(next, 2 * growth * factor)));
+      factor = std::min(maximum, std::max(growth * factor, std::min(next, 2 * growth * factor)));
     }
   }
   if (!std::isfinite(feasible)) return {};

@@ -50,7 +50,7 @@ std::uint64_t search_block(engine::Analysis& analysis, const problems::WedgedPro
   const int m = static_cast<int>(block.contact_names.size());
   const FrictionGrid points(grid.width);
   PrimalParameters parameters{.infeasible = bracket.lower(),
-                              .most = bracket.upper().value_or(grid.most),
+                              .maximum = bracket.upper().value_or(grid.maximum),
                               .enough = 0,
                               .known = {},
                               .part = part};

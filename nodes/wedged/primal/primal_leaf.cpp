@@ -29,7 +29,7 @@ std::optional<Configuration> leaf_without_tree(engine::Analysis& analysis,
       block.friction.push_back(friction[static_cast<std::size_t>(i)]);
     const auto found = search_primal(analysis, block,
                                      {.infeasible = 0,
-                                      .most = CriticalFriction::range(block).most,
+                                      .maximum = CriticalFriction::range(block).maximum,
                                       .enough = 1,
                                       .from = 1,
                                       .known = {}});

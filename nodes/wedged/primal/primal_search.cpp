@@ -37,19 +37,19 @@ constexpr double hardly_better = 2e-5;
 constexpr double worth_a_round = 1e-4;
 
 /// Consecutive rounds from modes without success before the search ends.
-constexpr int most_idle_rounds = 3;
+constexpr int max_idle_rounds = 3;
 
 /// Number of clusters of a large block, and of their patterns that are tried with all candidates,
 /// with slightly more friction since clusters are stiffer.
 constexpr int cluster_count = 50;
-constexpr std::size_t most_prolonged = 12;
+constexpr std::size_t max_prolonged = 12;
 constexpr double room_to_prolong = 1.15;
 
 /// Largest coefficient of patterns of clusters that are kept, relative to the best one.
 constexpr double pool_reach = 1.5;
 
 /// Smallest relative distance of trials from an infeasible coefficient.
-constexpr double least_above = 1e-4;
+constexpr double min_above = 1e-4;
 
 struct Trial {
   support::IndexSet contact;
@@ -87,11 +87,11 @@ class TrialRounds {
 
   // Rounds from modes, each followed by rounds from the best pattern, until none is successful.
   void run() {
-    double from = std::min(parameters_.from, parameters_.most);
-    for (int idle = 0; idle < most_idle_rounds && !done(); ++idle) {
+    double from = std::min(parameters_.from, parameters_.maximum);
+    for (int idle = 0; idle < max_idle_rounds && !done(); ++idle) {
       if (round(mode_trials(from))) idle = -1;
       descend();
-      if (!best_.is_known()) from = std::min(next_factor * from, parameters_.most);
+      if (!best_.is_known()) from = std::min(next_factor * from, parameters_.maximum);
     }
   }
 
@@ -166,7 +166,7 @@ class TrialRounds {
   }
 
   [[nodiscard]] double above_infeasible(double factor) const {
-    return std::max(factor, parameters_.infeasible * (1 + least_above));
+    return std::max(factor, parameters_.infeasible * (1 + min_above));
   }
 
   // Largest coefficient of a pattern worth keeping.
@@ -183,7 +183,7 @@ class TrialRounds {
         const auto factor = pattern_coefficient(
             critical_, estimate->contact,
             {.infeasible = parameters_.infeasible, .first = trial.factor, .limit = limit()});
-        if (factor && *factor <= parameters_.most) result.pattern = {*factor, estimate->contact};
+        if (factor && *factor <= parameters_.maximum) result.pattern = {*factor, estimate->contact};
       }
     } catch (const support::Stopped&) {
     }
@@ -208,19 +208,21 @@ std::vector<Trial> prolonged(engine::Analysis& analysis, const problems::WedgedP
                              const PrimalParameters& parameters, std::uint64_t& programs) {
   const auto clusters = clusters_of(block, cluster_count);
   const std::function<void(const PrimalPattern&)> nobody;
-  TrialRounds coarse(
-      analysis, clusters.problem,
-      {.infeasible = 0, .most = parameters.most, .enough = 0, .from = parameters.from, .known = {}},
-      pool_reach, nobody);
+  TrialRounds coarse(analysis, clusters.problem,
+                     {.infeasible = 0,
+                      .maximum = parameters.maximum,
+                      .enough = 0,
+                      .from = parameters.from,
+                      .known = {}},
+                     pool_reach, nobody);
   coarse.run();
   programs += coarse.programs();
   std::vector<Trial> trials;
   for (const auto& pattern : coarse.pool()) {
-    if (trials.size() == most_prolonged) break;
+    if (trials.size() == max_prolonged) break;
     trials.push_back(
         {clusters.members(pattern.contact),
-         std::max(room_to_prolong * pattern.factor, parameters.infeasible * (1 + least_above)),
-         0.5});
+         std::max(room_to_prolong * pattern.factor, parameters.infeasible * (1 + min_above)), 0.5});
   }
   return trials;
 }

@@ -41,7 +41,7 @@ enum class PrimalPart { first, later, both };
 
 struct PrimalParameters {
   double infeasible = 0;  ///< no pattern is feasible up to this coefficient
-  double most = 0;        ///< no coefficient above is of interest
+  double maximum = 0;     ///< no coefficient above is of interest
   double enough = 0;      ///< the search ends with a pattern that is feasible at this coefficient
   double from = 8;        ///< coefficient of the first trials while no pattern is known
   PrimalPattern known;    ///< best known pattern

@@ -14,21 +14,21 @@ QuadraticForms quadratic_forms(engine::Analysis& analysis, const problems::Wedge
                                const CriticalGrid& grid, const NarrowingBracket& bracket,
                                int rounds) {
   QuadraticForms result;
-  double least = std::min(grid.most, bracket.upper_or_infinity());
+  double minimum = std::min(grid.maximum, bracket.upper_or_infinity());
   for (const auto& block : problems::blocks_of(problem)) {
     auto own = analysis.by_first_rank([&] {
       return quadratic_bound(problems::block_problem(problem, block),
                              {.enough = bracket.lower(),
-                              .most = least,
+                              .maximum = minimum,
                               .rounds = rounds,
                               .stop = analysis.budget().stop()});
     });
     result.evaluations += static_cast<std::uint64_t>(own.evaluations);
-    least = std::min(least, own.factor);
+    minimum = std::min(minimum, own.factor);
     result.numbers.push_back(std::move(own.numbers));
-    if (!(least > bracket.lower())) break;
+    if (!(minimum > bracket.lower())) break;
   }
-  if (least > bracket.lower()) result.factor = least;
+  if (minimum > bracket.lower()) result.factor = minimum;
   return result;
 }
 

@@ -9,13 +9,13 @@ namespace kusabi::wedged {
 namespace {
 
 // Lower bound of |S_jk| in denominators.
-constexpr double least_size = 1e-12;
+constexpr double min_size = 1e-12;
 
 // Multiple of the mean of P or N added to an entry in estimated curvatures, which vanish at zero.
 constexpr double share_of_mean = 5;
 
 // Lower bound of second derivatives with respect to logarithms.
-constexpr double least_curvature = 1e-3;
+constexpr double min_curvature = 1e-3;
 
 // Lower bound of a root in a quotient.
 constexpr double tiny = 1e-12;
@@ -89,7 +89,7 @@ void QuadraticForm::set(QuadraticPoint& point, double rounded_off) {
   sizes_ = Eigen::MatrixXd::Constant(m, m, rounded_off * rounded_off);
   for (Eigen::Index k = 0; k < tangents_; ++k)
     sizes_ += point.slips().middleCols(k * m, m).cwiseAbs2();
-  sizes_ = sizes_.cwiseSqrt().cwiseMax(least_size).eval();
+  sizes_ = sizes_.cwiseSqrt().cwiseMax(min_size).eval();
   assemble(point);
 }
 
@@ -119,8 +119,8 @@ void QuadraticForm::scales(QuadraticPoint& point, double weight, QuadraticPoint&
   const Eigen::VectorXd own = inverse.diagonal();
   const Eigen::VectorXd of_rows = row_sizes();
   result.log_weights() =
-      (weights_.cwiseAbs2().array() * own.array() * of_rows.array() + least_curvature).inverse();
-  result.log_squares() = (2 * f * own.array() * squares_.array() + least_curvature).inverse();
+      (weights_.cwiseAbs2().array() * own.array() * of_rows.array() + min_curvature).inverse();
+  result.log_squares() = (2 * f * own.array() * squares_.array() + min_curvature).inverse();
   scale_roots(point.roots(), slopes.roots(), of_rows, own, result.roots());
   if (point.has_pairs())
     scale_roots(point.pair_roots(), slopes.pair_roots(), of_rows, of_rows, result.pair_roots());

@@ -20,7 +20,7 @@ namespace {
 
 /// Weight of the first round, at least and by candidate, and its growth. With weight w the form is
 /// singular at a coefficient larger by the share 1/w; slow growth allows long steps.
-constexpr double least_first_weight = 100;
+constexpr double min_first_weight = 100;
 constexpr double first_weight_a_candidate = 0.5;
 constexpr double growth = 1.5;
 constexpr int steps_a_round = 100;
@@ -33,12 +33,12 @@ constexpr double worth_a_round = 1.5e-3;
 constexpr std::size_t remembered = 30;
 /// Armijo's rule, and the least curvature of a pair that is remembered, over |y|^2.
 constexpr double enough_decrease = 1e-4;
-constexpr double least_curvature_of_pair = 1e-15;
-constexpr int most_halvings = 25;
+constexpr double min_curvature_of_pair = 1e-15;
+constexpr int max_halvings = 25;
 
 /// Factor of the roots of N, and how often it is applied, if the first form is not definite.
 constexpr double reduction = 0.3;
-constexpr int most_reductions = 4;
+constexpr int max_reductions = 4;
 
 /// Root of P_ij at the start.
 constexpr double first_root = 0.02;
@@ -57,7 +57,7 @@ class Memory {
 
   void add(Eigen::VectorXd step, Eigen::VectorXd change) {
     const double product = step.dot(change);
-    if (!(product > least_curvature_of_pair * change.squaredNorm())) return;
+    if (!(product > min_curvature_of_pair * change.squaredNorm())) return;
     pairs_.push_back({std::move(step), std::move(change), product});
     if (pairs_.size() > remembered) pairs_.pop_front();
   }
@@ -166,7 +166,7 @@ void Optimiser::start() {
       }
   };
   try_all();
-  for (int k = 0; k < most_reductions && !(best > 0) && point_.has_pairs(); ++k) {
+  for (int k = 0; k < max_reductions && !(best > 0) && point_.has_pairs(); ++k) {
     point_.pair_roots() *= reduction;
     try_all();
   }
@@ -190,7 +190,7 @@ bool Optimiser::step(double weight) {
   }
   double length = memory_.is_empty() ? std::min(1.0, 1 / std::sqrt(descent)) : 1.0;
   auto next = point_;
-  for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+  for (int halving = 0; halving < max_halvings; ++halving, length /= 2) {
     next.values = point_.values - length * way;
     const double value = evaluate(next, weight);
     if (!(value <= value_ - enough_decrease * length * descent)) continue;
@@ -235,19 +235,19 @@ QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
   Optimiser optimiser(*form, parameters.stop);
   optimiser.start();
   double best = 0;
-  double weight = std::max(least_first_weight,
+  double weight = std::max(min_first_weight,
                            first_weight_a_candidate * static_cast<double>(form->candidates()));
   for (int round = 0; round < parameters.rounds && !optimiser.ended(); ++round, weight *= growth) {
     optimiser.round(weight);
     const double reached = optimiser.factor();
     const bool worth = reached > best * (1 + worth_a_round);
     best = std::max(best, reached);
-    if (!worth || best >= parameters.most) break;
+    if (!worth || best >= parameters.maximum) break;
   }
   bound.evaluations = optimiser.evaluations();
   const double reached = optimiser.factor();
   for (const double room : block.modes.matrix.cols() > 0 ? room_with_motions : room_for_proof) {
-    const double factor = std::min(room * reached, parameters.most);
+    const double factor = std::min(room * reached, parameters.maximum);
     if (!(factor > parameters.enough)) break;
     const auto multipliers = form->multipliers(optimiser.point(), factor);
     auto friction = candidate_friction(block, factor);

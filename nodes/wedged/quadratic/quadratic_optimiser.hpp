@@ -22,12 +22,12 @@ struct QuadraticBound {
 };
 
 /// Rounds of the optimisation, each with a larger weight; it usually ends before.
-inline constexpr int most_form_rounds = 22;
+inline constexpr int max_form_rounds = 22;
 
 struct QuadraticParameters {
-  double enough = 0;              ///< smaller bounds are of no interest
-  double most = 0;                ///< larger bounds are of no interest
-  int rounds = most_form_rounds;  ///< 0: the first multipliers only
+  double enough = 0;             ///< smaller bounds are of no interest
+  double maximum = 0;            ///< larger bounds are of no interest
+  int rounds = max_form_rounds;  ///< 0: the first multipliers only
   support::Stop stop{};
 };
 

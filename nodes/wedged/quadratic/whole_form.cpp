@@ -17,9 +17,9 @@ namespace kusabi::wedged {
 namespace {
 
 /// Powers of -cos of the angle between two rows of H that are tried as N.
-constexpr int most_powers = 4;
+constexpr int max_powers = 4;
 /// H'N H must be below minus this share of its size.
-constexpr double least_share = 1e-6;
+constexpr double min_share = 1e-6;
 
 /// The largest eigenvalue of the first N times that of F_nn.
 constexpr double first_share = 1;
@@ -28,7 +28,7 @@ constexpr double share_of_all = 0.01;
 
 /// Bisection of the largest coefficient, relative.
 constexpr double close_enough = 1e-7;
-constexpr double least_factor = 1e-6;
+constexpr double min_factor = 1e-6;
 
 template <int D>
 FormMotions ordered(const problems::RigidModes& modes) {
@@ -73,11 +73,11 @@ Eigen::MatrixXd opposite_pairs(const Eigen::MatrixXd& lifting) {
   const Eigen::MatrixXd cosines = lengths.cwiseInverse().asDiagonal() * (h * h.transpose()) *
                                   lengths.cwiseInverse().asDiagonal();
   Eigen::MatrixXd pairs = (-cosines).cwiseMax(0);
-  for (int power = 0; power < most_powers; ++power, pairs = pairs.cwiseAbs2().eval()) {
+  for (int power = 0; power < max_powers; ++power, pairs = pairs.cwiseAbs2().eval()) {
     const Eigen::MatrixXd form = h.transpose() * pairs * h;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values(form, Eigen::EigenvaluesOnly);
     const auto& ends = values.eigenvalues();
-    if (ends[ends.size() - 1] < -least_share * std::abs(ends[0])) return pairs / size_of(pairs);
+    if (ends[ends.size() - 1] < -min_share * std::abs(ends[0])) return pairs / size_of(pairs);
   }
   return {};
 }
@@ -203,7 +203,7 @@ double WholeForm::largest_factor(double above) {
     return Eigen::LLT<Eigen::MatrixXd>(opposite(factor)).info() == Eigen::Success;
   };
   double low = std::max(above, 1.0);
-  while (low > std::max(above, least_factor) && !definite(low)) low = std::max(low / 2, above);
+  while (low > std::max(above, min_factor) && !definite(low)) low = std::max(low / 2, above);
   if (!definite(low)) return 0;
   double high = 2 * low;
   while (definite(high)) low = std::exchange(high, 2 * high);

@@ -11,9 +11,9 @@ namespace kusabi::wedged {
 
 std::uint64_t memory_of_lists(int candidates) {
   constexpr std::uint64_t states = 5;  // separated, inactive, sticking, sliding in either direction
-  std::uint64_t most = 1;
-  for (int i = 0; i < candidates && most < 2 * longest_list; ++i) most *= states;
-  return rays::bytes_for(std::min(most, 2 * longest_list), candidates);
+  std::uint64_t maximum = 1;
+  for (int i = 0; i < candidates && maximum < 2 * longest_list; ++i) maximum *= states;
+  return rays::bytes_for(std::min(maximum, 2 * longest_list), candidates);
 }
 
 RayListTree::RayListTree(SignPatternTree tree, rays::ReactionCone cone, rays::RayList list,
@@ -38,8 +38,7 @@ bool RayListTree::may_have_own(const Node& list) {
 
 RayListTree::Node RayListTree::continued(const Node& list) {
   auto next = list;
-  const auto steps =
-      rays::go_on(next, cone_, {.most_rays = longest_, .stop = interruption_.stop()});
+  const auto steps = rays::go_on(next, cone_, {.max_rays = longest_, .stop = interruption_.stop()});
   if (steps.stopped) throw support::Stopped();
   tally_.effort += steps.effort;
   tally_.health += steps.health;

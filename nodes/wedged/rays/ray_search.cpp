@@ -61,11 +61,11 @@ RayFindings searched(engine::Analysis& analysis, Tree tree) {
 }
 
 // Common steps of all ranks until double description is complete, the run is stopped, or the list
-// is longer than `most`. Each rank ends its pieces by itself; rank 0 decides between the steps.
+// is longer than `maximum`. Each rank ends its pieces by itself; rank 0 decides between the steps.
 rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& cone,
-                         rays::RayList& list, std::uint64_t most, RayTrial* trial) {
+                         rays::RayList& list, std::uint64_t maximum, RayTrial* trial) {
   auto& transport = analysis.transport();
-  rays::Conduct conduct{.most_rays = most, .stop = analysis.budget().stop()};
+  rays::Conduct conduct{.max_rays = maximum, .stop = analysis.budget().stop()};
   if (trial != nullptr) {
     conduct.give_up = [&transport, trial](const rays::Effort& effort) {
       return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
@@ -100,10 +100,10 @@ RayFindings by_double_description(engine::Analysis& analysis,
                                   RayMethod method) {
   const auto start = std::chrono::steady_clock::now();
   const bool either = method == RayMethod::automatic;
-  const auto most = either ? longest_list : std::numeric_limits<std::uint64_t>::max();
+  const auto maximum = either ? longest_list : std::numeric_limits<std::uint64_t>::max();
   RayTrial trial([&] { return whole_tree(problem, friction); }, cone, analysis.budget().stop());
   auto list = rays::first_list(cone);
-  const auto steps = steps_of_all(analysis, cone, list, most, either ? &trial : nullptr);
+  const auto steps = steps_of_all(analysis, cone, list, maximum, either ? &trial : nullptr);
   const Continuation way = engine::from_first_rank(analysis.transport(), [&] {
     return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone))
                ? Continuation::done

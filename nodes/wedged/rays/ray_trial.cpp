@@ -115,10 +115,10 @@ void RayTrial::look_for_leaves(std::uint64_t pairs) {
 bool RayTrial::enumerates(std::uint64_t worth) {
   for (; done_ < leaves_.size(); ++done_) {
     const RayLeaf& leaf = leaves_[done_];
-    const auto most = std::min(worth, first_leaf * worth / leaves_.size() * (done_ + 1));
-    if (effort_.pairs > most || (stop_ && stop_())) return false;
+    const auto maximum = std::min(worth, first_leaf * worth / leaves_.size() * (done_ + 1));
+    if (effort_.pairs > maximum || (stop_ && stop_())) return false;
     if (!turns_) turns_.emplace(cone_, leaf.in_contact, stop_);
-    if (!turns_->go_on(most - effort_.pairs)) return false;
+    if (!turns_->go_on(maximum - effort_.pairs)) return false;
     const auto rays = std::move(*turns_).result();
     turns_.reset();
     effort_ += rays.effort;

@@ -67,11 +67,11 @@ class BranchingRule {
   template <class Score>
   static int largest(const support::IndexSet& undecided, Score score) {
     int best = undecided.lowest();
-    double most = -1;
+    double maximum = -1;
     for (const int i : undecided) {
       const double own = score(i);
-      if (own > most) {
-        most = own;
+      if (own > maximum) {
+        maximum = own;
         best = i;
       }
     }

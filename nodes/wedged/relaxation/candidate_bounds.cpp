@@ -21,7 +21,7 @@ namespace {
 
 /// Smallest bound relative to the first one: smaller bounds would lead to cuts with reactions and
 /// gaps so small that t*, which no other inequality then limits, is close to the tolerance.
-constexpr double least_share = 1e-2;
+constexpr double min_share = 1e-2;
 
 /// Bounds are increased by this share, to leave the proofs a margin for rounding errors.
 constexpr double room = 1e-6;
@@ -46,7 +46,7 @@ constexpr int group_size = 8;
 
 /// Sweeps end when bounds decrease by at most this share on average, or after the maximum number.
 constexpr double slow_progress = 0.05;
-constexpr int most_sweeps = 10;
+constexpr int max_sweeps = 10;
 
 // The value of the program is the possible decrease of the bound divided by the weight.
 conic::StopEarly once_known(double bound) {
@@ -110,26 +110,26 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     : solver_(problem, friction, tolerances),
       mean_motion_(problem),
       bounds_(friction.size()),
-      least_(friction.size()) {
+      minimum_(friction.size()) {
   solver_.make_room(candidates() + 1);
   const Eigen::Index d = problem.dimension;
   for (int i = 0; i < candidates(); ++i) {
-    double most = 0;
+    double maximum = 0;
     for (int k = 0; k < candidates(); ++k) {
       if (k == i) continue;
       const auto row = problem.compliance.matrix.row(d * i).segment(d * k, d);
       const double mu = friction[static_cast<std::size_t>(k)];
-      most = std::max(most, row[0] + mu * row.tail(d - 1).norm());
+      maximum = std::max(maximum, row[0] + mu * row.tail(d - 1).norm());
     }
     // Far larger than the error of F.
-    most += room * problem.compliance.matrix.row(d * i).cwiseAbs().maxCoeff();
-    least_[static_cast<std::size_t>(i)] = {.gap = least_share * (most / solver_.unit()),
-                                           .reaction = least_share};
+    maximum += room * problem.compliance.matrix.row(d * i).cwiseAbs().maxCoeff();
+    minimum_[static_cast<std::size_t>(i)] = {.gap = min_share * (maximum / solver_.unit()),
+                                             .reaction = min_share};
     if (mean_motion_.count() > 0) continue;
     std::vector<double> numbers(2 * friction.size() + 1);
     numbers[static_cast<std::size_t>(i)] = 1;
     numbers.back() = 1;
-    add_bound({.candidate = i, .side = Side::separated, .most = most, .numbers = numbers});
+    add_bound({.candidate = i, .side = Side::separated, .maximum = maximum, .numbers = numbers});
   }
 }
 
@@ -144,7 +144,7 @@ double CandidateBounding::in_units(double scaled, Side side) const {
 
 void CandidateBounding::add_bound(ProvedBound bound) {
   known(bound.candidate, bound.side) =
-      bound.most / (bound.side == Side::contact ? 1 : solver_.unit());
+      bound.maximum / (bound.side == Side::contact ? 1 : solver_.unit());
   proved_.push_back(std::move(bound));
 }
 
@@ -181,14 +181,15 @@ std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side)
                   .reaction = side == Side::contact ? -1.0 : 0.0,
                   .level = level_of_bound});
   solver_.solve_with(cuts, contact, separated, once_known(bound));
-  const double most = bound + solver_.most_of(cuts.size() - 1);
-  const auto& least = least_[static_cast<std::size_t>(candidate)];
-  ProvedBound result{.candidate = candidate, .side = side, .most = most, .numbers = {}};
-  if (!(most < -room * bound)) {
-    result.most = std::max(most + room * bound, side == Side::contact ? least.reaction : least.gap);
-    if (!(result.most < (1 - hardly_better) * bound)) return {};
+  const double maximum = bound + solver_.max_of(cuts.size() - 1);
+  const auto& minimum = minimum_[static_cast<std::size_t>(candidate)];
+  ProvedBound result{.candidate = candidate, .side = side, .maximum = maximum, .numbers = {}};
+  if (!(maximum < -room * bound)) {
+    result.maximum =
+        std::max(maximum + room * bound, side == Side::contact ? minimum.reaction : minimum.gap);
+    if (!(result.maximum < (1 - hardly_better) * bound)) return {};
   }
-  result.most = in_units(result.most, side);
+  result.maximum = in_units(result.maximum, side);
   result.numbers = evidence(cuts, side);
   if (result.excludes_side()) result.numbers.pop_back();
   return result;
@@ -250,7 +251,7 @@ RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedPr
   bounding.end_when(analysis.budget().stop());
   RootBounds result;
   bool spent = false;
-  for (int sweep = 0; sweep < most_sweeps && !spent; ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps && !spent; ++sweep) {
     const auto before = bounding.bounds();
     for (int first = 0; first < bounding.candidates() && !spent; first += group_size) {
       const auto pieces =

@@ -53,16 +53,16 @@ struct ProvedBound {
   std::uint32_t block = 0;
   int candidate = 0;  ///< of the block; of the whole problem in RootBounds
   Side side = Side::contact;
-  double most = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; negative: none on this side
+  double maximum = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; negative: none on this side
   /// Multipliers of the normal displacements, m; for an unconstrained body the mean motion of w, p;
-  /// those of the cuts of all candidates, m, and of the bound itself unless `most` is negative.
+  /// those of the cuts of all candidates, m, and of the bound itself unless `maximum` is negative.
   std::vector<double> numbers;
 
-  [[nodiscard]] bool excludes_side() const { return most < 0; }
+  [[nodiscard]] bool excludes_side() const { return maximum < 0; }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& block& candidate& side& most& numbers;
+    archive& block& candidate& side& maximum& numbers;
   }
 };
 
@@ -114,7 +114,7 @@ class CandidateBounding {
 
   ContactSolver solver_;
   MeanMotion mean_motion_;
-  std::vector<CandidateBounds> bounds_, least_;
+  std::vector<CandidateBounds> bounds_, minimum_;
   std::vector<ProvedBound> proved_;
 };
 

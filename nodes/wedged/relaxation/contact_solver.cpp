@@ -68,8 +68,8 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                                     error, motions<double>(), loads);
       }()) {}
 
-void ContactSolver::make_room(int most_cuts) {
-  std::visit([&](auto& solver) { solver.make_room(most_cuts); }, solver_);
+void ContactSolver::make_room(int max_cuts) {
+  std::visit([&](auto& solver) { solver.make_room(max_cuts); }, solver_);
 }
 
 void ContactSolver::end_when(const support::Stop& stop) {
@@ -202,8 +202,8 @@ const Eigen::VectorXd& ContactSolver::pull() {
   return std::visit([](auto& solver) -> const Eigen::VectorXd& { return solver.pull(); }, solver_);
 }
 
-double ContactSolver::most_of(std::size_t cut) {
-  return std::visit([&](auto& solver) { return solver.most_of(cut); }, solver_);
+double ContactSolver::max_of(std::size_t cut) {
+  return std::visit([&](auto& solver) { return solver.max_of(cut); }, solver_);
 }
 
 double ContactSolver::cut_multiplier(std::size_t cut) const {
@@ -264,21 +264,21 @@ IndexSet ContactSolver::moved_by(const IndexSet& loaded) const {
   IndexSet moved;
   for (int i = 0; normal(i) < reaction_.size(); ++i) {
     double displacement = 0;
-    double least = 0;
+    double minimum = 0;
     for (const int k : loaded) {
       const double together = compliance_.block(normal(i), normal(k), d, d).cwiseAbs().maxCoeff();
       for (Eigen::Index column = normal(k); column < normal(k + 1); ++column) {
         const double size = std::abs(reaction_[column]);
         displacement += compliance_(normal(i), column) * reaction_[column];
-        least += (cancelled * together + unknown * own(normal(i)) * own(column)) * size;
+        minimum += (cancelled * together + unknown * own(normal(i)) * own(column)) * size;
       }
     }
     for (Eigen::Index l = 0; l < motion_.size(); ++l) {
       const double lift = unit_ * numbers::rounded(motions_.at_cones(normal(i), l)) * motion_[l];
       displacement += lift;
-      least += cancelled * std::abs(lift);
+      minimum += cancelled * std::abs(lift);
     }
-    if (displacement > least) moved.insert(i);
+    if (displacement > minimum) moved.insert(i);
   }
   return moved;
 }

@@ -50,7 +50,7 @@ class ContactSolver {
   void end_when(const support::Stop& stop);
 
   /// Allocates memory for this many cuts in solve_with().
-  void make_room(int most_cuts);
+  void make_room(int max_cuts);
 
   /// Sets mu for the following calls of solve().
   void set_friction(std::span<const double> friction);
@@ -64,7 +64,7 @@ class ContactSolver {
   /// next call.
   [[nodiscard]] const Eigen::VectorXd& pull();
   /// Maximum of the left side of a cut at the last such node, see conic::NodeSolver.
-  double most_of(std::size_t cut);
+  double max_of(std::size_t cut);
   /// Multiplier of a cut at the last such node. The terms of the cuts in u_n are part of
   /// multipliers().
   [[nodiscard]] double cut_multiplier(std::size_t cut) const;

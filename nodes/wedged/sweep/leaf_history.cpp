@@ -81,14 +81,14 @@ const LeafChange* LeafHistory::change_to(const LeafStage& stage) const {
 }
 
 LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
-                         std::int64_t most) {
-  const Station at_most{most, last};
-  const CriticalCell known{0, at_most.unresolved() ? CriticalCell::nowhere : most};
-  const auto cell = critical.locate(leaf, known, CriticalMethod::newton, most);
+                         std::int64_t maximum) {
+  const Station at_most{maximum, last};
+  const CriticalCell known{0, at_most.unresolved() ? CriticalCell::nowhere : maximum};
+  const auto cell = critical.locate(leaf, known, CriticalMethod::newton, maximum);
   if (cell.feasible == CriticalCell::nowhere) return {.changes = {}, .open_above = cell.infeasible};
   Bisection bisection(critical, leaf);
   const Station infeasible{cell.infeasible, {}};
-  const auto first = cell.feasible == most ? at_most : bisection.at(cell.feasible);
+  const auto first = cell.feasible == maximum ? at_most : bisection.at(cell.feasible);
   if (first.unresolved() && at_most.unresolved())
     return {.changes = {}, .open_above = cell.infeasible};
   // A wide cell contains degenerate points, which may be flat cones that Newton's method does not

@@ -46,8 +46,8 @@ struct LeafHistory {
 };
 
 /// @param leaf of the block's own candidates, each in contact or separated
-/// @param last its state at `most`, the largest coefficient (x width); not infeasible
+/// @param last its state at `maximum`, the largest coefficient (x width); not infeasible
 LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
-                         std::int64_t most);
+                         std::int64_t maximum);
 
 }  // namespace kusabi::wedged

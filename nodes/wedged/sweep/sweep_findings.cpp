@@ -141,7 +141,7 @@ void add_histories(SweepFindings& findings, const std::vector<SweptLeaf>& leaves
   }
   unite(ranges);
   for (auto range : ranges) {
-    if (range.begins.lower < findings.most && remains(range, ranges))
+    if (range.begins.lower < findings.maximum && remains(range, ranges))
       findings.cones.push_back(std::move(range));
   }
   std::sort(findings.cones.begin(), findings.cones.end(), begins_before);
@@ -174,7 +174,7 @@ std::vector<CountRange> SweepFindings::staircase() const {
   std::vector<CountRange> ranges;
   IncreasingCounts counts(*this);
   const auto add = [&](double from, double to) {
-    to = std::min(to, most);
+    to = std::min(to, maximum);
     if (!(from < to)) return;
     ranges.push_back(counts.between(from, to));
   };
@@ -183,7 +183,7 @@ std::vector<CountRange> SweepFindings::staircase() const {
     add(from, lower);
     from = upper;
   }
-  add(from, most);
+  add(from, maximum);
   return ranges;
 }
 

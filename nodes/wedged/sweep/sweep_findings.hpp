@@ -65,7 +65,7 @@ struct CountRange {
 struct SweepFindings {
   engine::Status status = engine::Status::solved;
   bool enumerated = false;  ///< true if the tree at the largest coefficient is complete
-  double most = 0;          ///< the largest coefficient
+  double maximum = 0;       ///< the largest coefficient
   std::size_t blocks = 1;
   std::vector<ConeRange> cones;  ///< in the order of their critical coefficients
   std::vector<OpenLeaf> unresolved;
@@ -76,7 +76,7 @@ struct SweepFindings {
   /// @pre enumerated
   [[nodiscard]] ConeCount count_at(double friction) const;
 
-  /// From zero to `most`; between two ranges there is a change. @pre enumerated
+  /// From zero to `maximum`; between two ranges there is a change. @pre enumerated
   [[nodiscard]] std::vector<CountRange> staircase() const;
 
   [[nodiscard]] bool answered() const {

@@ -19,8 +19,8 @@ namespace {
 // The leaves at the largest coefficient, including those contained in others, which may be maximal
 // at a smaller one.
 TreeLeaves leaves_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                     double most, SweepFindings& findings) {
-  const auto friction = candidate_friction(problem, most);
+                     double maximum, SweepFindings& findings) {
+  const auto friction = candidate_friction(problem, maximum);
   const SignPatternOptions options{.tolerances = resolving({}, rounding_of_files)};
   SignPatternTree tree(problem, friction, options);
   configure(tree, prepare(analysis, problem, friction, options));
@@ -41,16 +41,16 @@ std::int64_t not_below(double friction, const FrictionGrid& grid) {
 
 SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                              const SweepParameters& parameters) {
-  const auto& [most, width] = parameters;
-  if (!(width > 0 && width < most) || most > max_multiples * width) {
+  const auto& [maximum, width] = parameters;
+  if (!(width > 0 && width < maximum) || maximum > max_multiples * width) {
     throw std::invalid_argument(
         "the width of a bracket is out of range; expected less than the largest friction "
         "coefficient, and no less than 1e-15 of it");
   }
   const FrictionGrid grid(width);
-  const auto top = not_below(most, grid);
+  const auto top = not_below(maximum, grid);
   SweepFindings findings;
-  findings.most = most;
+  findings.maximum = maximum;
   auto at_most = leaves_at(analysis, problem, grid.at(top), findings);
   findings.status = at_most.status;
   if (findings.status != engine::Status::solved) return findings;

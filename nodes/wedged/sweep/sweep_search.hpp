@@ -13,7 +13,7 @@
 namespace kusabi::wedged {
 
 struct SweepParameters {
-  double most = 1;      ///< the largest coefficient
+  double maximum = 1;   ///< the largest coefficient
   double width = 1e-8;  ///< of the brackets
 };
 

@@ -18,9 +18,9 @@ SweepTree::Leaf SweepTree::leaf_of(const Configuration& found, const support::In
   return leaf;
 }
 
-SweepTree::SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+SweepTree::SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t maximum,
                      std::vector<Leaf> leaves)
-    : leaves_(std::move(leaves)), most_(most) {
+    : leaves_(std::move(leaves)), maximum_(maximum) {
   for (const auto& candidates : problems::blocks_of(problem)) {
     critical_.emplace_back(problems::block_problem(problem, candidates), width);
     critical_.back().end_when(interruption_.stop());
@@ -47,7 +47,7 @@ void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
   }
   const Leaf& leaf = leaves_[node.first];
   auto history = interruption_.within(out, node, [&] {
-    return leaf_history(critical_[leaf.place.block], leaf.place.pattern, leaf.stage, most_);
+    return leaf_history(critical_[leaf.place.block], leaf.place.pattern, leaf.stage, maximum_);
   });
   if (!history) return;
   ++tally_.leaves;

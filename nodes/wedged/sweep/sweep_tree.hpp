@@ -46,7 +46,7 @@ class SweepTree {
     }
   };
 
-  /// A leaf at the coefficient `most` x width; each candidate of the block is in contact or
+  /// A leaf at the coefficient `maximum` x width; each candidate of the block is in contact or
   /// separated.
   struct Leaf {
     PatternNode place;
@@ -54,10 +54,10 @@ class SweepTree {
   };
 
   /// Candidates with a reaction are in contact, all others separated, inactive or not.
-  /// @param found at the coefficient `most` x width @param block its candidates
+  /// @param found at the coefficient `maximum` x width @param block its candidates
   static Leaf leaf_of(const Configuration& found, const support::IndexSet& block);
 
-  SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+  SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t maximum,
             std::vector<Leaf> leaves);
 
   [[nodiscard]] Node root() const;
@@ -68,7 +68,7 @@ class SweepTree {
   NodeInterruption interruption_;
   std::vector<CriticalFriction> critical_;  // of each block
   std::vector<Leaf> leaves_;
-  std::int64_t most_;
+  std::int64_t maximum_;
   Tally tally_;
 };
 

@@ -47,7 +47,7 @@ std::uint64_t looked_through(int candidates) {
 constexpr int much = 20;  // leaves
 
 constexpr std::uint64_t dives_a_round = 4;  // for each rule
-constexpr std::uint64_t most_rounds = 16;
+constexpr std::uint64_t max_rounds = 16;
 
 struct Dive {
   double size = 0;           // estimate of the nodes of the tree
@@ -112,18 +112,18 @@ class Trial {
     std::vector<double> sum(rules);
     std::uint64_t opened = 0;
     std::uint64_t round = 0;
-    while (round < most_rounds) {
+    while (round < max_rounds) {
       const auto dives = share(block, round++, rules);
       for (std::size_t i = 0; i < dives.size(); ++i) {
         sum[i % rules] += dives[i].size;
         opened += dives[i].opened;
       }
-      const double least = mean(*std::ranges::min_element(sum), round);
-      if (rules == 1 || (opened >= few && static_cast<double>(opened) >= least) || ended()) break;
+      const double minimum = mean(*std::ranges::min_element(sum), round);
+      if (rules == 1 || (opened >= few && static_cast<double>(opened) >= minimum) || ended()) break;
     }
-    const auto least = std::ranges::min_element(sum);
+    const auto minimum = std::ranges::min_element(sum);
     const auto best =
-        *least * times_fewer < sum.front() ? static_cast<std::size_t>(least - sum.begin()) : 0;
+        *minimum * times_fewer < sum.front() ? static_cast<std::size_t>(minimum - sum.begin()) : 0;
     const bool known_large =
         best == 0 && candidates <= max_candidates_to_look_through && !first.much;
     return {rules_[best], known_large ? unknown : mean(sum[best], round)};

@@ -8,7 +8,7 @@ namespace kusabi::wedged {
 
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure, const support::LongWork& work) {
-  if (structure.coordinates.size() > most_enclosed_displacements)
+  if (structure.coordinates.size() > max_enclosed_displacements)
     return "the structure is too large to enclose its stiffness on the way; verify does it";
   return enclosed_stiffness_without_limit(structure, work);
 }
@@ -31,15 +31,15 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   for (const auto& row : problem.modes.matrix.rowwise())
     certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
   proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
-  if (!proof_->least_eigenvalue()) return;
+  if (!proof_->min_eigenvalue()) return;
   for (const auto& bound : bounds) {
-    const std::optional most(bound.most);
+    const std::optional maximum(bound.maximum);
     const auto refusal = proof_->add_bound(
         {.line = 0,
          .block = bound.block,
          .candidate = bound.candidate,
          .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
-         .most = bound.excludes_side() ? std::nullopt : most,
+         .maximum = bound.excludes_side() ? std::nullopt : maximum,
          .numbers = bound.numbers});
     if (refusal) return;  // later bounds may depend on it
   }
@@ -67,7 +67,7 @@ verify::Claim claim_of(Evidence::Kind kind) {
 }  // namespace
 
 bool EvidenceCheck::holds(const Evidence& evidence) const {
-  if (!proof_->least_eigenvalue()) return false;
+  if (!proof_->min_eigenvalue()) return false;
   verify::Record record;
   record.claim = claim_of(evidence.kind);
   record.block = evidence.block;

@@ -20,7 +20,7 @@ namespace kusabi::wedged {
 
 /// Maximum number of displacements, including supported ones, of a structure whose K is enclosed by
 /// default: it takes about a second.
-inline constexpr int most_enclosed_displacements = 2000;
+inline constexpr int max_enclosed_displacements = 2000;
 
 /// K of the structure with a proved bound and the modes of its unconstrained bodies, computed by
 /// the verifier; otherwise a sentence with the reason.
@@ -50,7 +50,7 @@ class EvidenceCheck {
 
   /// True if K was proved to be positive definite up to rigid-body modes; without it nothing can be
   /// proved.
-  [[nodiscard]] bool is_able() const { return proof_->least_eigenvalue().has_value(); }
+  [[nodiscard]] bool is_able() const { return proof_->min_eigenvalue().has_value(); }
 
   /// True if every bound is proved.
   [[nodiscard]] bool proves_bounds() const { return proves_bounds_; }

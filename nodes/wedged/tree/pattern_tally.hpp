@@ -30,7 +30,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t polyhedral_leaves = 0;  ///< leaves to test of Algorithm 5.8
   std::vector<PolyhedralLeaf> tested;   ///< these leaves; not a count
   std::vector<std::uint64_t> of_block;  ///< feasible leaves of each block; not a count
-  /// Feasible leaves of largest margin if they are recorded elsewhere, at most `most_kept`.
+  /// Feasible leaves of largest margin if they are recorded elsewhere, at most `max_kept`.
   std::vector<Configuration> largest;
   std::uint64_t proved = 0;   ///< leaves proved feasible by the exact test
   std::uint64_t refused = 0;  ///< claims refused by it
@@ -52,13 +52,13 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
     return *this;
   }
 
-  static constexpr std::size_t most_kept = 10;
+  static constexpr std::size_t max_kept = 10;
 
   /// Adds a leaf to `largest`, which is in the order of decreasing margins.
   void keep(const Configuration& leaf) {
-    if (largest.size() == most_kept && !has_larger_margin(leaf, largest.back())) return;
+    if (largest.size() == max_kept && !has_larger_margin(leaf, largest.back())) return;
     largest.insert(std::ranges::upper_bound(largest, leaf, has_larger_margin), leaf);
-    if (largest.size() > most_kept) largest.pop_back();
+    if (largest.size() > max_kept) largest.pop_back();
   }
 
   template <class Archive>

@@ -205,7 +205,7 @@ SignPatternTree::NodeResult SignPatternTree::branch_feasible(const Node& node) {
 // children measures their size, and the candidate with the smallest product is chosen.
 int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
   int best = tried.front();
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const int candidate : tried) {
     double left = 1;
     for (const Node& child : children(node, candidate)) {
@@ -213,8 +213,8 @@ int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
       if (answer.sign == conic::Sign::infeasible) return candidate;
       left *= std::max(answer.lower, tolerances_.sign);
     }
-    if (left < least) {
-      least = left;
+    if (left < minimum) {
+      minimum = left;
       best = candidate;
     }
   }
@@ -255,10 +255,10 @@ bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
 // A node whose evidence is refused is branched, unless its subtree is too large; a leaf is left
 // undecided.
 SignPatternTree::NodeResult SignPatternTree::doubt(const Node& node) {
-  constexpr int most_free = 8;
+  constexpr int max_free = 8;
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
-  if (free.size() > most_free) {
+  if (free.size() > max_free) {
     ++tally_.infeasible;
     ++tally_.doubted;
     record_unclaimed(node);

@@ -57,8 +57,8 @@ void remove_repeated(std::vector<int>& numbers, std::size_t all) {
 /// Adds the entries of a set: each data line is a range or a list.
 /// @param of_tag number of a tag, -1 if there is none  @param of_field numbers of a field
 template <class OfTag, class OfField>
-void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called, std::size_t most,
-              std::vector<int>& set, OfTag of_tag, OfField of_field) {
+void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
+              std::size_t maximum, std::vector<int>& set, OfTag of_tag, OfField of_field) {
   const bool ranges = card.find("GENERATE") != nullptr;
   while (text.next_data()) {
     const MeshText& line = text.line();
@@ -67,7 +67,7 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
         const auto more = of_field(line, i);
         set.insert(set.end(), more.begin(), more.end());
         // Repetitions are removed early, since a name that stands for all entries may occur often.
-        if (set.size() > 2 * most) remove_repeated(set, most);
+        if (set.size() > 2 * maximum) remove_repeated(set, maximum);
       }
       continue;
     }
@@ -82,9 +82,9 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
       set.push_back(number);
     }
     // The same for repeated ranges.
-    if (set.size() > 2 * most) remove_repeated(set, most);
+    if (set.size() > 2 * maximum) remove_repeated(set, maximum);
   }
-  remove_repeated(set, most);
+  remove_repeated(set, maximum);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ Eigen::Isometry3d motion(AbaqusText& text) {
 }
 
 /// Maximum number of nodes, elements and entries of groups of all instances.
-constexpr std::size_t most_copies = 100'000'000;
+constexpr std::size_t max_copies = 100'000'000;
 
 std::size_t entries(const MeshData& mesh) {
   std::size_t count = mesh.nodes.size() + mesh.elements.size();
@@ -174,8 +174,8 @@ void AbaqusParts::begin_instance(AbaqusText& text, const AbaqusCard& card) {
                                  support::in_quotes(of)));
   }
   copies_ += entries(part->second->mesh);
-  if (copies_ > most_copies)
-    text.line().fail(fmt::format("the instances have more than {} entries", most_copies));
+  if (copies_ > max_copies)
+    text.line().fail(fmt::format("the instances have more than {} entries", max_copies));
   first_node_ = assembly_.mesh.nodes.size();
   in_instance_ = true;
   assembly_.groups.begin_instance(text, name);

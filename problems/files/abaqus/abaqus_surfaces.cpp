@@ -14,7 +14,7 @@ namespace kusabi::problems {
 namespace {
 
 /// Maximum number of faces of an element.
-constexpr std::size_t most_faces = 6;
+constexpr std::size_t max_faces = 6;
 
 /// Removes repetitions and keeps the first occurrence.
 void keep_first(std::vector<int>& nodes) {
@@ -75,7 +75,7 @@ void AbaqusGroups::read_face(const MeshText& line, MeshGroup& surface) {
       surface.faces.push_back({number, face});
     }
   }
-  if (surface.faces.size() + surface.elements.size() > most_faces * mesh_.elements.size()) {
+  if (surface.faces.size() + surface.elements.size() > max_faces * mesh_.elements.size()) {
     line.fail("a surface with more faces than the mesh; expected each face once");
   }
 }

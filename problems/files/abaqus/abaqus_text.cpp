@@ -101,11 +101,11 @@ void AbaqusText::include() {
   const auto place = MeshTexts::place(open_.back().place, included_name(line(), own));
   const bool itself =
       std::ranges::any_of(open_, [&](const Open& one) { return one.place == place; });
-  if (itself || open_.size() >= most_nested_files || ++included_ > most_included_files) {
+  if (itself || open_.size() >= max_nested_files || ++included_ > max_included_files) {
     line().fail(
         fmt::format("{} includes itself, or too many files; expected at most {} that "
                     "include each other, and {} in all",
-                    support::in_quotes(place), most_nested_files, most_included_files));
+                    support::in_quotes(place), max_nested_files, max_included_files));
   }
   open(place);
 }

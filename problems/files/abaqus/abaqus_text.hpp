@@ -16,10 +16,10 @@
 namespace kusabi::problems {
 
 /// Maximum depth of nested files.
-inline constexpr int most_nested_files = 20;
+inline constexpr int max_nested_files = 20;
 
 /// Maximum number of files of a mesh, counting repeated inclusions.
-inline constexpr int most_included_files = 1000;
+inline constexpr int max_included_files = 1000;
 
 /// A keyword line, such as "*ELEMENT, TYPE=C3D4, ELSET=body".
 struct AbaqusCard {

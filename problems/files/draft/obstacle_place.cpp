@@ -21,13 +21,13 @@ constexpr double facing = 0.5;
 
 double extent_of(const ProblemDraft& draft, const std::vector<ListedNode>& nodes) {
   const auto& places = draft.structure().coordinates;
-  Eigen::VectorXd least = places.col(nodes.front().node);
-  Eigen::VectorXd most = least;
+  Eigen::VectorXd minimum = places.col(nodes.front().node);
+  Eigen::VectorXd maximum = minimum;
   for (const auto& each : nodes) {
-    least = least.cwiseMin(places.col(each.node));
-    most = most.cwiseMax(places.col(each.node));
+    minimum = minimum.cwiseMin(places.col(each.node));
+    maximum = maximum.cwiseMax(places.col(each.node));
   }
-  return (most - least).maxCoeff();
+  return (maximum - minimum).maxCoeff();
 }
 
 /// Offsets of the surfaces that contain faces at the nodes facing the obstacle, increasing.
@@ -42,8 +42,8 @@ std::vector<double> offsets_of_faces(const Surface& body, const ParallelSurfaces
       std::vector<double> vertices;
       for (const int node : std::span(face.nodes).first(static_cast<std::size_t>(face.vertices)))
         vertices.push_back(surfaces.offset(node));
-      const auto [least, most] = std::ranges::minmax(vertices);
-      if (most - least <= tolerance) offsets.push_back((least + most) / 2);
+      const auto [minimum, maximum] = std::ranges::minmax(vertices);
+      if (maximum - minimum <= tolerance) offsets.push_back((minimum + maximum) / 2);
     }
   }
   std::ranges::sort(offsets);
@@ -52,9 +52,9 @@ std::vector<double> offsets_of_faces(const Surface& body, const ParallelSurfaces
 
 double distance(const std::vector<double>& offsets, double offset) {
   const auto next = std::ranges::lower_bound(offsets, offset);
-  double least = next == offsets.end() ? INFINITY : *next - offset;
-  if (next != offsets.begin()) least = std::min(least, offset - *std::prev(next));
-  return least;
+  double minimum = next == offsets.end() ? INFINITY : *next - offset;
+  if (next != offsets.begin()) minimum = std::min(minimum, offset - *std::prev(next));
+  return minimum;
 }
 
 }  // namespace

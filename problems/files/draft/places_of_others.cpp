@@ -100,12 +100,12 @@ class PlacesOfOthers {
 
   void require_touch(const ListedNode& node, double distance, double size,
                      const std::string& what) const {
-    const double most = gap_.value_or(place_tolerance * size);
-    if (distance <= most) return;
+    const double maximum = gap_.value_or(place_tolerance * size);
+    if (distance <= maximum) return;
     reader_.fail(node.position,
                  fmt::format("node {} is {:.6g} away from {}; expected at most {:.6g}, or gap = a "
                              "length that counts as touching",
-                             draft_.node_name(node.node), distance, what, most));
+                             draft_.node_name(node.node), distance, what, maximum));
   }
 
   [[noreturn]] void refuse_choice(const ListedNode& node, int one, int other) const {

@@ -13,16 +13,16 @@ namespace kusabi::problems {
 namespace {
 
 /// Maximum value of `every`.
-constexpr int most_every = 1'000'000;
+constexpr int max_every = 1'000'000;
 
 /// Maximum number of groups of a mesh in an error message.
-constexpr std::size_t most_groups_named = 12;
+constexpr std::size_t max_groups_named = 12;
 
 }  // namespace
 
 std::string names_of_groups(std::vector<std::string> groups, std::string_view between) {
   for (std::string& group : groups) group = support::in_quotes(group);
-  const std::size_t left_out = groups.size() - std::min(groups.size(), most_groups_named);
+  const std::size_t left_out = groups.size() - std::min(groups.size(), max_groups_named);
   groups.resize(groups.size() - left_out);
   const std::string more = left_out == 0 ? "" : fmt::format(" and {} more", left_out);
   return fmt::format("{}{}", fmt::join(groups, between), more);
@@ -128,7 +128,7 @@ std::vector<ListedNode> ProblemDraft::nodes_listed(const TomlTable& table) const
     if (listed.empty()) reader_.fail(*entry, "except leaves no nodes; expected one or more");
   }
   if (const auto* entry = table.table->get("every"); entry != nullptr) {
-    const auto step = static_cast<std::size_t>(reader_.count(*entry, "every", most_every));
+    const auto step = static_cast<std::size_t>(reader_.count(*entry, "every", max_every));
     std::size_t place = 0;
     std::erase_if(listed, [&](const ListedNode&) { return place++ % step != 0; });
   }

@@ -71,9 +71,9 @@ void SubstructureReader::head() {
     data_.size = count_in(count).value_or(0);
   }
   data_.size_line = in_.number();
-  if (data_.size == 0 || data_.size > most_matrix_rows) {
+  if (data_.size == 0 || data_.size > max_matrix_rows) {
     in_.fail(fmt::format("*USER ELEMENT has {} rows; expected NODES= from 1 to {}", data_.size,
-                         most_matrix_rows));
+                         max_matrix_rows));
   }
 }
 
@@ -187,8 +187,8 @@ std::vector<MatrixRow> stored_rows(std::string_view dofs, const std::string& fil
     if (in.fields() == 0) continue;
     if (in.fields() != 2) in.fail("the line is not NODE.DIRECTION; expected a row such as 17.3");
     rows.push_back({in.whole(0, "a node", 1), in.whole(1, "a direction", 1), in.number()});
-    if (std::ssize(rows) > most_matrix_rows) {
-      in.fail(fmt::format("too many rows; expected at most {}", most_matrix_rows));
+    if (std::ssize(rows) > max_matrix_rows) {
+      in.fail(fmt::format("too many rows; expected at most {}", max_matrix_rows));
     }
   }
   if (rows.empty()) in.fail("the file has no rows; expected NODE.DIRECTION on each line");

@@ -26,7 +26,7 @@ int digits_of(std::string_view text) {
 }
 
 double rounding(int digits) {
-  if (digits <= most_exact_digits || digits > most_rounded_digits) return 0;
+  if (digits <= max_exact_digits || digits > max_rounded_digits) return 0;
   return 0.5 * std::pow(10.0, 1 - digits);
 }
 
@@ -49,7 +49,7 @@ class SymmetryCheck {
 
   MatrixData data_;
   std::vector<double> roots_;  // square roots of the diagonal
-  double most_asymmetric_ = 0;
+  double max_asymmetry_ = 0;
 };
 
 bool before(const MatrixEntry& one, const MatrixEntry& other) {
@@ -117,7 +117,7 @@ void SymmetryCheck::add_pair(const MatrixEntry& entry, Triplets& entries) {
                      "matrix",
                      row + 1, column + 1, value, column + 1, row + 1, across, off));
   }
-  most_asymmetric_ = std::max(most_asymmetric_, off);
+  max_asymmetry_ = std::max(max_asymmetry_, off);
   add(value == across ? value : value / 2 + across / 2);
 }
 
@@ -131,12 +131,12 @@ SymmetricMatrix SymmetryCheck::result() {
   result.matrix.resize(data_.size, data_.size);
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   result.rounding = rounding(data_.digits);
-  if (most_asymmetric_ > 0) {
+  if (max_asymmetry_ > 0) {
     result.warning =
         support::InputError(data_.file, {},
                             fmt::format("the matrix deviates from symmetry by {:.2g} of its "
                                         "diagonal; the means of entries ij and ji are used",
-                                        most_asymmetric_))
+                                        max_asymmetry_))
             .what();
   }
   return result;

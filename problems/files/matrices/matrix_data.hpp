@@ -12,16 +12,16 @@
 namespace kusabi::problems {
 
 /// Maximum number of rows of a matrix from a file.
-inline constexpr int most_matrix_rows = 3'000'000;
+inline constexpr int max_matrix_rows = 3'000'000;
 
 /// Tolerance for the difference of transposed entries, relative to the square root of the product
 /// of their diagonal entries: the effect of different orders of summation in doubles.
 inline constexpr double largest_asymmetry = 1e-12;
 
 /// Numbers with at most this many digits are taken as exact. Numbers with more digits, up to
-/// `most_rounded_digits`, are taken as rounded by the program that wrote them.
-inline constexpr int most_exact_digits = 5;
-inline constexpr int most_rounded_digits = 15;
+/// `max_rounded_digits`, are taken as rounded by the program that wrote them.
+inline constexpr int max_exact_digits = 5;
+inline constexpr int max_rounded_digits = 15;
 
 struct MatrixEntry {
   int row;  ///< counted from 0, as is the column

@@ -85,9 +85,9 @@ void MarketReader::size() {
   const int rows = in_.whole(0, "the number of rows", 1);
   const int columns = in_.whole(1, "the number of columns", 1);
   if (!is_array_) count_ = in_.whole(2, "the number of entries", 1);
-  if (rows != columns || rows > most_matrix_rows) {
+  if (rows != columns || rows > max_matrix_rows) {
     in_.fail(fmt::format("the matrix is {} x {}; expected a square one of at most {} rows", rows,
-                         columns, most_matrix_rows));
+                         columns, max_matrix_rows));
   }
   data_.size = rows;
   data_.size_line = in_.number();

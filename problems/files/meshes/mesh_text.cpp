@@ -84,14 +84,14 @@ void MeshText::split() {
   }
 }
 
-int MeshText::whole(std::size_t index, std::string_view called, int least) const {
+int MeshText::whole(std::size_t index, std::string_view called, int minimum) const {
   if (index >= fields_.size()) {
     fail(index, fmt::format("the line ends; expected {}", called));
   }
   const auto value = parsed<std::int64_t>(fields_[index]);
-  if (!value || *value < least || *value > largest_tag) {
+  if (!value || *value < minimum || *value > largest_tag) {
     fail(index, fmt::format("{} is {}; expected a whole number from {} to {}", called,
-                            support::in_quotes(fields_[index]), least, largest_tag));
+                            support::in_quotes(fields_[index]), minimum, largest_tag));
   }
   return static_cast<int>(*value);
 }

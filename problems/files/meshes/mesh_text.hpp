@@ -35,8 +35,8 @@ class MeshText {
   std::size_t fields() const { return fields_.size(); }
   std::string_view field(std::size_t index) const { return fields_[index]; }
 
-  /// An integer from `least` to `largest_tag`.
-  int whole(std::size_t index, std::string_view called, int least) const;
+  /// An integer from `minimum` to `largest_tag`.
+  int whole(std::size_t index, std::string_view called, int minimum) const;
   /// A finite number.
   double real(std::size_t index, std::string_view called) const;
 

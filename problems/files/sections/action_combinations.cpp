@@ -106,9 +106,9 @@ FactorRange LoadCases::range(const Action& action, const Combination& combinatio
     const double reduced = all_.reduction * upper;
     return {std::min(lower, reduced), std::max(lower, reduced)};
   }
-  const double most =
+  const double maximum =
       &action == combination.leading ? action.factor : action.factor * action.combination;
-  return {action.either_way ? -most : 0, most};
+  return {action.either_way ? -maximum : 0, maximum};
 }
 
 void LoadCases::add(const Combination& combination) {

@@ -19,11 +19,11 @@ constexpr double favourable = 1.0;
 constexpr double unfavourable = 1.35;
 constexpr double variable_factor = 1.5;
 constexpr double reduction = 0.85;
-constexpr double most_cases = 1000;
+constexpr double max_cases = 1000;
 
 // Limits of the factors of a file.
-constexpr double least_factor = 1e-6;
-constexpr double most_factor = 1e6;
+constexpr double min_factor = 1e-6;
+constexpr double max_factor = 1e6;
 
 // In place of factors `true` stands for the defaults.
 bool is_true(const toml::node& node) {
@@ -97,7 +97,7 @@ void ActionsReader::read_rule(const toml::node& section) {
   if (const toml::node* xi = table.table->get("xi"); xi != nullptr) {
     if (!all_.both_rules)
       reader_.fail(*xi, "xi is a factor of (6.10b); expected rule = \"6.10ab\", or no xi");
-    all_.reduction = reader_.positive(*xi, "xi", "factor", least_factor, 1);
+    all_.reduction = reader_.positive(*xi, "xi", "factor", min_factor, 1);
   }
   reference_name_ = reader_.text(
       reader_.require(table, "reference",
@@ -168,10 +168,10 @@ void ActionsReader::read_variable(const toml::node& factor, const TomlTable& tab
                                   Action& action) const {
   action.factor = is_true(factor)
                       ? variable_factor
-                      : reader_.positive(factor, "variable", "factor", least_factor, most_factor);
+                      : reader_.positive(factor, "variable", "factor", min_factor, max_factor);
   action.combination = reader_.positive(
       reader_.require(table, "psi0", "psi0 = the factor of the action where another one leads"),
-      "psi0", "factor", least_factor, 1);
+      "psi0", "factor", min_factor, 1);
   if (const toml::node* entry = table.table->get("exclusive"); entry != nullptr) {
     action.alternatives = reader_.text(*entry, "exclusive").text;
   }
@@ -223,10 +223,10 @@ void ActionsReader::find_reference() {
 }
 
 void ActionsReader::limit_cases() const {
-  if (all_.cases() <= most_cases) return;
+  if (all_.cases() <= max_cases) return;
   reader_.fail(reference_name_.position,
                fmt::format("the actions make {:g} load cases; expected at most {:g}", all_.cases(),
-                           most_cases));
+                           max_cases));
 }
 
 }  // namespace

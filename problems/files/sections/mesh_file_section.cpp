@@ -132,14 +132,14 @@ void MeshFileSection::read() {
 
 double MeshFileSection::size() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d least = Eigen::Vector3d::Constant(infinity);
-  Eigen::Vector3d most = -least;
+  Eigen::Vector3d minimum = Eigen::Vector3d::Constant(infinity);
+  Eigen::Vector3d maximum = -minimum;
   for (std::size_t i = 0; i < used_.size(); ++i) {
     if (!used_[i]) continue;
-    least = least.cwiseMin(mesh_.nodes[i].place);
-    most = most.cwiseMax(mesh_.nodes[i].place);
+    minimum = minimum.cwiseMin(mesh_.nodes[i].place);
+    maximum = maximum.cwiseMax(mesh_.nodes[i].place);
   }
-  return (most - least).maxCoeff();
+  return (maximum - minimum).maxCoeff();
 }
 
 void MeshFileSection::check_plane() const {

@@ -44,8 +44,8 @@ StructuredMesh shape(const TomlReader& reader, const TomlTable& group) {
     reader.fail(division_entry,
                 fmt::format("divisions has {} entries; expected two", counts.size()));
   }
-  mesh.columns = reader.count(*counts[0], "a division", most_divisions);
-  mesh.rows = reader.count(*counts[1], "a division", most_divisions);
+  mesh.columns = reader.count(*counts[0], "a division", max_divisions);
+  mesh.rows = reader.count(*counts[1], "a division", max_divisions);
   if (!mesh.is_convex()) {
     reader.fail(corner_entry,
                 "the corners of a mesh are not those of a convex quadrilateral in order; expected "

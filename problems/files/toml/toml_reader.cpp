@@ -147,11 +147,11 @@ double TomlReader::number(const toml::node& node, std::string_view called) const
 }
 
 double TomlReader::positive(const toml::node& node, std::string_view called, std::string_view what,
-                            double least, double most) const {
+                            double minimum, double maximum) const {
   const double value = number(node, called);
-  if (value < least || value > most) {
+  if (value < minimum || value > maximum) {
     fail(node, fmt::format("{} is {:g}; expected a positive {} between {:g} and {:g}", called,
-                           value, what, least, most));
+                           value, what, minimum, maximum));
   }
   return value;
 }
@@ -167,11 +167,11 @@ int TomlReader::one_of(const toml::node& node, std::string_view called,
   return *value;
 }
 
-int TomlReader::count(const toml::node& node, std::string_view called, int most) const {
+int TomlReader::count(const toml::node& node, std::string_view called, int maximum) const {
   const auto value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
-  if (!value || *value < 1 || *value > most) {
+  if (!value || *value < 1 || *value > maximum) {
     fail(node, fmt::format("{} is {}; expected a whole number from 1 to {}", called,
-                           value ? fmt::to_string(*value) : kind(node), most));
+                           value ? fmt::to_string(*value) : kind(node), maximum));
   }
   return static_cast<int>(*value);
 }

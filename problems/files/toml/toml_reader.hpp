@@ -61,14 +61,14 @@ class TomlReader {
 
   /// A finite number; integers are accepted.
   double number(const toml::node& node, std::string_view called) const;
-  /// A number from `least`, which is positive, to `most`. @param what its name: "area"
+  /// A number from `minimum`, which is positive, to `maximum`. @param what its name: "area"
   double positive(const toml::node& node, std::string_view called, std::string_view what,
-                  double least, double most) const;
+                  double minimum, double maximum) const;
   /// An integer that is one of `allowed`.
   int one_of(const toml::node& node, std::string_view called,
              std::initializer_list<int> allowed) const;
-  /// An integer from 1 to `most`.
-  int count(const toml::node& node, std::string_view called, int most) const;
+  /// An integer from 1 to `maximum`.
+  int count(const toml::node& node, std::string_view called, int maximum) const;
   /// A vector of `size` finite numbers.
   Eigen::VectorXd vector(const toml::node& node, std::string_view called, int size) const;
   /// A string for tables of results: not empty, short, without control characters.

@@ -30,8 +30,8 @@ class Cells {
  public:
   explicit Cells(const Structure& structure) : structure_(structure) {
     const auto& places = structure.coordinates;
-    least_ = places.rowwise().minCoeff();
-    size_ = one_place * (places.rowwise().maxCoeff() - least_).maxCoeff();
+    minimum_ = places.rowwise().minCoeff();
+    size_ = one_place * (places.rowwise().maxCoeff() - minimum_).maxCoeff();
     for (const Member& member : structure.members) limit_by(member.first, member.second);
     for (const Element& element : structure.elements) {
       for (std::size_t i = 1; i < element.nodes.size(); ++i)
@@ -72,7 +72,7 @@ class Cells {
     Cell cell{};
     for (Eigen::Index axis = 0; axis < structure_.dimension; ++axis) {
       cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(
-          std::floor((structure_.coordinates(axis, node) - least_(axis)) / size_));
+          std::floor((structure_.coordinates(axis, node) - minimum_(axis)) / size_));
     }
     return cell;
   }
@@ -81,7 +81,7 @@ class Cells {
   }
 
   const Structure& structure_;
-  Eigen::VectorXd least_;
+  Eigen::VectorXd minimum_;
   double size_ = 0;
   std::multimap<Cell, int> nodes_;
 };

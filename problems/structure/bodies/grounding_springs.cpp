@@ -74,7 +74,7 @@ std::vector<SpringPlace> spring_places(const Structure& structure, const FreeDeg
   while (body.count() > 0) {
     SpringPlace best{nodes.front(), 0};
     Eigen::Index column = 0;
-    double most = 0;
+    double maximum = 0;
     for (const int node : nodes) {
       const Eigen::MatrixXd moves =
           displacements(body, structure.coordinates.col(node)).cast<double>();
@@ -82,13 +82,13 @@ std::vector<SpringPlace> spring_places(const Structure& structure, const FreeDeg
         if (degrees.number(axis, node) < 0) continue;
         Eigen::Index at = 0;
         const double size = moves.row(axis).cwiseAbs().maxCoeff(&at);
-        if (size <= most * clearly_more) continue;
-        most = size;
+        if (size <= maximum * clearly_more) continue;
+        maximum = size;
         best = {node, axis};
         column = at;
       }
     }
-    if (most < smallest_nonzero_pivot &&
+    if (maximum < smallest_nonzero_pivot &&
         nodes.size() < body.nodes.size()) {  // these nodes do not suffice
       nodes = body.nodes;
       continue;

@@ -25,10 +25,10 @@ constexpr double shift = 1e-12;
 /// Maximum number of steps of inverse iteration. Each divides the remaining part of a motion with
 /// energy e > shift by 1 + e / shift relative to a mechanism, so two or three steps are enough for
 /// a mechanism.
-constexpr int most_steps = 12;
+constexpr int max_steps = 12;
 
 /// A node moves if its displacement exceeds this part of the largest one. The remaining part of
-/// other motions after `most_steps` is far smaller.
+/// other motions after `max_steps` is far smaller.
 constexpr double visible = 1e-6;
 
 /// A motion without symmetry, such that every mechanism has a part in it, and equal on all machines
@@ -76,7 +76,7 @@ double energy(const Structure& structure, const FreeDegrees& degrees,
 }
 
 /// Maximum number of names in an error message.
-constexpr std::size_t most_names = 6;
+constexpr std::size_t max_names = 6;
 
 }  // namespace
 
@@ -102,7 +102,7 @@ Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted) {
     throw std::logic_error("the shifted stiffness of a structure has no factorisation");
   }
   Eigen::VectorXd motion = arbitrary_motion(shifted.rows());
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
   }
   return motion;
@@ -110,11 +110,11 @@ Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted) {
 
 std::vector<int> nodes_moved(const FreeDegrees& degrees, const Eigen::VectorXd& motion,
                              double visible) {
-  const double least = visible * motion.cwiseAbs().maxCoeff();
+  const double minimum = visible * motion.cwiseAbs().maxCoeff();
   std::vector<int> nodes;
   for (int number = 0; number < degrees.of_nodes(); ++number) {
     const int node = degrees.free[static_cast<std::size_t>(number)].node;
-    if (std::abs(motion(number)) > least && (nodes.empty() || nodes.back() != node)) {
+    if (std::abs(motion(number)) > minimum && (nodes.empty() || nodes.back() != node)) {
       nodes.push_back(node);
     }
   }
@@ -122,7 +122,7 @@ std::vector<int> nodes_moved(const FreeDegrees& degrees, const Eigen::VectorXd& 
 }
 
 std::string some_names(const Structure& structure, const std::vector<int>& nodes) {
-  const std::size_t shown = std::min(nodes.size(), most_names);
+  const std::size_t shown = std::min(nodes.size(), max_names);
   std::string list;
   for (std::size_t place = 0; place < shown; ++place) {
     if (place > 0) list += ", ";

@@ -68,10 +68,10 @@ Place largest(const PreciseMatrix& matrix, Eigen::Index row, Eigen::Index column
 /// The first entry, row by row, that is at least half of the largest: x before y before z.
 Place first_large(const PreciseMatrix& matrix) {
   const Eigen::MatrixXd sizes = matrix.cast<double>().cwiseAbs();
-  const double least = sizes.size() == 0 ? 0 : sizes.maxCoeff() / 2;
+  const double minimum = sizes.size() == 0 ? 0 : sizes.maxCoeff() / 2;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      if (sizes(i, j) >= least) return {i, j};
+      if (sizes(i, j) >= minimum) return {i, j};
     }
   }
   return {0, 0};
@@ -89,7 +89,7 @@ std::optional<bool> goes_on(double pivot) {
 /// zero if numerically undecided.
 struct NullSpace {
   PreciseMatrix columns;
-  double least_pivot = 1;
+  double min_pivot = 1;
 };
 
 NullSpace null_space(PreciseMatrix matrix) {
@@ -104,7 +104,7 @@ NullSpace null_space(PreciseMatrix matrix) {
     const auto more = goes_on(pivot);
     if (!more) return {PreciseMatrix(q, 0), 0};
     if (!*more) break;
-    result.least_pivot = std::min(result.least_pivot, pivot);
+    result.min_pivot = std::min(result.min_pivot, pivot);
     matrix.row(row).swap(matrix.row(rank));
     matrix.col(column).swap(matrix.col(rank));
     std::swap(order[static_cast<std::size_t>(column)], order[static_cast<std::size_t>(rank)]);
@@ -131,7 +131,7 @@ NullSpace null_space(PreciseMatrix matrix) {
 std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
                                                        Eigen::Index first_row, Eigen::Index rows) {
   Eigen::Index left = columns.cols();  // columns [left, end) are done
-  double least = 1;
+  double minimum = 1;
   while (left > 0) {
     const PreciseMatrix part = columns.block(first_row, 0, rows, left);
     const auto [row, column] = first_large(part);
@@ -139,7 +139,7 @@ std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
     const auto more = goes_on(pivot);
     if (!more) return {};
     if (!*more) break;
-    least = std::min(least, pivot);
+    minimum = std::min(minimum, pivot);
     --left;
     columns.col(column).swap(columns.col(left));
     const PreciseVector own = columns.col(left) / columns(first_row + row, left);
@@ -154,7 +154,7 @@ std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
   columns.block(first_row, 0, rows, left).setConstant(Precise(0.0));
   const PreciseMatrix done = columns.rightCols(columns.cols() - left);
   columns.rightCols(done.cols()) = done.rowwise().reverse();  // the first pivot first
-  return std::pair(done.cols(), least);
+  return std::pair(done.cols(), minimum);
 }
 
 /// Nodes of a connected component and its supports.
@@ -289,7 +289,7 @@ UnconstrainedBody Piece::body() && {
           lever(body_.centre, body_.size, structure_.coordinates.col(body_.nodes[k])) * columns;
     }
     const auto still = null_space(std::move(seen));
-    if (still.least_pivot == 0) refuse();
+    if (still.min_pivot == 0) refuse();
     if (still.columns.cols() > 0) {
       // The modes orthogonal to those without displacements.
       const auto across = null_space(PreciseMatrix(still.columns.transpose()));

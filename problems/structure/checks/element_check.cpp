@@ -104,9 +104,9 @@ void ElementCheck::shape() const {
   for (const int node : element_.nodes)
     size = std::max(size, structure_.coordinates.col(node).cwiseAbs().maxCoeff());
   const Eigen::ArrayXd values = jacobian_determinants(structure_, element_).array();
-  const double least =
+  const double minimum =
       zero_length * size * std::pow(element_extent(structure_, element_), structure_.dimension - 1);
-  if ((values > least).all() || (values < -least).all()) return;
+  if ((values > minimum).all() || (values < -minimum).all()) return;
   if (element_.shape == ElementShape::quadrilateral4) {
     fail(
         fmt::format("the element at {} is not a convex quadrilateral; expected corners in order "
@@ -117,7 +117,7 @@ void ElementCheck::shape() const {
   const bool negative = (values < 0).count() > values.size() / 2;
   const Eigen::ArrayXd right = negative ? Eigen::ArrayXd(-values) : values;
   Eigen::Index where = 0;
-  while (right(where) > least) ++where;
+  while (right(where) > minimum) ++where;
   const std::string place =
       where < traits_.vertices
           ? fmt::format("at node {}", name(element_.nodes[static_cast<std::size_t>(where)]))

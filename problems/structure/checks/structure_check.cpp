@@ -210,10 +210,10 @@ void StructureCheck::springs() const {
 }
 
 void StructureCheck::contact_count() const {
-  if (structure_.contact.size() <= static_cast<std::size_t>(most_contact_candidates)) return;
-  fail(position_of(structure_.sources.contact, most_contact_candidates),
+  if (structure_.contact.size() <= static_cast<std::size_t>(max_contact_candidates)) return;
+  fail(position_of(structure_.sources.contact, max_contact_candidates),
        fmt::format("{} contact candidates; expected at most {}, for K and F are full matrices",
-                   structure_.contact.size(), most_contact_candidates));
+                   structure_.contact.size(), max_contact_candidates));
 }
 
 void StructureCheck::contact_nodes() const {

@@ -16,7 +16,7 @@ inline constexpr double smallest_magnitude = 1e-50;
 inline constexpr double largest_magnitude = 1e50;
 
 /// Maximum number of contact candidates of a problem: F and K of more would have over 10^8 entries.
-inline constexpr int most_contact_candidates = 4096;
+inline constexpr int max_contact_candidates = 4096;
 
 /// Smallest and largest friction of a contact candidate relative to the coefficient of a search; 0
 /// is also allowed.

@@ -57,17 +57,17 @@ std::optional<MeshGap> node_on_face(const Structure& structure, const Surface& s
                                     const NodeIndex& nodes, const std::vector<bool>& wanted) {
   for (const SurfaceFace& face : surface.faces()) {
     if (!wanted[static_cast<std::size_t>(face.element)]) continue;
-    Eigen::VectorXd least = structure.coordinates.col(face.nodes.front());
-    Eigen::VectorXd most = least;
+    Eigen::VectorXd minimum = structure.coordinates.col(face.nodes.front());
+    Eigen::VectorXd maximum = minimum;
     for (int vertex = 1; vertex < face.vertices; ++vertex) {
       const auto place = structure.coordinates.col(face.nodes[static_cast<std::size_t>(vertex)]);
-      least = least.cwiseMin(place);
-      most = most.cwiseMax(place);
+      minimum = minimum.cwiseMin(place);
+      maximum = maximum.cwiseMax(place);
     }
-    const double margin = same_place * (most - least).maxCoeff();
-    least.array() -= margin;
-    most.array() += margin;
-    for (const int node : nodes.nodes_in(least, most)) {
+    const double margin = same_place * (maximum - minimum).maxCoeff();
+    minimum.array() -= margin;
+    maximum.array() += margin;
+    for (const int node : nodes.nodes_in(minimum, maximum)) {
       if (lies_on(structure, face, node)) return MeshGap{node, face.element};
     }
   }
@@ -132,13 +132,13 @@ NodeIndex::NodeIndex(const Eigen::Ref<const Eigen::MatrixXd>& places, const std:
   std::ranges::sort(by_x_);
 }
 
-std::vector<int> NodeIndex::nodes_in(const Eigen::VectorXd& least,
-                                     const Eigen::VectorXd& most) const {
+std::vector<int> NodeIndex::nodes_in(const Eigen::VectorXd& minimum,
+                                     const Eigen::VectorXd& maximum) const {
   std::vector<int> result;
-  auto entry = std::ranges::lower_bound(by_x_, least(0), {}, &std::pair<double, int>::first);
-  for (; entry != by_x_.end() && entry->first <= most(0); ++entry) {
+  auto entry = std::ranges::lower_bound(by_x_, minimum(0), {}, &std::pair<double, int>::first);
+  for (; entry != by_x_.end() && entry->first <= maximum(0); ++entry) {
     const auto place = places_.col(entry->second).array();
-    if ((place >= least.array()).all() && (place <= most.array()).all()) {
+    if ((place >= minimum.array()).all() && (place <= maximum.array()).all()) {
       result.push_back(entry->second);
     }
   }

@@ -23,7 +23,7 @@ class NodeIndex {
   int node_at(const Eigen::VectorXd& place, double tolerance) const;
 
   /// All nodes in a box.
-  std::vector<int> nodes_in(const Eigen::VectorXd& least, const Eigen::VectorXd& most) const;
+  std::vector<int> nodes_in(const Eigen::VectorXd& minimum, const Eigen::VectorXd& maximum) const;
 
  private:
   Eigen::MatrixXd places_;

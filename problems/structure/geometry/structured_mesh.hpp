@@ -12,7 +12,7 @@
 namespace kusabi::problems {
 
 /// Maximum number of columns and of rows of a mesh.
-inline constexpr int most_divisions = 1000;
+inline constexpr int max_divisions = 1000;
 
 /// Nodes of a mesh coincide with older nodes if they are closer than this, relative to the size of
 /// the mesh. Rounding errors of coordinates are a million times smaller, elements larger.

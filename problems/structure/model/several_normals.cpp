@@ -27,14 +27,14 @@ double angle_from_span(const Eigen::MatrixXd& unit) {
 }
 
 /// The least angle between one of the columns and the span of the others.
-double least_angle(const Eigen::MatrixXd& unit) {
-  double least = 90;
+double min_angle(const Eigen::MatrixXd& unit) {
+  double minimum = 90;
   for (Eigen::Index k = 0; k < unit.cols(); ++k) {
     Eigen::MatrixXd turned = unit;
     turned.col(k).swap(turned.col(unit.cols() - 1));
-    least = std::min(least, angle_from_span(turned));
+    minimum = std::min(minimum, angle_from_span(turned));
   }
-  return least;
+  return minimum;
 }
 
 Eigen::MatrixXd normals_of(const Structure& structure, const std::vector<std::size_t>& candidates) {
@@ -53,15 +53,15 @@ Eigen::MatrixXd normals_of(const Structure& structure, const std::vector<std::si
 void check_corner(const Structure& structure, const std::vector<std::size_t>& candidates) {
   const auto node = static_cast<std::size_t>(structure.contact[candidates.front()].node);
   const std::string name = support::in_quotes(structure.node_names[node]);
-  const auto most = static_cast<std::size_t>(structure.dimension);
-  if (candidates.size() > most) {
+  const auto maximum = static_cast<std::size_t>(structure.dimension);
+  if (candidates.size() > maximum) {
     refuse_corner(
-        structure, candidates[most],
+        structure, candidates[maximum],
         fmt::format("node {} is a contact candidate {} times; expected at most {} in {}, for more "
                     "normals depend on each other",
-                    name, candidates.size(), most, most == 2 ? "the plane" : "space"));
+                    name, candidates.size(), maximum, maximum == 2 ? "the plane" : "space"));
   }
-  const auto angle = least_angle(normals_of(structure, candidates));
+  const auto angle = min_angle(normals_of(structure, candidates));
   if (angle >= smallest_angle_of_normals) return;
   refuse_corner(
       structure, candidates.back(),

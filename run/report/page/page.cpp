@@ -94,7 +94,7 @@ void add_held_loads(Markup& page, const ResultReader& reader, const Verdict& ver
 
 std::string report_page(const ResultReader& reader) {
   auto list = answer_list(reader);
-  const auto scenes = chosen_scenes(reader, {.most = most_pictures, .entries = pictured(list)});
+  const auto scenes = chosen_scenes(reader, {.maximum = max_pictures, .entries = pictured(list)});
   attach(scenes, list.answers);
   const auto* const leading = list.answers.empty() ? nullptr : &list.answers[list.order.front()];
   const auto command = reader.text(reader.all(), "command");

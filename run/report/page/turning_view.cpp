@@ -18,7 +18,7 @@ using pictures::Scene;
 constexpr double units_of_half_size = 1e4;
 
 /// Maximum number of faces and bars, which are drawn anew at each step of a turn.
-constexpr std::size_t most_drawn = 20'000;
+constexpr std::size_t max_drawn = 20'000;
 
 const char* name_of(pictures::ContactState state) {
   switch (state) {
@@ -139,7 +139,7 @@ class TurningData {
 }  // namespace
 
 std::string turning_data(const Scene& scene) {
-  const bool few = scene.faces.size() + scene.bars.size() <= most_drawn;
+  const bool few = scene.faces.size() + scene.bars.size() <= max_drawn;
   return scene.dimension == 3 && few ? TurningData(scene).text() : std::string();
 }
 

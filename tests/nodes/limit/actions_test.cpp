@@ -39,9 +39,9 @@ void add(Structure& truss, const Action& action, double factor, problems::Load::
 
 // The least factor of snow over all choices of favourable and unfavourable factors, each by a
 // program (5) of its own.
-double least_by_choices(const Structure& truss, double reference, double imposed_most,
-                        double wind_most) {
-  double least = std::numeric_limits<double>::infinity();
+double min_factor_by_choices(const Structure& truss, double reference, double max_imposed,
+                             double max_wind) {
+  double minimum = std::numeric_limits<double>::infinity();
   for (int choice = 0; choice < 16; ++choice) {
     Structure one = truss;
     one.loads.clear();
@@ -49,17 +49,17 @@ double least_by_choices(const Structure& truss, double reference, double imposed
     const auto dead = problems::Load::Kind::dead;
     add(one, roof, (choice & 1) != 0 ? 1.35 : 1.0, dead);
     add(one, ceiling, (choice & 2) != 0 ? 1.35 : 1.0, dead);
-    add(one, imposed, (choice & 4) != 0 ? imposed_most : 0, dead);
-    add(one, wind, (choice & 8) != 0 ? wind_most : 0, dead);
+    add(one, imposed, (choice & 4) != 0 ? max_imposed : 0, dead);
+    add(one, wind, (choice & 8) != 0 ? max_wind : 0, dead);
     add(one, snow, reference, problems::Load::Kind::reference);
     const auto factor = test::PlainTruss(one).factor(Eigen::VectorXd());
     EXPECT_TRUE(factor) << choice;
-    if (factor) least = std::min(least, *factor);
+    if (factor) minimum = std::min(minimum, *factor);
   }
-  return least;
+  return minimum;
 }
 
-double least_by_box(const Structure& truss, const std::string& load_case) {
+double min_factor_by_box(const Structure& truss, const std::string& load_case) {
   const Structure of_case = problems::in_load_case(truss, load_case);
   auto problem = problems::limit_problem(checked(of_case));
   problems::LimitProblem* const one = &problem;
@@ -76,12 +76,12 @@ TEST(Actions, TheBoxOfALeadingActionIsAllItsCombinations) {
   const auto truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/roof-truss.toml");
   ASSERT_THAT(problems::load_cases(truss),
               testing::ElementsAre("6.10 snow leads", "6.10 imposed leads", "6.10 wind leads"));
-  EXPECT_NEAR(least_by_box(truss, "6.10 snow leads"),
-              least_by_choices(truss, 1.5, 1.5 * 0.7, 1.5 * 0.6), 1e-6);
-  EXPECT_NEAR(least_by_box(truss, "6.10 imposed leads"),
-              least_by_choices(truss, 0.75, 1.5, 1.5 * 0.6), 1e-6);
-  EXPECT_NEAR(least_by_box(truss, "6.10 wind leads"), least_by_choices(truss, 0.75, 1.5 * 0.7, 1.5),
-              1e-6);
+  EXPECT_NEAR(min_factor_by_box(truss, "6.10 snow leads"),
+              min_factor_by_choices(truss, 1.5, 1.5 * 0.7, 1.5 * 0.6), 1e-6);
+  EXPECT_NEAR(min_factor_by_box(truss, "6.10 imposed leads"),
+              min_factor_by_choices(truss, 0.75, 1.5, 1.5 * 0.6), 1e-6);
+  EXPECT_NEAR(min_factor_by_box(truss, "6.10 wind leads"),
+              min_factor_by_choices(truss, 0.75, 1.5 * 0.7, 1.5), 1e-6);
 }
 
 }  // namespace

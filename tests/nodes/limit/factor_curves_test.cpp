@@ -163,15 +163,15 @@ double factor_under(LimitProblem problem, const Eigen::VectorXd& dead) {
   return solver.collapse().factor * model.factor_unit;
 }
 
-double least_of_corners(const LimitProblem& problem, double alpha) {
-  double least = infinity;
+double min_over_corners(const LimitProblem& problem, double alpha) {
+  double minimum = infinity;
   const auto m = static_cast<unsigned>(problem.uncertain_count());
   for (unsigned corner = 0; corner < 1U << m; ++corner) {
     Eigen::VectorXd zeta(m);
     for (unsigned j = 0; j < m; ++j) zeta(j) = ((corner >> j) & 1U) != 0 ? alpha : -alpha;
-    least = std::min(least, factor_under(problem, dead_load(problem, zeta)));
+    minimum = std::min(minimum, factor_under(problem, dead_load(problem, zeta)));
   }
-  return least;
+  return minimum;
 }
 
 /// Value of a curve at a place; minus infinity: no factor.
@@ -194,7 +194,7 @@ TEST(FactorCurves, AreThoseOfEachPlaceByItself) {
   std::mt19937 bits(11);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   int compared = 0;
   int ended = 0;
-  std::size_t most_pieces = 0;
+  std::size_t max_pieces = 0;
   for (int trial = 0; trial < 40; ++trial) {
     SCOPED_TRACE(trial);
     const auto truss = random_truss(bits);
@@ -214,7 +214,7 @@ TEST(FactorCurves, AreThoseOfEachPlaceByItself) {
     ASSERT_TRUE(found.whole());
     ++compared;
     ended += found.worst_curve->end.has_value();
-    most_pieces = std::max(most_pieces, found.worst_curve->pieces.size());
+    max_pieces = std::max(max_pieces, found.worst_curve->pieces.size());
     double error = 1e-9;  // of the simplex method
     for (const auto& piece : found.worst_curve->pieces) error = std::max(error, *piece.error);
     EXPECT_LT(error, 1e-6);
@@ -227,13 +227,13 @@ TEST(FactorCurves, AreThoseOfEachPlaceByItself) {
       expect_same(value_of(*found.curve, beta), under(critical), 1e-8, beta);
       expect_same(value_of(*found.load_curve, beta), under(load), 1e-8, beta);
       if (step % 4 != 0) continue;
-      expect_same(value_of(*found.worst_curve, beta), least_of_corners(*problem, beta * alpha),
+      expect_same(value_of(*found.worst_curve, beta), min_over_corners(*problem, beta * alpha),
                   error + 1e-9, beta);
     }
   }
   EXPECT_GE(compared, 20);
   EXPECT_GE(ended, 5);
-  EXPECT_GE(most_pieces, 3U);
+  EXPECT_GE(max_pieces, 3U);
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ TEST(GuaranteedInterval, TurnsTheSignsOfTheReversedLoad) {
   answer.worst = worst_case(1.4, 1.5, true, false);
   answer.reversed = worst_case(-0.6, -0.5, false, true);
   const auto interval = guaranteed_interval(answer);
-  EXPECT_EQ(interval.least.lower, 0.5);
-  EXPECT_EQ(interval.least.upper, 0.6);
-  EXPECT_TRUE(interval.least.lower_proved);
-  EXPECT_FALSE(interval.least.upper_proved);
+  EXPECT_EQ(interval.minimum.lower, 0.5);
+  EXPECT_EQ(interval.minimum.upper, 0.6);
+  EXPECT_TRUE(interval.minimum.lower_proved);
+  EXPECT_FALSE(interval.minimum.upper_proved);
   EXPECT_TRUE(interval.has_factors());
   EXPECT_FALSE(interval.decided());  // from 0.6 on is not proved
 }
@@ -51,9 +51,9 @@ TEST(GuaranteedInterval, UsesTheLoadsThatWereExamined) {
   answer.nominal = LimitCollapse{3, -4, {}, {}};
   answer.worst->collapse = LimitCollapse{2, 0.25, {}, {}};
   const auto interval = guaranteed_interval(answer);
-  EXPECT_EQ(interval.least.lower, 0.25);
-  EXPECT_FALSE(interval.least.lower_proved);
-  EXPECT_EQ(interval.least.upper, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(interval.minimum.lower, 0.25);
+  EXPECT_FALSE(interval.minimum.lower_proved);
+  EXPECT_EQ(interval.minimum.upper, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(interval.decided());
 }
 
@@ -62,10 +62,10 @@ TEST(GuaranteedInterval, OfAllCasesIsTheirIntersection) {
   const GuaranteedInterval second{{-0.95, -0.8, true, false}, {1.9, 2.2, true, true}};
   const std::array both{first, second};
   const auto all = intersection(both);
-  EXPECT_EQ(all.least.lower, -0.95);
-  EXPECT_TRUE(all.least.lower_proved);
-  EXPECT_EQ(all.least.upper, -0.8);
-  EXPECT_FALSE(all.least.upper_proved);
+  EXPECT_EQ(all.minimum.lower, -0.95);
+  EXPECT_TRUE(all.minimum.lower_proved);
+  EXPECT_EQ(all.minimum.upper, -0.8);
+  EXPECT_FALSE(all.minimum.upper_proved);
   EXPECT_EQ(all.largest.lower, 1.9);
   EXPECT_TRUE(all.largest.lower_proved);
   EXPECT_EQ(all.largest.upper, 2.1);

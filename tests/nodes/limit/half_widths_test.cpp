@@ -48,17 +48,17 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
       (*all.uncertain)[j].half_width = j % 2 == 0 ? own : alpha;
     }
     const auto [findings, problem] = found(truss, {.alpha = alpha});
-    const auto least = PlainTruss(all).least_of_all_corners(1);
-    if (!least) continue;
+    const auto minimum = PlainTruss(all).min_over_corners(1);
+    if (!minimum) continue;
     const auto& answer = findings.answer;
     ASSERT_TRUE(answer.worst && !findings.statements.empty());
     const auto& certificate = findings.statements.front().evidence;
     EXPECT_TRUE(answer.whole());
-    EXPECT_NEAR(answer.worst->ends.upper, *least, near);
+    EXPECT_NEAR(answer.worst->ends.upper, *minimum, near);
     for (const auto* file : {&truss, &all}) {
       const auto claim = test::shown(certificate, *file);
       EXPECT_EQ(claim.why, "");
-      EXPECT_LE(claim.lower, *least + near);
+      EXPECT_LE(claim.lower, *minimum + near);
       EXPECT_NEAR(claim.lower, claim.upper, near);
     }
     // The file, or the certificate, has another half-width.

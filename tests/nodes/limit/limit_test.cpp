@@ -153,19 +153,19 @@ TEST(CollapseModes, AreThoseOfThePaper) {
 
 /// The least factor over all vertices of the loads: lambda* is concave in zeta, so its minimum over
 /// the box is at a vertex. Nothing if a vertex has no factor.
-std::optional<double> least_of_all_corners(const LimitModel& model, double alpha) {
+std::optional<double> min_over_corners(const LimitModel& model, double alpha) {
   LoadFactor load_factor(model);
   const int m = model.uncertain_count();
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (unsigned corner = 0; corner < 1U << static_cast<unsigned>(m); ++corner) {
     Eigen::VectorXd zeta(m);
     for (int j = 0; j < m; ++j) {
       zeta(j) = ((corner >> static_cast<unsigned>(j)) & 1U) != 0 ? alpha : -alpha;
     }
     if (load_factor.solve(dead_load(model, zeta)) != LoadStatus::collapses) return {};
-    least = std::min(least, load_factor.collapse().factor);
+    minimum = std::min(minimum, load_factor.collapse().factor);
   }
-  return least;
+  return minimum;
 }
 
 /// A random truss in the plane or in space, with some cables, with one or two reference loads;
@@ -221,13 +221,13 @@ TEST(RandomTrusses, HaveTheLeastFactorOfAllCorners) {
     LoadFactor load_factor(model);
     if (load_factor.solve(model.dead) != LoadStatus::collapses) continue;
     const Solved solved(*problem, alpha);
-    const auto least = least_of_all_corners(model, alpha / model.force_unit);
-    if (!least) {
+    const auto minimum = min_over_corners(model, alpha / model.force_unit);
+    if (!minimum) {
       EXPECT_EQ(solved.root.status, RootStatus::not_carried) << trial;
       ++not_carried;
       continue;
     }
-    EXPECT_NEAR(solved.root.worst->collapse.factor, *least, closed_gap) << trial;
+    EXPECT_NEAR(solved.root.worst->collapse.factor, *minimum, closed_gap) << trial;
     expect_proved(solved, alpha);
     ++compared;
   }
@@ -243,8 +243,8 @@ TEST(StaticCuts, LeaveAGapThatTheTreeCloses) {
   EXPECT_EQ(solved.root.status, RootStatus::open);
   EXPECT_LT(solved.root.lower * solved.model.factor_unit, solved.upper() - 0.05);
   EXPECT_GT(solved.opened, 1U);
-  const auto least = least_of_all_corners(solved.model, alpha / solved.model.force_unit);
-  EXPECT_NEAR(solved.root.worst->collapse.factor, least.value(), closed_gap);
+  const auto minimum = min_over_corners(solved.model, alpha / solved.model.force_unit);
+  EXPECT_NEAR(solved.root.worst->collapse.factor, minimum.value(), closed_gap);
   expect_proved(solved, alpha);
 }
 

@@ -71,10 +71,10 @@ void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
     auto moved = certificate;
     moved.uncertain = columns_of(limit_problem(checked(other)));
     const auto claim = shown(moved, other);
-    const auto least = PlainTruss(other).least_of_all_corners(certificate.alpha.at(0));
-    if (!least || !claim.why.empty()) continue;
-    EXPECT_LE(claim.lower, *least + near);
-    EXPECT_GE(claim.upper, *least - near);
+    const auto minimum = PlainTruss(other).min_over_corners(certificate.alpha.at(0));
+    if (!minimum || !claim.why.empty()) continue;
+    EXPECT_LE(claim.lower, *minimum + near);
+    EXPECT_GE(claim.upper, *minimum - near);
   }
 }
 
@@ -84,11 +84,11 @@ void expect_least_factors(const Structure& truss, double alpha, const LimitAnswe
   for (auto& load : mirrored.loads) {
     if (load.kind == problems::Load::Kind::reference) load.force = -load.force;
   }
-  const auto least = PlainTruss(mirrored).least_of_all_corners(alpha);
-  ASSERT_TRUE(least);
+  const auto minimum = PlainTruss(mirrored).min_over_corners(alpha);
+  ASSERT_TRUE(minimum);
   const auto interval = guaranteed_interval(answer);
-  EXPECT_NEAR(interval.least.lower, -*least, near);
-  EXPECT_NEAR(interval.least.upper, -*least, near);
+  EXPECT_NEAR(interval.minimum.lower, -*minimum, near);
+  EXPECT_NEAR(interval.minimum.upper, -*minimum, near);
   EXPECT_TRUE(interval.decided());
 }
 
@@ -113,14 +113,14 @@ TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
     if (!nominal) continue;
     EXPECT_NEAR(found.answer.nominal->factor, *nominal, near);
     const auto& worst = *found.answer.worst;
-    const auto least = plain.least_of_all_corners(alpha);
-    if (!least) {
+    const auto minimum = plain.min_over_corners(alpha);
+    if (!minimum) {
       EXPECT_EQ(worst.status, RootStatus::not_carried);
       ++not_carried;
       continue;
     }
-    EXPECT_NEAR(worst.ends.upper, *least, near);
-    EXPECT_NEAR(worst.ends.lower, *least, near);
+    EXPECT_NEAR(worst.ends.upper, *minimum, near);
+    EXPECT_NEAR(worst.ends.lower, *minimum, near);
     expect_least_factors(truss, alpha, found.answer);
     trees += worst.nodes > 1 ? 1 : 0;
     ++compared;
@@ -149,8 +149,8 @@ TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
     const auto [truss, alpha] = test::correlated_truss(seed);
     const auto found = findings(truss, {.alpha = alpha});
     EXPECT_GT(found.answer.worst->nodes, 1U);
-    EXPECT_NEAR(found.answer.worst->ends.upper,
-                PlainTruss(truss).least_of_all_corners(alpha).value(), near);
+    EXPECT_NEAR(found.answer.worst->ends.upper, PlainTruss(truss).min_over_corners(alpha).value(),
+                near);
     ASSERT_FALSE(found.statements.empty());
     const auto& certificate = found.statements.front().evidence;
     EXPECT_GT(certificate.nodes.size(), 1U);

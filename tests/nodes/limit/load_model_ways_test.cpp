@@ -26,10 +26,11 @@ TEST(LoadModel, OfTheExampleIsThatOfAllCorners) {
   for (const double alpha : {0.1, 0.5, 1.0, 2.0}) {
     const auto answer = findings(truss, {.alpha = alpha}).answer;
     EXPECT_TRUE(answer.whole());
-    const auto least = plain.least_of_all_corners(alpha);
-    EXPECT_EQ(answer.worst->status, least ? RootStatus::closed : RootStatus::not_carried) << alpha;
-    if (least) {
-      EXPECT_NEAR(answer.worst->ends.upper, *least, near);
+    const auto minimum = plain.min_over_corners(alpha);
+    EXPECT_EQ(answer.worst->status, minimum ? RootStatus::closed : RootStatus::not_carried)
+        << alpha;
+    if (minimum) {
+      EXPECT_NEAR(answer.worst->ends.upper, *minimum, near);
     }
   }
 }
@@ -43,8 +44,8 @@ TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
     const auto [truss, alpha] = test::correlated_truss(seed);
     const auto problem = problem_of(truss);
     if (!problem) continue;
-    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
-    if (!least) continue;
+    const auto minimum = PlainTruss(truss).min_over_corners(alpha);
+    if (!minimum) continue;
     const auto model = limit_model(*problem);
     const auto m = static_cast<unsigned>(problem->uncertain_count());
     Master master(model, alpha / model.force_unit);
@@ -62,7 +63,7 @@ TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
       nodes.push_back(closed_node(master.proof(), {}));
     }
     if (nodes.size() < 1U << m) continue;
-    EXPECT_NEAR(bound, *least, near);
+    EXPECT_NEAR(bound, *minimum, near);
     const Worst worst{Eigen::VectorXd::Zero(m),
                       {0, {}, Eigen::VectorXd::Zero(problem->free_count())}};
     const auto certificate = limit_certificate(*problem, model, alpha, worst, {}, nodes);
@@ -71,7 +72,7 @@ TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
     for (const auto& node : certificate.nodes) {
       const auto lower = proof.lower(node);
       ASSERT_TRUE(std::holds_alternative<mpq_class>(lower)) << std::get<std::string>(lower);
-      EXPECT_GE(std::get<mpq_class>(lower).get_d(), *least - near);
+      EXPECT_GE(std::get<mpq_class>(lower).get_d(), *minimum - near);
     }
     ++compared;
   }
@@ -84,15 +85,15 @@ TEST(LoadModel, TheZeroOneProgramFindsTheSame) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);
     if (!problem_of(truss)) continue;
-    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
-    if (!least) continue;
+    const auto minimum = PlainTruss(truss).min_over_corners(alpha);
+    if (!minimum) continue;
     for (const auto method :
          {LimitMethod::fixed, LimitMethod::disjunctive, LimitMethod::tightened, LimitMethod::all}) {
       const auto found = findings(truss, {.alpha = alpha, .method = method}).answer;
       ASSERT_TRUE(found.worst);
-      EXPECT_NEAR(found.worst->ends.upper, *least, near);
+      EXPECT_NEAR(found.worst->ends.upper, *minimum, near);
       if (!found.worst->zero_one) continue;
-      EXPECT_NEAR(found.worst->zero_one->lower, *least, near);
+      EXPECT_NEAR(found.worst->zero_one->lower, *minimum, near);
       ++compared;
     }
   }
@@ -113,13 +114,13 @@ TEST(LoadModel, CurvesAndSamplesAreOfTheSameLoads) {
     const auto [truss, alpha] = test::correlated_truss(seed);
     if (!problem_of(truss)) continue;
     const PlainTruss plain(truss);
-    if (!plain.least_of_all_corners(alpha)) continue;
+    if (!plain.min_over_corners(alpha)) continue;
     const auto found = findings(truss, {.alpha = alpha, .samples = 20, .curve = true}).answer;
     ASSERT_TRUE(found.curve && found.worst_curve);
     for (const double beta : {0.0, 0.3, 0.7, 1.0}) {
-      const auto least = plain.least_of_all_corners(beta * alpha).value();
-      EXPECT_NEAR(factor_at(*found.worst_curve, beta), least, near);
-      EXPECT_GE(factor_at(*found.curve, beta), least - near);
+      const auto minimum = plain.min_over_corners(beta * alpha).value();
+      EXPECT_NEAR(factor_at(*found.worst_curve, beta), minimum, near);
+      EXPECT_GE(factor_at(*found.curve, beta), minimum - near);
     }
     EXPECT_NEAR(factor_at(*found.curve, 1), found.worst->ends.upper, near);
     ASSERT_EQ(found.samples.size(), 20U);
@@ -153,7 +154,7 @@ TEST(LoadModel, ParametersThatAreOneAddUp) {
 
 // With zeta (1, -1) the factor is min(3 - zeta, 5 + zeta).
 TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
-  const auto least = [](const std::string& uncertainty, double alpha) {
+  const auto minimum = [](const std::string& uncertainty, double alpha) {
     const auto truss = problems::read_structure(two_bars(uncertainty), "two-bars.toml");
     const auto answer = findings(truss, {.alpha = alpha}).answer;
     EXPECT_TRUE(answer.whole());
@@ -163,17 +164,17 @@ TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
       "[[uncertainty]]\nname = \"across\"\nforces = [{ nodes = [\"tip\"], force = [1, -1] }]\n";
   const std::string more =
       "[[uncertainty]]\nname = \"more\"\nforces = [{ nodes = [\"tip\"], force = [-0.5, 0.5] }]\n";
-  EXPECT_NEAR(least(across, 0.5), 2.5, 1e-9);
-  EXPECT_NEAR(least(across, 2), 1, 1e-9);
-  EXPECT_NEAR(least(across + more, 1), 1.5, 1e-9);
+  EXPECT_NEAR(minimum(across, 0.5), 2.5, 1e-9);
+  EXPECT_NEAR(minimum(across, 2), 1, 1e-9);
+  EXPECT_NEAR(minimum(across + more, 1), 1.5, 1e-9);
   // Loads along the reference load, which assumption 3.1 (ii) excludes: q = lambda + zeta in the
   // level bar alone, and in both.
   const std::string level = "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"x\"]\n";
   const std::string along =
       "[[uncertainty]]\nname = \"along\"\nforces = [{ nodes = [\"tip\"], force = [1, 1] }]\n";
-  EXPECT_NEAR(least(level, 0.5), 2.5, 1e-9);
-  EXPECT_NEAR(least(along, 0.5), 2.5, 1e-9);
-  EXPECT_NEAR(least(along, 4), -1, 1e-9);
+  EXPECT_NEAR(minimum(level, 0.5), 2.5, 1e-9);
+  EXPECT_NEAR(minimum(along, 0.5), 2.5, 1e-9);
+  EXPECT_NEAR(minimum(along, 4), -1, 1e-9);
 }
 
 // A parameter of c f_R decreases the least factor by alpha |c| for any other uncertain loads; a
@@ -184,7 +185,7 @@ TEST(LoadModel, MayActAlongTheReferenceLoad) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     auto [truss, alpha] = test::correlated_truss(seed);
     if (!problem_of(truss)) continue;
-    const auto before = PlainTruss(truss).least_of_all_corners(alpha);
+    const auto before = PlainTruss(truss).min_over_corners(alpha);
     problems::UncertainParameter along{"along", {}};
     for (const auto& load : truss.loads) {
       if (load.kind != problems::Load::Kind::reference) continue;
@@ -196,18 +197,18 @@ TEST(LoadModel, MayActAlongTheReferenceLoad) {
     auto& parameters = *truss.uncertain;
     parameters.push_back(along);
     if (before) {
-      EXPECT_NEAR(PlainTruss(truss).least_of_all_corners(alpha).value(), *before - alpha / 4, near);
+      EXPECT_NEAR(PlainTruss(truss).min_over_corners(alpha).value(), *before - alpha / 4, near);
     }
     parameters.push_back({"component", {along.components.front()}});
     const auto found = findings(truss, {.alpha = alpha});
-    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
-    if (!least) continue;
+    const auto minimum = PlainTruss(truss).min_over_corners(alpha);
+    if (!minimum) continue;
     ASSERT_TRUE(found.answer.worst && !found.statements.empty());
     EXPECT_TRUE(found.answer.whole());
-    EXPECT_NEAR(found.answer.worst->ends.upper, *least, near);
+    EXPECT_NEAR(found.answer.worst->ends.upper, *minimum, near);
     const auto claim = test::shown(found.statements.front().evidence, truss);
     EXPECT_EQ(claim.why, "");
-    EXPECT_LE(claim.lower, *least + near);
+    EXPECT_LE(claim.lower, *minimum + near);
     EXPECT_NEAR(claim.lower, claim.upper, near);
     ++compared;
   }

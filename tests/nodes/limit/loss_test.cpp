@@ -46,19 +46,19 @@ LossAnswer answer_of(const Structure& truss, const LossParameters& parameters,
 
 /// The least factor over all losses of up to `left` further members from `from` on, and over all
 /// corners of the loads.
-double least_of_all(test::PlainTruss& truss, const std::vector<bool>& kept, int from, int left,
-                    double alpha = 0) {
-  double least = truss.least_of_all_corners(alpha).value_or(-infinity);
-  if (left == 0) return least;
+double min_of_all(test::PlainTruss& truss, const std::vector<bool>& kept, int from, int left,
+                  double alpha = 0) {
+  double minimum = truss.min_over_corners(alpha).value_or(-infinity);
+  if (left == 0) return minimum;
   for (int i = from; i < truss.tension.size(); ++i) {
     if (kept[static_cast<std::size_t>(i)]) continue;
     const double tension = std::exchange(truss.tension(i), 0);
     const double compression = std::exchange(truss.compression(i), 0);
-    least = std::min(least, least_of_all(truss, kept, i + 1, left - 1, alpha));
+    minimum = std::min(minimum, min_of_all(truss, kept, i + 1, left - 1, alpha));
     truss.tension(i) = tension;
     truss.compression(i) = compression;
   }
-  return least;
+  return minimum;
 }
 
 /// Six or seven nodes, most of them joined; cables, rollers and nodes in line at random.
@@ -131,11 +131,11 @@ void compare(const Structure& truss, std::span<const int> numbers_lost, std::opt
     return;  // a mechanism, or two nodes at one place
   }
   const std::vector<bool> none(truss.members.size());
-  for (const int most : numbers_lost) {
-    SCOPED_TRACE(truss.name + ", K = " + std::to_string(most));
-    const auto found = answer_of(truss, {.most = most}, alpha);
-    if (found.most == 0) continue;  // the nominal load is not carried
-    const double expected = least_of_all(*plain, none, 0, most, alpha.value_or(0));
+  for (const int maximum : numbers_lost) {
+    SCOPED_TRACE(truss.name + ", K = " + std::to_string(maximum));
+    const auto found = answer_of(truss, {.maximum = maximum}, alpha);
+    if (found.maximum == 0) continue;  // the nominal load is not carried
+    const double expected = min_of_all(*plain, none, 0, maximum, alpha.value_or(0));
     ++compared.all;
     if (!found.proved) ++compared.open;
     if (expected == -infinity) {
@@ -239,23 +239,23 @@ void expect_proved(const LossAnswer& found, double factor) {
 // enumeration of all losses.
 TEST(Loss, HasTheFactorsOfGrids) {
   const auto small = grid(4);
-  EXPECT_NEAR(answer_of(small, {.most = 1}).nominal, 27.611514259139085, 1e-8);
-  expect_proved(answer_of(small, {.most = 1}), 17.644995211179335);
-  expect_proved(answer_of(small, {.most = 2}), 8.822497605589668);
+  EXPECT_NEAR(answer_of(small, {.maximum = 1}).nominal, 27.611514259139085, 1e-8);
+  expect_proved(answer_of(small, {.maximum = 1}), 17.644995211179335);
+  expect_proved(answer_of(small, {.maximum = 2}), 8.822497605589668);
   const auto kept = at_loads(small);
-  EXPECT_EQ(answer_of(small, {.most = 1, .kept = kept}).eligible, 50);
-  expect_proved(answer_of(small, {.most = 1, .kept = kept}), 23.2561040487847);
-  expect_proved(answer_of(small, {.most = 2, .kept = kept}), 18.900693838430296);
-  expect_proved(answer_of(small, {.most = 3, .kept = kept}), 15.356390040961939);
+  EXPECT_EQ(answer_of(small, {.maximum = 1, .kept = kept}).eligible, 50);
+  expect_proved(answer_of(small, {.maximum = 1, .kept = kept}), 23.2561040487847);
+  expect_proved(answer_of(small, {.maximum = 2, .kept = kept}), 18.900693838430296);
+  expect_proved(answer_of(small, {.maximum = 3, .kept = kept}), 15.356390040961939);
   const auto large = grid(6);
-  expect_proved(answer_of(large, {.most = 2}), 8.822497605589668);
-  expect_proved(answer_of(large, {.most = 2, .kept = at_loads(large)}), 17.005020946149298);
+  expect_proved(answer_of(large, {.maximum = 2}), 8.822497605589668);
+  expect_proved(answer_of(large, {.maximum = 2, .kept = at_loads(large)}), 17.005020946149298);
   if (std::getenv("KUSABI_LARGE") == nullptr) return;  // NOLINT(concurrency-mt-unsafe)
-  for (const auto& [bays, most, factor] :
+  for (const auto& [bays, maximum, factor] :
        {std::tuple(6, 3, 14.794138), {8, 2, 16.1627}, {8, 3, 14.5659}}) {
     const auto truss = grid(bays);
-    const auto found = answer_of(truss, {.most = most, .kept = at_loads(truss)});
-    std::cerr << bays << ' ' << most << ' ' << found.ends.lower << ' ' << found.ends.upper << ' '
+    const auto found = answer_of(truss, {.maximum = maximum, .kept = at_loads(truss)});
+    std::cerr << bays << ' ' << maximum << ' ' << found.ends.lower << ' ' << found.ends.upper << ' '
               << found.counts.rounds << " rounds " << found.counts.nodes << " nodes "
               << found.counts.states << " states " << found.counts.programs << " programs "
               << found.proved << '\n';
@@ -264,7 +264,7 @@ TEST(Loss, HasTheFactorsOfGrids) {
 }
 
 TEST(Loss, ReportsLossesThatLeaveNoFactor) {
-  const auto found = answer_of(grid(4), {.most = 3});
+  const auto found = answer_of(grid(4), {.maximum = 3});
   EXPECT_TRUE(found.is_fatal());
   EXPECT_TRUE(found.proved);
   EXPECT_FALSE(found.collapse);
@@ -274,10 +274,10 @@ TEST(Loss, ReportsLossesThatLeaveNoFactor) {
 
 TEST(Loss, DecidesATarget) {
   const auto truss = grid(4);
-  const auto reached = answer_of(truss, {.most = 2, .at_least = 8.8});
+  const auto reached = answer_of(truss, {.maximum = 2, .at_least = 8.8});
   EXPECT_EQ(reached.reaches_target, true);
   EXPECT_TRUE(reached.proved);
-  const auto missed = answer_of(truss, {.most = 2, .at_least = 8.9});
+  const auto missed = answer_of(truss, {.maximum = 2, .at_least = 8.9});
   EXPECT_EQ(missed.reaches_target, false);
   EXPECT_TRUE(missed.proved);
   EXPECT_LT(missed.ends.upper, 8.9);
@@ -290,7 +290,7 @@ TEST(Loss, ListsTheLossOfEachMember) {
     certain.uncertain.emplace();
     return certain;
   }());
-  const auto found = answer_of(truss, {.most = 1});
+  const auto found = answer_of(truss, {.maximum = 1});
   ASSERT_EQ(found.singles.size(), truss.members.size());
   for (const auto& single : found.singles) {
     const int i = single.member;
@@ -342,13 +342,13 @@ Structure symmetric_truss() {
 TEST(Loss, ProvesStatesThatOnlyBalanceOnAMechanism) {
   const auto truss = symmetric_truss();
   // After the loss of d and e the rafters a-b, b-c carry it; after that of a and c the hangers do.
-  for (const int most : {1, 2}) {
-    const auto found = answer_of(truss, {.most = most, .kept = {0, 1}});
-    EXPECT_TRUE(found.proved) << most;
+  for (const int maximum : {1, 2}) {
+    const auto found = answer_of(truss, {.maximum = maximum, .kept = {0, 1}});
+    EXPECT_TRUE(found.proved) << maximum;
     EXPECT_EQ(found.undecided, 0U);
   }
   // The hangers 2 and 3 are kept: without both rafters, b moves sideways without load.
-  const auto found = answer_of(truss, {.most = 2, .kept = {2, 3}});
+  const auto found = answer_of(truss, {.maximum = 2, .kept = {2, 3}});
   EXPECT_TRUE(found.proved);
   EXPECT_NEAR(found.ends.upper, 10 - 0.7, 1e-6);
 }
@@ -383,11 +383,11 @@ TEST(Loss, CoversAllLossesOrNamesOneThatItDoesNot) {
     for (int i = 0; i < members; ++i) {
       if (bits() % 4 == 0) kept.insert(i);
     }
-    const int most = 1 + static_cast<int>(bits() % 3);
-    const verify::LossCover cover(supports, kept, most);
-    ASSERT_EQ(!cover.flaw(), covers_all(supports, kept, members, {}, 0, most)) << trial;
+    const int maximum = 1 + static_cast<int>(bits() % 3);
+    const verify::LossCover cover(supports, kept, maximum);
+    ASSERT_EQ(!cover.flaw(), covers_all(supports, kept, members, {}, 0, maximum)) << trial;
     if (cover.flaw()) {
-      EXPECT_LE(cover.flaw()->size(), most);
+      EXPECT_LE(cover.flaw()->size(), maximum);
       EXPECT_FALSE(cover.flaw()->meets(kept));
       for (const auto& each : supports) EXPECT_TRUE(each.meets(*cover.flaw()));
       continue;
@@ -395,14 +395,14 @@ TEST(Loss, CoversAllLossesOrNamesOneThatItDoesNot) {
     ++covered;
     std::vector<support::IndexSet> needed;
     for (const auto k : cover.needed()) needed.push_back(supports[k]);
-    EXPECT_TRUE(covers_all(needed, kept, members, {}, 0, most)) << trial;
+    EXPECT_TRUE(covers_all(needed, kept, members, {}, 0, maximum)) << trial;
   }
   EXPECT_GT(covered, 200);
 }
 
 TEST(Loss, HasACertificateThatForgeriesDoNotPass) {
   const auto truss = grid(3);
-  const auto found = answer_of(truss, {.most = 2, .kept = at_loads(truss)});
+  const auto found = answer_of(truss, {.maximum = 2, .kept = at_loads(truss)});
   ASSERT_TRUE(found.statement && found.proved);
   const auto text = verify::loss_certificate_text(std::span(&*found.statement, 1));
   const auto read = verify::read_loss_certificate(text, "file");
@@ -419,7 +419,7 @@ TEST(Loss, HasACertificateThatForgeriesDoNotPass) {
   };
   const auto refused = testing::Not(testing::IsEmpty());
   EXPECT_THAT(forged([](auto& it) { it.lower = *it.lower + 1e-4; }), refused);
-  EXPECT_THAT(forged([](auto& it) { it.most = 4; }), refused);
+  EXPECT_THAT(forged([](auto& it) { it.maximum = 4; }), refused);
   EXPECT_THAT(forged([](auto& it) { it.kept.clear(); }), refused);
   EXPECT_THAT(forged([](auto& it) { it.states.pop_back(); }), refused);
   EXPECT_THAT(forged([](auto& it) { it.states.clear(); }), refused);

@@ -111,17 +111,17 @@ std::optional<double> PlainTruss::factor(const Eigen::VectorXd& zeta) const {
   return Program(*this, dead + uncertain * zeta).optimum();
 }
 
-std::optional<double> PlainTruss::least_of_all_corners(double alpha) const {
+std::optional<double> PlainTruss::min_over_corners(double alpha) const {
   const auto m = static_cast<unsigned>(uncertain.cols());
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (unsigned corner = 0; corner < 1U << m; ++corner) {
     Eigen::VectorXd zeta(m);
     for (unsigned j = 0; j < m; ++j) zeta(j) = ((corner >> j) & 1U) != 0 ? alpha : -alpha;
     const auto here = factor(zeta);
     if (!here) return {};
-    least = std::min(least, *here);
+    minimum = std::min(minimum, *here);
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace kusabi::limit::test

@@ -24,7 +24,7 @@ struct PlainTruss {
   /// max { lambda : B q = f_D + T zeta + lambda f_R, -q^c <= q <= q^t }; nothing if there is no q.
   [[nodiscard]] std::optional<double> factor(const Eigen::VectorXd& zeta) const;
   /// The least over all vertices of the box; nothing if a vertex has no factor.
-  [[nodiscard]] std::optional<double> least_of_all_corners(double alpha) const;
+  [[nodiscard]] std::optional<double> min_over_corners(double alpha) const;
 };
 
 }  // namespace kusabi::limit::test

@@ -112,9 +112,9 @@ TEST(AffineProjection, IsTheNearestPointInItsMetric) {
 }
 
 // The square of the change of a row that limits the sum of its positive numbers.
-double squared_cut(const ColumnBlocks& z, int row, double sign, double most) {
+double squared_cut(const ColumnBlocks& z, int row, double sign, double maximum) {
   const auto over = [&](double threshold) {
-    double sum = -std::max(0.0, most);
+    double sum = -std::max(0.0, maximum);
     for (int j = 1; j < columns; ++j) sum += std::max(0.0, sign * z.at(row, j) - threshold);
     return sum;
   };
@@ -314,7 +314,7 @@ std::optional<double> greatest_least_factor(problems::Structure truss, double al
   for (auto& load : truss.loads) {
     if (load.kind == problems::Load::Kind::reference) load.force *= -1;
   }
-  const auto opposite = PlainTruss(truss).least_of_all_corners(alpha);
+  const auto opposite = PlainTruss(truss).min_over_corners(alpha);
   return opposite ? std::optional(-*opposite) : std::nullopt;
 }
 
@@ -328,22 +328,22 @@ TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
     const auto found = findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_TRUE(found.answer.whole());
     if (!found.answer.worst) continue;
-    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
-    if (!least) {
+    const auto minimum = PlainTruss(truss).min_over_corners(alpha);
+    if (!minimum) {
       EXPECT_EQ(found.answer.worst->status, RootStatus::not_carried);
       continue;
     }
     ++compared;
-    EXPECT_NEAR(found.answer.worst->ends.upper, *least, test::near);
-    EXPECT_NEAR(found.answer.worst->ends.lower, *least, test::near);
+    EXPECT_NEAR(found.answer.worst->ends.upper, *minimum, test::near);
+    EXPECT_NEAR(found.answer.worst->ends.lower, *minimum, test::near);
     ASSERT_FALSE(found.statements.empty());
     EXPECT_EQ(shown(found.statements.front().evidence, truss).why, "");
     const double from = greatest_least_factor(truss, alpha).value();
     const auto interval = guaranteed_interval(found.answer);
-    EXPECT_LE(interval.least.lower, from + test::near);
-    EXPECT_GE(interval.least.upper, from - test::near);
-    if (std::abs(from - *least) < test::near) continue;
-    EXPECT_EQ(interval.is_empty(), from > *least);
+    EXPECT_LE(interval.minimum.lower, from + test::near);
+    EXPECT_GE(interval.minimum.upper, from - test::near);
+    if (std::abs(from - *minimum) < test::near) continue;
+    EXPECT_EQ(interval.is_empty(), from > *minimum);
     ASSERT_EQ(found.statements.size(), 2U);
     if (!found.statements.back().evidence.nodes.empty()) continue;
     ++empty;
@@ -359,8 +359,8 @@ TEST(Splitting, LeavesTrueGapsToTheTree) {
     const auto [truss, alpha] = test::correlated_truss(seed);
     const auto found = findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_GT(found.answer.worst->nodes, 1U);
-    EXPECT_NEAR(found.answer.worst->ends.upper,
-                PlainTruss(truss).least_of_all_corners(alpha).value(), test::near);
+    EXPECT_NEAR(found.answer.worst->ends.upper, PlainTruss(truss).min_over_corners(alpha).value(),
+                test::near);
     EXPECT_FALSE(found.statements.empty());
   }
 }

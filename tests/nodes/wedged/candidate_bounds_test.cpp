@@ -28,7 +28,7 @@ namespace {
 using problems::WedgedProblem;
 
 // Candidates of the largest problems.
-constexpr int most_candidates = test::thorough ? 8 : 7;
+constexpr int max_candidates = test::thorough ? 8 : 7;
 
 /// Number of comparisons with bounds, and of nontrivial bounds.
 struct Compared {
@@ -186,7 +186,7 @@ class CandidateBoundsIn : public ::testing::TestWithParam<int> {};
 
 TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomMatrices) {
   Compared compared;
-  for (int m = 5; m <= most_candidates; ++m)
+  for (int m = 5; m <= max_candidates; ++m)
     for (const double mu : {0.6, 1.2, 3.0})
       compare(random_problem(GetParam(), m, static_cast<std::uint64_t>(m)), mu, compared);
   expect_something(compared);
@@ -195,7 +195,7 @@ TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomMatrices) {
 TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomTrusses) {
   std::mt19937_64 generator(5);
   Compared compared;
-  for (int m = 5; m <= most_candidates; ++m)
+  for (int m = 5; m <= max_candidates; ++m)
     for (const double mu : {0.5, 1.0, 2.0}) {
       const auto made = testing::random_problem(
           {.dimension = GetParam(), .candidates = m, .free_nodes = m + 2}, generator);
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Dimension, CandidateBoundsIn, ::testing::Values(2, 3));
 // In the plane a number is largest at a ray, and rays are found without cone programs.
 TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
   Compared compared;
-  for (int m = 5; m <= most_candidates; ++m)
+  for (int m = 5; m <= max_candidates; ++m)
     for (const double mu : {0.6, 1.2, 3.0}) {
       const auto problem = random_problem(2, m, 100 + static_cast<std::uint64_t>(m));
       const std::vector<double> friction(static_cast<std::size_t>(m), mu);
@@ -238,7 +238,8 @@ TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
 
 bool same(const ProvedBound& first, const ProvedBound& second) {
   return first.block == second.block && first.candidate == second.candidate &&
-         first.side == second.side && first.most == second.most && first.numbers == second.numbers;
+         first.side == second.side && first.maximum == second.maximum &&
+         first.numbers == second.numbers;
 }
 
 // The ranks of a search: each has its own bounds, solves some of the programs of a group in its own

@@ -72,10 +72,10 @@ struct Found {
   std::uint64_t programs = 0;
 };
 
-Found all_cells(const problems::WedgedProblem& problem, double most, CriticalMethod method,
+Found all_cells(const problems::WedgedProblem& problem, double maximum, CriticalMethod method,
                 std::int64_t sections = 1) {
-  const auto patterns = feasible(problem, most);
-  CriticalPatternTree tree(problem, width, patterns, multiple(most), method, sections);
+  const auto patterns = feasible(problem, maximum);
+  CriticalPatternTree tree(problem, width, patterns, multiple(maximum), method, sections);
   Found found;
   for (const auto& solution : engine::search(tree).solutions) {
     const auto& [number, cell] = solution.solution;
@@ -108,8 +108,8 @@ void expect_same(const Found& a, const Found& b) {
 constexpr double none = std::numeric_limits<double>::infinity();
 
 // @param doubt coefficient from which on a leaf is undecided
-CriticalCell least(const problems::WedgedProblem& problem, double most, double doubt = none) {
-  CriticalTree tree(problem, width, multiple(most));
+CriticalCell minimum(const problems::WedgedProblem& problem, double maximum, double doubt = none) {
+  CriticalTree tree(problem, width, multiple(maximum));
   engine::Options options;
   options.goal = engine::Goal::best;
   options.order = engine::Order::best_first;
@@ -118,7 +118,7 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   const auto cell = outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
 
   // The downward search has the same result, with other programs in another order.
-  CriticalTree down(problem, width, multiple(most), CriticalDirection::down);
+  CriticalTree down(problem, width, multiple(maximum), CriticalDirection::down);
   options.order = engine::Order::depth_first;
   const auto again = engine::search(down, options);
   const auto other = again.solutions.empty() ? CriticalCell{} : again.solutions[0].solution.cell;
@@ -154,18 +154,18 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
 TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
   const auto structure =
       problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml");
-  const auto found = [&](CriticalStrategy strategy, double factor, std::optional<double> most) {
+  const auto found = [&](CriticalStrategy strategy, double factor, std::optional<double> maximum) {
     auto problem = problems::wedged_problem(structure);
     problem.friction.assign(problem.contact_names.size(), 0.470279645 / factor);
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
     return find_critical_friction(analysis, structure, problem,
-                                  {.strategy = strategy, .most = most, .width = 1e-6});
+                                  {.strategy = strategy, .maximum = maximum, .width = 1e-6});
   };
   for (const double factor : {0.9, 0.9985, 0.99999, 1.00001, 3.99, 4.01}) {
-    for (const auto most : {std::optional<double>(), std::optional(factor * 1.002)}) {
-      const auto down = found(CriticalStrategy::descent, factor, most);
-      const auto up = found(CriticalStrategy::global, factor, most);
+    for (const auto maximum : {std::optional<double>(), std::optional(factor * 1.002)}) {
+      const auto down = found(CriticalStrategy::descent, factor, maximum);
+      const auto up = found(CriticalStrategy::global, factor, maximum);
       EXPECT_EQ(down.lower, up.lower) << factor;
       EXPECT_EQ(down.upper, up.upper) << factor;
       EXPECT_NEAR(down.lower, factor, 2e-6 * factor);
@@ -200,10 +200,10 @@ struct Trials {
 };
 
 /// Compares the answers, unless a leaf is degenerate, where brackets may differ.
-void compare_trials(const problems::Structure& structure, std::optional<double> most,
+void compare_trials(const problems::Structure& structure, std::optional<double> maximum,
                     Trials& trials) {
   CriticalParameters parameters{
-      .strategy = CriticalStrategy::global, .most = most, .width = 1e-6, .list = true};
+      .strategy = CriticalStrategy::global, .maximum = maximum, .width = 1e-6, .list = true};
   const auto up = found_of(structure, parameters);
   parameters.strategy = CriticalStrategy::descent;
   const auto down = found_of(structure, parameters);
@@ -216,7 +216,7 @@ void compare_trials(const problems::Structure& structure, std::optional<double> 
     const auto either = found_of(structure, parameters);
     expect_same_answer(either, up);
     // With a given upper limit, feasibility there is tested first.
-    EXPECT_EQ(either.costs.front().phase, most ? CriticalPhase::dive : CriticalPhase::trial);
+    EXPECT_EQ(either.costs.front().phase, maximum ? CriticalPhase::dive : CriticalPhase::trial);
     const bool descended = std::ranges::any_of(either.costs, [](const auto& cost) {
       return cost.phase == CriticalPhase::coarse || cost.phase == CriticalPhase::fine;
     });
@@ -232,8 +232,8 @@ TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
     SCOPED_TRACE(seed);
     const auto structure = random_structure(2 + static_cast<int>(seed % 2), seed);
     try {
-      for (const auto most : {std::optional<double>(), std::optional(0.7), std::optional(20.0)})
-        compare_trials(structure, most, trials);
+      for (const auto maximum : {std::optional<double>(), std::optional(0.7), std::optional(20.0)})
+        compare_trials(structure, maximum, trials);
     } catch (const support::InputError&) {  // a mechanism
       continue;
     }
@@ -373,7 +373,7 @@ TEST(CriticalFriction, MoreNodesNeverKnowLess) {
 TEST(CriticalFriction, OfTheTwoBarsIsTwo) {
   // r_t = 2 r_n, see docs/problem-files.md. The grid has a point there, which is undecided.
   const auto cell =
-      least(example("two-bars.toml"), 10, width * static_cast<double>(multiple(2) - 1));
+      minimum(example("two-bars.toml"), 10, width * static_cast<double>(multiple(2) - 1));
   EXPECT_LT(cell.infeasible, multiple(2));
   EXPECT_GT(cell.feasible, multiple(2));
   EXPECT_LE(cell.feasible - cell.infeasible, 2);
@@ -400,7 +400,7 @@ TEST(CriticalFriction, OfThePlaneTrussIsThatOfTheReference) {
 
 // Table 1 of the wedged paper has four decimals.
 TEST(CriticalFriction, OfThePapersElasticBodyIsAsPrinted) {
-  const auto cell = least(example("paper/elastic-body.toml"), 10);
+  const auto cell = minimum(example("paper/elastic-body.toml"), 10);
   const double printed = reference("paper-elastic-body.json")["critical"];
   EXPECT_NEAR(width * static_cast<double>(cell.feasible), printed, 0.5e-4);
 }
@@ -419,7 +419,7 @@ TEST(CriticalFriction, TheGlobalSearchFindsTheLeastOfAllPatterns) {
     const auto all = all_cells(problem, 1.0, CriticalMethod::bisection);
     std::int64_t smallest = CriticalCell::nowhere;
     for (const auto& [contact, cell] : all.cells) smallest = std::min(smallest, cell.feasible);
-    const auto cell = least(problem, 1000);
+    const auto cell = minimum(problem, 1000);
     EXPECT_EQ(cell.feasible, smallest) << name;
     EXPECT_TRUE(narrow(cell));
   }
@@ -437,7 +437,7 @@ TEST(CriticalFriction, AllMethodsAgreeOnRandomProblems) {
     std::int64_t smallest = CriticalCell::nowhere;
     for (const auto& [contact, cell] : bisection.cells)
       smallest = std::min(smallest, cell.feasible);
-    EXPECT_EQ(least(problem, 4.0).feasible, smallest) << seed;
+    EXPECT_EQ(minimum(problem, 4.0).feasible, smallest) << seed;
   }
   EXPECT_GT(patterns, 40U);
 }
@@ -464,9 +464,9 @@ TEST(CriticalFriction, FeasibilityIsMonotoneInFriction) {
 
 TEST(CriticalFriction, IsTheFactorOfTheCandidatesOwn) {
   auto problem = example("space-truss.toml");
-  const auto cell = least(problem, 1);
+  const auto cell = minimum(problem, 1);
   for (double& own : problem.friction) own = 2;
-  const auto half = least(problem, 1);
+  const auto half = minimum(problem, 1);
   EXPECT_NEAR(static_cast<double>(half.feasible), 0.5 * static_cast<double>(cell.feasible), 1);
 }
 
@@ -481,7 +481,7 @@ TEST(CriticalFriction, AnyNumberOfSectionsFindsTheSame) {
 
 TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
   const auto problem = example("space-truss.toml");
-  const auto alone = least(problem, 10);
+  const auto alone = minimum(problem, 10);
   engine::Options options;
   options.goal = engine::Goal::best;
   options.order = engine::Order::best_first;
@@ -503,15 +503,15 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
                          .separated = set_of({0, 1, 2, 3, 13}),
                          .inactive = {}};
   CriticalFriction critical(problem, width);
-  const double most = 0.65;
+  const double maximum = 0.65;
   const auto cell =
-      critical.locate(leaf, {0, multiple(most)}, CriticalMethod::newton, multiple(most));
+      critical.locate(leaf, {0, multiple(maximum)}, CriticalMethod::newton, multiple(maximum));
   EXPECT_EQ(cell.feasible - cell.infeasible, 1);
   const double lives = critical.at(cell.feasible);
   EXPECT_NEAR(lives, 0.62661802, 1e-7);
   int degenerate = 0;
   for (int k = 0; k < 1000; ++k) {
-    const auto said = critical.probe(leaf, lives + (most - lives) * k / 1000);
+    const auto said = critical.probe(leaf, lives + (maximum - lives) * k / 1000);
     EXPECT_LE(said.infeasible_below, lives) << k;
     if (said.degenerate) ++degenerate;
   }
@@ -521,7 +521,7 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
 // About six programs for each pattern, also where a flat cone comes first, and where no feasible
 // coefficient is known: bisection takes 27.
 TEST(CriticalFriction, TakesFewProgramsAPattern) {
-  for (const auto& [rows, most] : {std::pair{13, 6.5}, {15, 7.7}}) {
+  for (const auto& [rows, maximum] : {std::pair{13, 6.5}, {15, 7.7}}) {
     const auto problem = problems::wedged_problem(checked(problems::paper_plane_truss(rows)));
     const auto patterns = feasible(problem, 0.65);
     for (const auto start : {multiple(0.65), CriticalCell::nowhere}) {
@@ -531,9 +531,9 @@ TEST(CriticalFriction, TakesFewProgramsAPattern) {
                                           multiple(0.65));
         EXPECT_TRUE(narrow(cell));
       }
-      EXPECT_LE(
-          static_cast<double>(critical.programs()),
-          (most + (start == CriticalCell::nowhere ? 1 : 0)) * static_cast<double>(patterns.size()))
+      EXPECT_LE(static_cast<double>(critical.programs()),
+                (maximum + (start == CriticalCell::nowhere ? 1 : 0)) *
+                    static_cast<double>(patterns.size()))
           << rows;
     }
   }
@@ -556,7 +556,7 @@ TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
 }
 
 TEST(CriticalFriction, NothingBelowABoundIsAnAnswer) {
-  EXPECT_EQ(least(example("space-truss.toml"), 0.47), CriticalCell{});
+  EXPECT_EQ(minimum(example("space-truss.toml"), 0.47), CriticalCell{});
 }
 
 }  // namespace

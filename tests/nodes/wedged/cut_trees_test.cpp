@@ -338,16 +338,16 @@ TEST(CutTrees, HaveNoBoundsThatTheVerifierRefuses) {
 
 /// The largest reaction or gap of a candidate over all configurations found on its side.
 double largest(const Searched& own, const ProvedBound& bound) {
-  double most = 0;
+  double maximum = 0;
   const auto d = static_cast<std::size_t>(own.problem.dimension);
   const auto at = d * static_cast<std::size_t>(bound.candidate);  // a single block
   const bool touches = bound.side == Side::contact;
   for (const auto& leaf : own.findings.leaves) {
     const auto& side = touches ? leaf.pattern.contact : leaf.pattern.separated;
     if (!is_open(leaf) && side.contains(bound.candidate))
-      most = std::max(most, touches ? leaf.reaction[at] : leaf.displacement[at]);
+      maximum = std::max(maximum, touches ? leaf.reaction[at] : leaf.displacement[at]);
   }
-  return most;
+  return maximum;
 }
 
 verify::CandidateBound as_written(const ProvedBound& bound) {
@@ -355,7 +355,7 @@ verify::CandidateBound as_written(const ProvedBound& bound) {
           .block = bound.block,
           .candidate = bound.candidate,
           .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
-          .most = bound.excludes_side() ? std::nullopt : std::optional(bound.most),
+          .maximum = bound.excludes_side() ? std::nullopt : std::optional(bound.maximum),
           .numbers = bound.numbers};
 }
 
@@ -365,18 +365,18 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
     const Searched own(structure, mu);
     ASSERT_EQ(own.findings.blocks.size(), 1U);
     verify::Proof proof = own.proof();
-    ASSERT_TRUE(proof.least_eigenvalue());
+    ASSERT_TRUE(proof.min_eigenvalue());
     int refused = 0;
     for (const auto& bound : own.findings.bounds) {
-      const double most = largest(own, bound);
+      const double maximum = largest(own, bound);
       if (bound.excludes_side()) {
-        EXPECT_EQ(most, 0) << bound.candidate;
-      } else if (most > 1e-9 * bound.most) {
+        EXPECT_EQ(maximum, 0) << bound.candidate;
+      } else if (maximum > 1e-9 * bound.maximum) {
         auto low = as_written(bound);
-        low.most = most * (1 - 1e-9);
+        low.maximum = maximum * (1 - 1e-9);
         EXPECT_TRUE(proof.add_bound(low)) << bound.candidate;
         auto never = as_written(bound);
-        never.most.reset();
+        never.maximum.reset();
         never.numbers.pop_back();
         EXPECT_TRUE(proof.add_bound(never)) << bound.candidate;
         ++refused;
@@ -401,13 +401,13 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
       if (own.findings.blocks.size() > 1) continue;
       verify::Proof proof = own.proof();
       for (const auto& bound : own.findings.bounds) {
-        const double most = largest(own, bound);
-        if (most > 1e-9) {
+        const double maximum = largest(own, bound);
+        if (maximum > 1e-9) {
           ASSERT_FALSE(bound.excludes_side());
           auto low = as_written(bound);
-          low.most = most * (1 - 1e-9);
+          low.maximum = maximum * (1 - 1e-9);
           EXPECT_TRUE(proof.add_bound(low));
-          low.most.reset();
+          low.maximum.reset();
           low.numbers.pop_back();
           EXPECT_TRUE(proof.add_bound(low));
           ++refused;
@@ -431,10 +431,10 @@ TEST(CutTrees, HaveEvidenceThatFallsWithItsBounds) {
     const auto low = std::ranges::find_if(
         bounds.begin() + static_cast<std::ptrdiff_t>(own.friction.size()), bounds.end(),
         [&](const ProvedBound& bound) {
-          return !bound.excludes_side() && largest(own, bound) > 1e-9 * bound.most;
+          return !bound.excludes_side() && largest(own, bound) > 1e-9 * bound.maximum;
         });
     ASSERT_NE(low, bounds.end());
-    low->most = largest(own, *low) / 2;
+    low->maximum = largest(own, *low) / 2;
     const EvidenceCheck check(own.problem, own.enclosed, own.friction, bounds);
     std::size_t refused = 0;
     for (const auto& one : own.evidence) {

@@ -77,7 +77,7 @@ TEST(ExactList, HoldsCountsOfASweepAgainstIt) {
   engine::Analysis analysis(transport, {});
   const auto structure = structure_in("examples/plane-truss.toml");
   const auto problem = problems::wedged_problem(structure);
-  auto found = sweep_friction(analysis, problem, {.most = 0.8});
+  auto found = sweep_friction(analysis, problem, {.maximum = 0.8});
   const std::vector<double> points{0.5};
   const ExactParameters parameters{structure, problem, Proving::always};
   EXPECT_EQ(tested_counts(analysis, parameters, points, found).unable, "");

@@ -196,7 +196,7 @@ TEST(HoldingFriction, IsThatFromWhichOnSomePatternHoldsTheDeadLoad) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
-    const auto found = holding_friction(analysis, *loaded, {.most = 100});
+    const auto found = holding_friction(analysis, *loaded, {.maximum = 100});
     const auto holds = [&](double mu) {
       return std::ranges::any_of(by_all_patterns(*loaded, mu), [](const Interval& each) {
         return each.first <= 0 && each.second >= 0;

@@ -64,7 +64,7 @@ TEST(MarginCurve, GoesDownFromATie) {
   MarginCurve curve(1e-8);
   curve.add(0.8, 0.1, 0.7);
   curve.add_degenerate(0.7);
-  EXPECT_EQ(curve.least_degenerate(), 0.7);
+  EXPECT_EQ(curve.min_degenerate(), 0.7);
   const auto estimate = curve.next(0.1, 0.7);
   EXPECT_LT(estimate.factor, 0.7);
   EXPECT_GE(estimate.factor, 0.1);

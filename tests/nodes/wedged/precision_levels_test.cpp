@@ -95,8 +95,8 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
 }
 
 template <int D>
-Count expect_all_decided(double contrast, double least, double most, double tolerance, int problems,
-                         unsigned seed) {
+Count expect_all_decided(double contrast, double minimum, double maximum, double tolerance,
+                         int problems, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::uniform_real_distribution<double> share(0, 1);
   Count count;
@@ -106,8 +106,8 @@ Count expect_all_decided(double contrast, double least, double most, double tole
                                   .free_nodes = 2 + i % 4 + i % 3,
                                   .contrast = contrast,
                                   .density = 0.4 + 0.1 * (i % 7)};
-    expect_decided<D>(kind, least * std::pow(most / least, share(generator)), tolerance, count,
-                      generator);
+    expect_decided<D>(kind, minimum * std::pow(maximum / minimum, share(generator)), tolerance,
+                      count, generator);
   }
   return count;
 }

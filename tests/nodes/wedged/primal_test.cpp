@@ -25,8 +25,9 @@ namespace {
 using support::IndexSet;
 
 // In the plane a reaction is a sum of two along the edges of its cone.
-double least_by_simplex(const Eigen::MatrixXd& compliance, double mu, const Eigen::VectorXd& gap,
-                        const Eigen::VectorXd& reaction, const Eigen::MatrixXd& motions) {
+double min_friction_by_simplex(const Eigen::MatrixXd& compliance, double mu,
+                               const Eigen::VectorXd& gap, const Eigen::VectorXd& reaction,
+                               const Eigen::MatrixXd& motions) {
   const auto m = static_cast<int>(gap.size());
   linear::LinearProgram program;
   std::vector<linear::LinearTerm> sum;
@@ -88,15 +89,15 @@ TEST(WeightedRelaxation, IsTheLeastThatTheSimplexMethodFinds) {
       gap[i] = i % 2 == 0 ? uniform() : 0;
       reaction[i] = i % 2 == 0 ? 0 : uniform();
     }
-    const double least = least_by_simplex(compliance, mu, gap, reaction, motions);
+    const double minimum = min_friction_by_simplex(compliance, mu, gap, reaction, motions);
     conic::WeightedRelaxation<2> relaxation(compliance,
                                             conic::ordered_motions<2, double>(motions, 0));
     const auto point = relaxation.minimise(std::vector<double>(m, mu), gap, reaction);
-    ASSERT_EQ(point.has_value(), std::isfinite(least)) << seed;
+    ASSERT_EQ(point.has_value(), std::isfinite(minimum)) << seed;
     if (!point) continue;
     ++compared;
     EXPECT_NEAR(point->reaction.sum(), 1, 1e-6) << seed;
-    EXPECT_NEAR(gap.dot(point->gap) + reaction.dot(point->reaction), least, 1e-6) << seed;
+    EXPECT_NEAR(gap.dot(point->gap) + reaction.dot(point->reaction), minimum, 1e-6) << seed;
   }
   EXPECT_GT(compared, 10);
 }
@@ -105,7 +106,7 @@ PrimalPattern found_in(const problems::WedgedProblem& problem, double infeasible
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   return search_primal(analysis, problem,
-                       {.infeasible = infeasible, .most = 1000, .enough = 0, .known = {}})
+                       {.infeasible = infeasible, .maximum = 1000, .enough = 0, .known = {}})
       .best;
 }
 
@@ -141,8 +142,9 @@ TEST(PrimalSearch, EndsWithTheFirstPatternThatIsEnough) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   const double enough = 2 * best.factor;
-  const auto whole = search_primal(analysis, problem, {.most = 1000, .enough = 0, .known = {}});
-  const auto part = search_primal(analysis, problem, {.most = 1000, .enough = enough, .known = {}});
+  const auto whole = search_primal(analysis, problem, {.maximum = 1000, .enough = 0, .known = {}});
+  const auto part =
+      search_primal(analysis, problem, {.maximum = 1000, .enough = enough, .known = {}});
   EXPECT_LE(part.best.factor, enough);
   EXPECT_LT(part.programs, whole.programs);
 }

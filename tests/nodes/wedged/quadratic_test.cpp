@@ -37,7 +37,7 @@ problems::WedgedProblem small_problem(int dimension, int candidates, std::uint64
 }
 
 QuadraticBound bound_of(const problems::WedgedProblem& problem) {
-  return quadratic_bound(problem, {.enough = 0, .most = 1000});
+  return quadratic_bound(problem, {.enough = 0, .maximum = 1000});
 }
 
 bool sticks(const problems::WedgedProblem& problem, double factor) {
@@ -62,7 +62,7 @@ TEST(QuadraticBound, IsBelowAllLeavesOfSmallProblems) {
 
 TEST(QuadraticBound, IsThatOfTheFirstMultipliersWithoutRounds) {
   const auto problem = small_problem(3, 7, 3);
-  const auto first = quadratic_bound(problem, {.enough = 0, .most = 1000, .rounds = 0});
+  const auto first = quadratic_bound(problem, {.enough = 0, .maximum = 1000, .rounds = 0});
   EXPECT_GT(first.factor, 0);
   EXPECT_EQ(first.evaluations, 0);
   EXPECT_LT(first.factor, bound_of(problem).factor);
@@ -71,8 +71,8 @@ TEST(QuadraticBound, IsThatOfTheFirstMultipliersWithoutRounds) {
 // A larger coefficient is not asked for, and this one is met exactly.
 TEST(QuadraticBound, EndsAtTheLargestCoefficientAskedFor) {
   const auto problem = small_problem(3, 7, 3);
-  const double most = bound_of(problem).factor / 2;
-  EXPECT_EQ(quadratic_bound(problem, {.enough = 0, .most = most}).factor, most);
+  const double maximum = bound_of(problem).factor / 2;
+  EXPECT_EQ(quadratic_bound(problem, {.enough = 0, .maximum = maximum}).factor, maximum);
 }
 
 // With one candidate the form is that of its only leaf: mu = F_nn / |F_nt|.

@@ -46,12 +46,12 @@ std::vector<Configuration> leaves_of(problems::WedgedProblem problem, double mu)
   return maximal_cones(std::move(leaves));
 }
 
-/// @param least of t*  @param open counts undecided leaves
-Contacts feasible(const problems::WedgedProblem& problem, double mu, double least, int& open) {
+/// @param minimum of t*  @param open counts undecided leaves
+Contacts feasible(const problems::WedgedProblem& problem, double mu, double minimum, int& open) {
   Contacts result;
   for (const auto& leaf : leaves_of(problem, mu)) {
     open += leaf.state != LeafState::feasible && leaf.state != LeafState::flat;
-    if (leaf.state == LeafState::feasible && leaf.lower > least)
+    if (leaf.state == LeafState::feasible && leaf.lower > minimum)
       result.insert(leaf.pattern.contact);
   }
   return result;
@@ -83,9 +83,9 @@ std::optional<double> margin(const Eigen::MatrixXd& f, const support::IndexSet& 
   std::vector<int> columns;  // r_n, r_t of each candidate
   std::vector<linear::LinearTerm> sum;
   for (int i = 0; i < m; ++i) {
-    const double most = contact.contains(i) ? free : 0;
-    columns.push_back(program.add_column({0, 0, most}));
-    columns.push_back(program.add_column({0, -most, most}));
+    const double maximum = contact.contains(i) ? free : 0;
+    columns.push_back(program.add_column({0, 0, maximum}));
+    columns.push_back(program.add_column({0, -maximum, maximum}));
     sum.push_back({columns[static_cast<std::size_t>(2 * i)], 1});
   }
   program.add_row({1, 1}, sum);
@@ -130,11 +130,11 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
       const auto found = feasible(problems::wedged_problem(checked(structure)), mu, 0, open);
       for (std::uint64_t ones = 1; ones < std::uint64_t{1} << static_cast<unsigned>(m); ++ones) {
         const support::IndexSet contact = ones;
-        const double most = margin(f, contact, mu).value_or(-1);
-        if (std::abs(most) <= accuracy) continue;
-        EXPECT_EQ(found.contains(contact), most > 0) << mu << ' ' << most << ' ' << ones;
-        patterns += most > 0;
-        of_corners += most > 0 && contact.contains(0) && contact.contains(3);
+        const double maximum = margin(f, contact, mu).value_or(-1);
+        if (std::abs(maximum) <= accuracy) continue;
+        EXPECT_EQ(found.contains(contact), maximum > 0) << mu << ' ' << maximum << ' ' << ones;
+        patterns += maximum > 0;
+        of_corners += maximum > 0 && contact.contains(0) && contact.contains(3);
       }
     }
   }

@@ -40,10 +40,10 @@ problems::WedgedProblem example(const std::string& name) {
   return problem_in("examples/" + name);
 }
 
-SweepFindings swept(const problems::WedgedProblem& problem, double most) {
+SweepFindings swept(const problems::WedgedProblem& problem, double maximum) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, {});
-  return sweep_friction(analysis, problem, {.most = most, .width = width});
+  return sweep_friction(analysis, problem, {.maximum = maximum, .width = width});
 }
 
 Cones maximal_at(const SweepFindings& findings, double friction) {
@@ -75,11 +75,11 @@ void expect_as_enumerated(const problems::WedgedProblem& problem, const SweepFin
 // relative interior.
 TEST(FrictionSweep, CountsNoFlatConeThatLiesInAnother) {
   const auto problem = problem_in("tests/nodes/wedged/cases/normals_in_balance.toml");
-  for (const double most : {1.70468, 2.43526, 3.65289}) {
-    const auto findings = swept(problem, most);
+  for (const double maximum : {1.70468, 2.43526, 3.65289}) {
+    const auto findings = swept(problem, maximum);
     EXPECT_TRUE(findings.answered());
-    expect_as_enumerated(problem, findings, most);
-    EXPECT_EQ(findings.count_at(most).known, 4U);
+    expect_as_enumerated(problem, findings, maximum);
+    EXPECT_EQ(findings.count_at(maximum).known, 4U);
   }
 }
 
@@ -144,7 +144,7 @@ TEST(FrictionSweep, DoesNotRoundWhereAPatternBegins) {
 
 TEST(FrictionSweep, IsTheSameOnAnyNumberOfRanks) {
   const auto problem = example("plane-truss.toml");
-  const std::int64_t most = std::llround(0.9 / width);
+  const std::int64_t maximum = std::llround(0.9 / width);
   SignPatternTree tree(problem, candidate_friction(problem, 0.9));
   std::vector<SweepTree::Leaf> leaves;
   for (const auto& found : engine::search(tree).solutions) {
@@ -160,11 +160,11 @@ TEST(FrictionSweep, IsTheSameOnAnyNumberOfRanks) {
     }
     return cells;
   };
-  SweepTree alone(problem, width, most, leaves);
+  SweepTree alone(problem, width, maximum, leaves);
   const auto expected = histories(engine::search(alone).solutions);
   EXPECT_EQ(expected.size(), leaves.size());
   for (const int ranks : {2, 5}) {
-    const auto many = engine::simulate(SweepTree(problem, width, most, leaves), ranks, 3);
+    const auto many = engine::simulate(SweepTree(problem, width, maximum, leaves), ranks, 3);
     EXPECT_EQ(histories(many.outcome.solutions), expected);
   }
 }
@@ -185,7 +185,7 @@ TEST(FrictionSweep, PutsHistoriesTogether) {
   const LeafStage solid{LeafStage::Kind::solid, {}, {}};
   SweepFindings findings;
   findings.enumerated = true;
-  findings.most = 100;
+  findings.maximum = 100;
   findings.blocks = 1;
   const SignPattern both{set_of({0, 1}), set_of({2}), {}};
   const SignPattern one{set_of({0}), set_of({1, 2}), {}};

@@ -21,7 +21,7 @@ using tests::by_brute_force;
 using tests::random_mixed;
 
 // Minimum of a form over all points: the program with the form as costs.
-std::optional<double> least_of(linear::MixedProgram mixed, const std::vector<LinearTerm>& form) {
+std::optional<double> min_of(linear::MixedProgram mixed, const std::vector<LinearTerm>& form) {
   mixed.program.constant = 0;
   for (auto& column : mixed.program.columns) column.cost = 0;
   for (const auto& [column, value] : form) {
@@ -49,9 +49,9 @@ TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
           at_point += value * point[static_cast<std::size_t>(column)];
         }
         EXPECT_LT(at_point, cut->lower);
-        const auto least = least_of(mixed, cut->terms);
-        if (least) {
-          EXPECT_GE(*least, cut->lower - 1e-8) << kind << " " << seed << " " << k;
+        const auto minimum = min_of(mixed, cut->terms);
+        if (minimum) {
+          EXPECT_GE(*minimum, cut->lower - 1e-8) << kind << " " << seed << " " << k;
         }
       }
     }
@@ -147,13 +147,13 @@ TEST(BoundTightening, RangesHoldAllPointsThatMatter) {
         objective.push_back({static_cast<int>(j), mixed.program.columns[j].cost});
       }
       mixed.program.add_row({.upper = *optimum + 1}, objective);
-      const auto least = least_of(mixed, form);
-      const auto most = least_of(mixed, {{6, -1}, {7, 2}, {0, -3}});
-      if (least) {
-        EXPECT_LE(range.lower, *least + (range.proved ? 0 : 1e-9));
+      const auto minimum = min_of(mixed, form);
+      const auto maximum = min_of(mixed, {{6, -1}, {7, 2}, {0, -3}});
+      if (minimum) {
+        EXPECT_LE(range.lower, *minimum + (range.proved ? 0 : 1e-9));
       }
-      if (most) {
-        EXPECT_GE(range.upper, -*most - (range.proved ? 0 : 1e-9));
+      if (maximum) {
+        EXPECT_GE(range.upper, -*maximum - (range.proved ? 0 : 1e-9));
       }
       if (std::isfinite(range.lower) && std::isfinite(range.upper)) ++bounded;
     }
@@ -191,11 +191,11 @@ TEST(BigMs, BecomeAsSmallAsTheyNeedToBe) {
 }
 
 // t - 1000 y <= 0 with t <= 0 does not depend on y.
-linear::MixedProgram with_an_m_for_nothing(double most) {
+linear::MixedProgram with_an_m_for_nothing(double maximum) {
   linear::MixedProgram mixed;
   auto& program = mixed.program;
   const int y = program.add_column({.cost = -3, .upper = 1});
-  const int t = program.add_column({.lower = -5, .upper = most});
+  const int t = program.add_column({.lower = -5, .upper = maximum});
   mixed.binaries = {y};
   program.add_row({.upper = 0}, {{{y, -1000}, {t, 1}}});
   return mixed;

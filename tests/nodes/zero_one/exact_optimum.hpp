@@ -56,13 +56,13 @@ class ExactSimplex {
     extra_cost.emplace_back(1);
     costs_.emplace_back(0);
     for (auto& row : entries_) row.emplace_back(1);
-    mpq_class least = 0;
+    mpq_class minimum = 0;
     costs_to_keep_ = &extra_cost;
-    extra_value_ = &least;
+    extra_value_ = &minimum;
     pivot(worst, free_.size() - 1, costs_, value_);
-    minimise(extra_cost, least, &costs_);
+    minimise(extra_cost, minimum, &costs_);
     costs_to_keep_ = nullptr;
-    if (least > 0) return false;
+    if (minimum > 0) return false;
     for (std::size_t i = 0; i < rows_; ++i) {
       if (basic_[i] != extra) continue;
       // It is zero and can be replaced by any other.
@@ -100,13 +100,13 @@ class ExactSimplex {
       }
       if (enters == free_.size()) return true;
       std::size_t leaves = rows_;
-      mpq_class least;
+      mpq_class minimum;
       for (std::size_t i = 0; i < rows_; ++i) {
         if (entries_[i][enters] >= 0) continue;
         const mpq_class step = -constant_[i] / entries_[i][enters];
-        if (leaves == rows_ || step < least || (step == least && basic_[i] < basic_[leaves])) {
+        if (leaves == rows_ || step < minimum || (step == minimum && basic_[i] < basic_[leaves])) {
           leaves = i;
-          least = step;
+          minimum = step;
         }
       }
       if (leaves == rows_) return false;

@@ -138,9 +138,9 @@ bool holds(const MixedProgram& mixed, const std::vector<double>& values) {
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const auto& [lower, upper, name] = program.rows[i];
-    const mpq_class most = sizes[i] / mpq_class(1e12);
-    if (std::isfinite(lower) && sums[i] < mpq_class(lower) - most) return false;
-    if (std::isfinite(upper) && sums[i] > mpq_class(upper) + most) return false;
+    const mpq_class maximum = sizes[i] / mpq_class(1e12);
+    if (std::isfinite(lower) && sums[i] < mpq_class(lower) - maximum) return false;
+    if (std::isfinite(upper) && sums[i] > mpq_class(upper) + maximum) return false;
   }
   for (std::size_t j = 0; j < values.size(); ++j) {
     if (values[j] < program.columns[j].lower || values[j] > program.columns[j].upper) return false;

@@ -80,7 +80,7 @@ TEST(PlaneTruss, OfAnImpossibleSizeIsRefused) {
   EXPECT_THROW(plane_truss({.rows = 1}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.bays = 0}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.bays = 1'000'000'000}), std::invalid_argument);
-  EXPECT_THROW(plane_truss({.rows = most_contact_candidates + 1}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.rows = max_contact_candidates + 1}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.width = 0}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.width = nan}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.lean = 90}), std::invalid_argument);

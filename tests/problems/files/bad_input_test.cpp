@@ -20,7 +20,7 @@ namespace kusabi::problems {
 namespace {
 
 /// Minimum number of malformed files that cover the rules of the format.
-constexpr std::size_t least_files = 20;
+constexpr std::size_t min_files = 20;
 
 std::vector<std::filesystem::path> malformed_files() {
   std::vector<std::filesystem::path> files;
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BadInput, testing::ValuesIn(malformed_files()),
                          });
 
 TEST(BadInputFiles, AreNotFewerThanTheRules) {
-  EXPECT_GE(malformed_files().size(), least_files);
+  EXPECT_GE(malformed_files().size(), min_files);
 }
 
 TEST(BadInputText, WithoutAnyByteIsRefused) {

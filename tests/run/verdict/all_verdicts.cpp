@@ -65,7 +65,7 @@ void add_critical(std::vector<AnyAnswer>& all) {
           all.push_back(CriticalBracket{
               .bracket = bracket,
               .factor = open,
-              .most = 1000,
+              .maximum = 1000,
               .width = 1e-8,
               .wide = wide || (bracket.upper && !bracket.lower),
               .patterns_open = open,
@@ -108,7 +108,7 @@ void add_steps(std::vector<AnyAnswer>& all) {
     for (const char* const count : {"0", "1", "340282366920938463463374607431768211456"}) {
       for (const std::uint64_t open : {0U, 1U, 3U}) {
         for (const auto& doubt : doubts) {
-          all.push_back(FrictionSteps{.most = 2,
+          all.push_back(FrictionSteps{.maximum = 2,
                                       .factor = false,
                                       .infeasible = bound(count[0] == '0' ? 2 : 0.5, standing),
                                       .count = *support::ExactCount::read(count),
@@ -127,12 +127,12 @@ void add_loads(std::vector<AnyAnswer>& all) {
       std::nullopt, LoadRange{0.45, "kN"}, LoadRange{0.5, std::nullopt}, LoadRange{}};
   for (const auto& loads : ranges) {
     for (const bool condition : {false, true}) {
-      for (const auto& most : brackets(1.1162, 1.1163)) {
-        for (const auto& least : brackets(-0.7, -0.6)) {
-          all.push_back(LoadInterval{loads, least, most, std::nullopt, condition, condition});
+      for (const auto& maximum : brackets(1.1162, 1.1163)) {
+        for (const auto& minimum : brackets(-0.7, -0.6)) {
+          all.push_back(LoadInterval{loads, minimum, maximum, std::nullopt, condition, condition});
         }
-        for (const auto& least : brackets(2.1, 2.2))  // above the other end: empty
-          all.push_back(LoadInterval{loads, least, most, std::nullopt, condition, false});
+        for (const auto& minimum : brackets(2.1, 2.2))  // above the other end: empty
+          all.push_back(LoadInterval{loads, minimum, maximum, std::nullopt, condition, false});
       }
       for (const auto standing : {Standing::computed, Standing::proved})
         all.push_back(LoadInterval{loads, {}, {}, standing, condition, false});
@@ -148,10 +148,10 @@ void add_loads(std::vector<AnyAnswer>& all) {
                         .points_asked = open ? 5U : 3U,
                         .open = open || !worst.lower || !worst.upper};
         for (const double above : {0.4, 2.1}) {
-          steps.least = {bound(above - 0.1, nominal), bound(above, nominal)};
+          steps.minimum = {bound(above - 0.1, nominal), bound(above, nominal)};
           all.push_back(steps);
         }
-        steps.least = {};
+        steps.minimum = {};
         all.push_back(steps);
         steps.worst = {};
         steps.worst_at_none = nominal;
@@ -164,8 +164,8 @@ void add_loads(std::vector<AnyAnswer>& all) {
 
 void add_losses(std::vector<AnyAnswer>& all) {
   for (const auto& factor : brackets(0.7, 0.71)) {
-    for (const std::uint64_t most : {1U, 2U}) {
-      MemberLoss loss{.most = most, .factor = factor, .lost = {"a-b"}};
+    for (const std::uint64_t maximum : {1U, 2U}) {
+      MemberLoss loss{.maximum = maximum, .factor = factor, .lost = {"a-b"}};
       all.push_back(loss);
       for (const std::optional<bool> reached : {std::optional<bool>(), {true}, {false}}) {
         loss.target = 0.8;
@@ -178,7 +178,7 @@ void add_losses(std::vector<AnyAnswer>& all) {
     }
   }
   for (const auto standing : {Standing::computed, Standing::proved})
-    all.push_back(MemberLoss{.most = 2, .fatal = standing, .lost = {"a-b", "c-d"}});
+    all.push_back(MemberLoss{.maximum = 2, .fatal = standing, .lost = {"a-b", "c-d"}});
 }
 
 void add_programs(std::vector<AnyAnswer>& all) {

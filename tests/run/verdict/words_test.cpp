@@ -48,10 +48,10 @@ bool names_what_is_not_proved(const Verdict& verdict) {
     return is_computed(found->infeasible) && !is_refuted(found->doubt);
   if (const auto* const found = std::get_if<LoadInterval>(&verdict.answer)) {
     if (found->carried_at_none) return found->carried_at_none == Standing::computed;
-    const bool empty = found->uncertain && found->least.lower && found->most.upper &&
-                       found->least.lower->value > found->most.upper->value;
-    return empty ? is_computed(found->least.lower) || is_computed(found->most.upper)
-                 : is_computed(found->most.lower);
+    const bool empty = found->uncertain && found->minimum.lower && found->maximum.upper &&
+                       found->minimum.lower->value > found->maximum.upper->value;
+    return empty ? is_computed(found->minimum.lower) || is_computed(found->maximum.upper)
+                 : is_computed(found->maximum.lower);
   }
   if (const auto* const found = std::get_if<MemberLoss>(&verdict.answer)) {
     if (found->fatal) return found->fatal == Standing::computed;
@@ -165,7 +165,7 @@ TEST(Verdicts, EndTablesWithAllTheySay) {
 
 Verdict critical(Bracket bracket, engine::Status ended = engine::Status::solved) {
   return {.ended = ended,
-          .answer = CriticalBracket{.bracket = bracket, .most = 1000, .width = 1e-8}};
+          .answer = CriticalBracket{.bracket = bracket, .maximum = 1000, .width = 1e-8}};
 }
 
 TEST(CriticalWords, QualifyEachEndByItself) {
@@ -203,7 +203,7 @@ TEST(StickingWords, SayOnWhatAProofRests) {
   list.grounds = Grounds::exact_arithmetic;
   EXPECT_THAT(all_words({.answer = list}), Not(HasSubstr("bounds of the solver")));
   const Bracket proved{Bound{0.5, Standing::proved}, Bound{0.6, Standing::proved}};
-  CriticalBracket bracket{.bracket = proved, .most = 1000, .width = 1e-8};
+  CriticalBracket bracket{.bracket = proved, .maximum = 1000, .width = 1e-8};
   EXPECT_THAT(all_words({.answer = bracket}), Not(HasSubstr("bounds of the solver")));
   bracket.grounds = Grounds::solver_bounds;
   const Verdict verdict{.answer = bracket};
@@ -226,23 +226,23 @@ TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
   LoadSteps steps{.nominal = Bound{3, Standing::computed},
                   .half_width = 1.5,
                   .worst = proved,
-                  .least = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}},
+                  .minimum = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}},
                   .points = 1,
                   .points_asked = 1};
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("the worst case is 1.5, proved; factors from "
                         "0.5 to 1.5 are carried under all admissible loads."));
-  steps.least = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
+  steps.minimum = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("no load factor is carried under all admissible loads."));
-  steps.least = {};
+  steps.minimum = {};
   EXPECT_THAT(headline({.answer = steps}), HasSubstr("is open"));
 }
 
 TEST(LoadWords, ReportAnEmptyInterval) {
   const LoadInterval empty{.uncertain = LoadRange{2.5, "kN"},
-                           .least = {Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}},
-                           .most = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}}};
+                           .minimum = {Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}},
+                           .maximum = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}}};
   EXPECT_EQ(headline({.answer = empty}),
             "No load factor is carried for every dead load within ± 2.5 kN.");
   EXPECT_EQ(exit_code({.answer = empty}), solved);

@@ -32,7 +32,8 @@ std::vector<Configuration> random_patterns(unsigned seed, int count) {
 }
 
 // By Warshall's algorithm, on counts of ones.
-std::vector<std::vector<bool>> reachable(const std::vector<Configuration>& list, int most_apart) {
+std::vector<std::vector<bool>> reachable(const std::vector<Configuration>& list,
+                                         int max_differences) {
   const auto n = list.size();
   std::vector<std::vector<bool>> joined(n, std::vector<bool>(n));
   for (std::size_t i = 0; i < n; ++i) {
@@ -40,7 +41,7 @@ std::vector<std::vector<bool>> reachable(const std::vector<Configuration>& list,
       int apart = 0;
       for (int c = 0; c < 9; ++c)
         apart += list[i].pattern.contact.contains(c) != list[j].pattern.contact.contains(c);
-      joined[i][j] = list[i].block == list[j].block && apart <= most_apart;
+      joined[i][j] = list[i].block == list[j].block && apart <= max_differences;
     }
   }
   for (std::size_t k = 0; k < n; ++k) {
@@ -55,11 +56,11 @@ std::vector<std::vector<bool>> reachable(const std::vector<Configuration>& list,
 TEST(PatternGroups, AreWhatStepsOfFewCandidatesJoin) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto list = random_patterns(seed, 30);
-    const int most_apart = 1 + static_cast<int>(seed % 3);
-    const auto joined = reachable(list, most_apart);
+    const int max_differences = 1 + static_cast<int>(seed % 3);
+    const auto joined = reachable(list, max_differences);
     std::set<std::size_t> seen;
     double before = 1e9;
-    for (const auto& group : pattern_groups(list, most_apart)) {
+    for (const auto& group : pattern_groups(list, max_differences)) {
       for (std::size_t i = 0; i < list.size(); ++i) {
         const bool within = std::ranges::find(group.members, i) != group.members.end();
         EXPECT_EQ(within, joined[group.members.front()][i]) << seed;
@@ -91,8 +92,8 @@ int apart(const Configuration& a, const Configuration& b) {
 TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto list = random_patterns(seed, 60);
-    const int most_apart = 1 + static_cast<int>(seed % 3);
-    const auto groups = groups_around_largest_margin(list, most_apart, list.size());
+    const int max_differences = 1 + static_cast<int>(seed % 3);
+    const auto groups = groups_around_largest_margin(list, max_differences, list.size());
     ASSERT_TRUE(groups);
     std::set<std::size_t> seen;
     for (std::size_t g = 0; g < groups->size(); ++g) {
@@ -103,10 +104,10 @@ TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
         EXPECT_TRUE(seen.insert(i).second);
         EXPECT_EQ(list[i].block, first.block);
         EXPECT_LE(list[i].lower, first.lower);
-        EXPECT_LE(apart(list[i], first), most_apart);
+        EXPECT_LE(apart(list[i], first), max_differences);
         for (std::size_t before = 0; before < g; ++before) {  // no earlier group could contain it
           const auto& other = list[(*groups)[before].largest_margin];
-          EXPECT_TRUE(other.block != list[i].block || apart(list[i], other) > most_apart);
+          EXPECT_TRUE(other.block != list[i].block || apart(list[i], other) > max_differences);
         }
         all &= list[i].pattern.contact;
         some |= list[i].pattern.contact;
@@ -117,9 +118,9 @@ TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
       EXPECT_LE(first.lower, before) << "the largest margin first";
     }
     EXPECT_EQ(seen.size(), list.size());
-    EXPECT_EQ(groups_around_largest_margin(list, most_apart, groups->size())->size(),
+    EXPECT_EQ(groups_around_largest_margin(list, max_differences, groups->size())->size(),
               groups->size());
-    EXPECT_FALSE(groups_around_largest_margin(list, most_apart, groups->size() - 1));
+    EXPECT_FALSE(groups_around_largest_margin(list, max_differences, groups->size() - 1));
   }
 }
 

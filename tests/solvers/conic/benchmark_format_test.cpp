@@ -52,19 +52,19 @@ TEST(BenchmarkFormat, IsTheProgramOfTheNode) {
 
 // Largest violation of the cones by the numbers.
 double missed_by(const std::vector<ConePart>& parts, const Eigen::VectorXd& numbers) {
-  double most = 0;
+  double maximum = 0;
   Eigen::Index first = 0;
   for (const auto& [kind, size] : parts) {
     const Eigen::VectorXd part = numbers.segment(first, size);
     first += size;
-    if (kind == ConePart::Kind::zero) most = std::max(most, part.cwiseAbs().maxCoeff());
-    if (kind == ConePart::Kind::nonnegative) most = std::max(most, -part.minCoeff());
+    if (kind == ConePart::Kind::zero) maximum = std::max(maximum, part.cwiseAbs().maxCoeff());
+    if (kind == ConePart::Kind::nonnegative) maximum = std::max(maximum, -part.minCoeff());
     if (kind == ConePart::Kind::second_order) {
-      most = std::max(most, part.tail(size - 1).norm() - part(0));
+      maximum = std::max(maximum, part.tail(size - 1).norm() - part(0));
     }
   }
   EXPECT_EQ(first, numbers.size());
-  return most;
+  return maximum;
 }
 
 template <int D>

@@ -102,12 +102,12 @@ ConicResult proved(const ContactProblem& problem, NodeSolver<D>& solver, const M
 }
 
 template <int D>
-void expect_certificates(double least, double most, std::uint64_t seed) {
+void expect_certificates(double minimum, double maximum, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   int feasible = 0, infeasible = 0;
   for (int repetition = 0; repetition < 25; ++repetition)
     for (int m = 1; m <= 8; ++m) {
-      const ContactProblem problem = testing::random_problem(D, m, least, most, generator);
+      const ContactProblem problem = testing::random_problem(D, m, minimum, maximum, generator);
       NodeSolver<D> solver(problem.compliance, problem.friction);
       const Masks masks = testing::random_masks(m, generator);
       for (const StopEarly stop : {StopEarly{}, never}) {
@@ -164,7 +164,7 @@ double search(const ContactProblem& problem, const Masks& masks) {
 
   Eigen::VectorXd r = matrix.completeOrthogonalDecomposition().solve(right_side);
   Eigen::VectorXd slope;
-  double most = testing::level(problem, masks, r, &slope);
+  double maximum = testing::level(problem, masks, r, &slope);
   // The ellipsoid is the image of the unit ball under `axes`; this form stays an ellipsoid under
   // rounding.
   Eigen::MatrixXd axes = radius * Eigen::MatrixXd::Identity(directions.cols(), directions.cols());
@@ -180,17 +180,17 @@ double search(const ContactProblem& problem, const Masks& masks) {
       axes += (std::sqrt((n - 1) / (n + 1)) - 1) * push * up.transpose();
       axes *= n / std::sqrt(n * n - 1);
     }
-    most = std::max(most, testing::level(problem, masks, r, &slope));
+    maximum = std::max(maximum, testing::level(problem, masks, r, &slope));
   }
-  return most;
+  return maximum;
 }
 
 template <int D>
-void expect_agreement_with_search(int most_candidates, std::uint64_t seed) {
+void expect_agreement_with_search(int max_candidates, std::uint64_t seed) {
   constexpr double reach = 1e-6;  // accuracy of the ellipsoid method, with its rounding
   std::mt19937_64 generator(seed);
   for (int repetition = 0; repetition < 100; ++repetition) {
-    const int m = 1 + repetition % most_candidates;
+    const int m = 1 + repetition % max_candidates;
     const ContactProblem problem = testing::random_problem(D, m, 0.3, 1.5, generator);
     const Masks masks = testing::random_masks(m, generator);
     NodeSolver<D> solver(problem.compliance, problem.friction);

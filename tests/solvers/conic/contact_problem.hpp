@@ -36,7 +36,7 @@ inline Eigen::MatrixXd scaled(Eigen::MatrixXd compliance, int d) {
 }
 
 /// The inverse of a random positive definite stiffness, with friction within the given range.
-inline ContactProblem random_problem(int d, int m, double least, double most,
+inline ContactProblem random_problem(int d, int m, double minimum, double maximum,
                                      std::mt19937_64& generator) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const int size = d * m;
@@ -46,7 +46,7 @@ inline ContactProblem random_problem(int d, int m, double least, double most,
       factor * factor.transpose() + 0.2 * Eigen::MatrixXd::Identity(size, size);
   const Eigen::MatrixXd inverse = stiffness.inverse();
   ContactProblem problem{d, scaled((inverse + inverse.transpose()) / 2, d), {}};
-  std::uniform_real_distribution<double> exponent(std::log(least), std::log(most));
+  std::uniform_real_distribution<double> exponent(std::log(minimum), std::log(maximum));
   for (int i = 0; i < m; ++i) problem.friction.push_back(std::exp(exponent(generator)));
   return problem;
 }

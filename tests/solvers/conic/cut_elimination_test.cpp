@@ -42,7 +42,7 @@ struct Iterate {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(padded(program.rows()));
     for (Eigen::Index c = 0; c < cones; ++c)
       for (int d = 0; d < D; ++d) {
-        ConePoints<D> x = ConePoints<D>::Zero(padded(program.most_cones()), D);
+        ConePoints<D> x = ConePoints<D>::Zero(padded(program.max_cones()), D);
         x.row(c) = scalings[static_cast<std::size_t>(c)].col(d).transpose();
         program.multiply(x, sum);
         columns.col(D * c + d) = sum.head(program.rows());
@@ -59,7 +59,7 @@ struct Iterate {
 template <int D>
 struct Eliminated {
   explicit Eliminated(const Iterate<D>& at)
-      : elimination(at.program.first_cut(), at.program.most_cuts(), at.program.most_cones()),
+      : elimination(at.program.first_cut(), at.program.max_cuts(), at.program.max_cones()),
         equations(at.program.first_cut() + 1),
         reduced(Eigen::VectorXd::Zero(padded(at.program.first_cut() + 1))) {
     elimination.start(at.program);

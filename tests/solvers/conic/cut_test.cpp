@@ -25,7 +25,7 @@ constexpr StopEarly to_the_end{.when_infeasible = false, .when_feasible = false}
 // Accuracy goal of the solver, with a margin for the rounding of the two bounds.
 constexpr double accuracy_of_cuts = 2e-8;
 
-/// @param cuts most_of() requires them to be present
+/// @param cuts max_of() requires them to be present
 template <int D>
 ConicResult solve_with(NodeSolver<D>& solver, const Masks& node, const std::vector<Cut>& cuts,
                        StopEarly stop = to_the_end) {
@@ -197,14 +197,14 @@ TEST(MostOf, IsTheLargestGapOfASeparatedCandidate) {
   compliance(0, 2) = compliance(2, 0) = 0.2;
   compliance(1, 2) = compliance(2, 1) = 0.3;
   for (const double mu : {0.4, 1.0, 3.0, 5.0}) {
-    const double most = 0.2 + 0.3 * std::min(mu, 2.0);
-    for (const double known : {1.02 * most, 2 * most, 0.7 * most}) {
+    const double maximum = 0.2 + 0.3 * std::min(mu, 2.0);
+    for (const double known : {1.02 * maximum, 2 * maximum, 0.7 * maximum}) {
       NodeSolver<2> solver(compliance, std::array{mu, 1.0});
       const std::vector<Cut> cuts{
           {.candidate = 1, .share = -known, .displacement = -1, .level = 1e3}};
       solve_with(solver, {0, 0b10}, cuts);
-      EXPECT_GE(known + solver.most_of(0), most) << mu;
-      EXPECT_LE(known + solver.most_of(0), most + 1e-4) << mu;
+      EXPECT_GE(known + solver.max_of(0), maximum) << mu;
+      EXPECT_LE(known + solver.max_of(0), maximum + 1e-4) << mu;
     }
   }
 }
@@ -219,13 +219,13 @@ TEST(MostOf, IsTheLargestReactionOfACandidateInContact) {
   const Cut wanted{.candidate = 1, .share = -2, .reaction = -1, .level = 1e3};
   const std::vector<Cut> alone{wanted};
   solve_with(solver, {0b10, 0}, alone);
-  EXPECT_GE(2 + solver.most_of(0), 1);
-  EXPECT_LE(2 + solver.most_of(0), 1 + 1e-4);
-  const Cut most_of_all{.candidate = 0, .share = -0.75, .reaction = -1, .level = 1};
-  const std::vector<Cut> both{most_of_all, wanted};
+  EXPECT_GE(2 + solver.max_of(0), 1);
+  EXPECT_LE(2 + solver.max_of(0), 1 + 1e-4);
+  const Cut max_of_all{.candidate = 0, .share = -0.75, .reaction = -1, .level = 1};
+  const std::vector<Cut> both{max_of_all, wanted};
   solve_with(solver, {0b10, 0}, both);
-  EXPECT_GE(2 + solver.most_of(1), 0.25);
-  EXPECT_LE(2 + solver.most_of(1), 0.25 + 1e-4);
+  EXPECT_GE(2 + solver.max_of(1), 0.25);
+  EXPECT_LE(2 + solver.max_of(1), 0.25 + 1e-4);
 }
 
 }  // namespace

@@ -77,10 +77,10 @@ TEST(Mps, ReadsRowsColumnsAndTheirEntries) {
 TEST(Mps, TakesARightHandSideOfTheObjectiveForMinusTheConstant) {
   EXPECT_EQ(read(file("RHS\n R c -10\n")).mixed.program.constant, 10);
   EXPECT_EQ(read(file("RHS\n c -10\n")).mixed.program.constant, 10) << "without a set";
-  const auto most = read(file("RHS\n R c -10\n", "OBJSENSE MAX\nNAME T\n"));
-  EXPECT_TRUE(most.maximise);
-  EXPECT_EQ(most.mixed.program.constant, -10) << "to be minimised";
-  EXPECT_EQ(most.mixed.program.columns[0].cost, -2);
+  const auto maximum = read(file("RHS\n R c -10\n", "OBJSENSE MAX\nNAME T\n"));
+  EXPECT_TRUE(maximum.maximise);
+  EXPECT_EQ(maximum.mixed.program.constant, -10) << "to be minimised";
+  EXPECT_EQ(maximum.mixed.program.columns[0].cost, -2);
 }
 
 TEST(Mps, ReadsTheSenseInItsSectionAndBehindIt) {

@@ -71,12 +71,12 @@ void expand(const std::vector<std::set<int>>& neighbours, std::set<int> clique,
     return result;
   };
   int pivot = -1;
-  std::size_t most = 0;
+  std::size_t maximum = 0;
   for (const auto* set : {&candidates, &excluded}) {
     for (const int vertex : *set) {
       const auto count = joined(candidates, vertex).size() + 1;
-      if (count > most) {
-        most = count;
+      if (count > maximum) {
+        maximum = count;
         pivot = vertex;
       }
     }

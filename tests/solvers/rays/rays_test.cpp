@@ -86,8 +86,8 @@ TEST(DoubleDescription, EndsWithTooManyRaysOrWhenStopped) {
   const auto whole = complementary_rays(cone);
   const auto peak = whole.effort.peak_rays;
   const auto ends = [&](const Conduct& conduct) { return !complementary_rays(cone, conduct); };
-  EXPECT_EQ(complementary_rays(cone, {.most_rays = peak})->rays, whole.rays);
-  EXPECT_TRUE(ends({.most_rays = peak - 1}));
+  EXPECT_EQ(complementary_rays(cone, {.max_rays = peak})->rays, whole.rays);
+  EXPECT_TRUE(ends({.max_rays = peak - 1}));
   EXPECT_TRUE(ends({.stop = [] { return true; }}));
   EXPECT_FALSE(ends({.stop = [] { return false; }}));
   // The agreed result counts, whatever the own `stop` returned.
@@ -102,7 +102,7 @@ TEST(DoubleDescription, GoesOnWithAPartAsOnItsFace) {
   const auto whole = complementary_rays(cone);
   auto list = first_list(cone);
   EXPECT_FALSE(divided(list).has_value());  // there was no cut yet
-  go_on(list, cone, {.most_rays = 100});
+  go_on(list, cone, {.max_rays = 100});
   ASSERT_FALSE(has_ended(list, cone));
   auto parts = divided(list);
   ASSERT_TRUE(parts.has_value());
