@@ -35,14 +35,6 @@ enum class Proving {
   always,     ///< for structures of any size
 };
 
-/// Largest scale ratio of a structure for which the tolerances 1e-10 and 1e-12, relative to the
-/// largest number, are safe. Above it numbers below these may be significant.
-inline constexpr double wide_scales = 1e7;
-
-/// Threshold of |t*| above which its sign is used with the exact test, although it is zero in
-/// sixteen digits.
-inline constexpr double exact_test_resolution = 1e-22;
-
 /// Purpose and result of the exact test.
 struct ExactTest {
   double scale_ratio = 1;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "nodes/wedged/critical_bounds.hpp"
+#include "nodes/wedged/critical/bound_record.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/session/session.hpp"
 

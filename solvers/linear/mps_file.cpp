@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "solvers/linear/mps_lines.hpp"
+#include "solvers/linear/mps_program.hpp"
 #include "solvers/linear/unsupported.hpp"
 #include "support/input_error.hpp"
 
@@ -23,24 +24,6 @@ namespace {
 
 using support::in_quotes;
 using support::InputError;
-
-struct MpsRow {
-  char type = 'N';
-  std::string name;
-  std::optional<double> right;
-  std::optional<double> range;
-  std::vector<LinearTerm> terms;
-};
-
-struct MpsColumn {
-  std::string name;
-  bool whole = false;
-  double lower = 0;
-  double upper = infinity;
-  bool lower_given = false;
-  bool upper_given = false;
-  std::size_t line = 0;
-};
 
 // A name and its value: an entry, a right-hand side.
 using Pairs = std::vector<std::pair<std::string_view, std::string_view>>;
@@ -96,7 +79,7 @@ class MpsReader {
       line_.number = lines_.number();
       refuse("the file ends without ENDATA", "the whole file");
     }
-    return program();
+    return program_of(std::move(content_), file_, line_.number);
   }
 
   /// Number of the last line read.
@@ -104,15 +87,10 @@ class MpsReader {
 
  private:
   [[noreturn]] void refuse(std::string_view what, std::string_view expected) const {
-    refuse_at(line_.number, what, expected);
-  }
-  [[noreturn]] void refuse_at(std::size_t line, std::string_view what,
-                              std::string_view expected) const {
-    throw InputError(fmt::format("{}:{}", file_, line), {},
-                     fmt::format("{}; expected {}", what, expected));
+    refuse_line(file_, line_.number, what, expected);
   }
   void warn(const std::string& what) {
-    warnings_.push_back(fmt::format("{}:{}: {}", file_, line_.number, what));
+    content_.warnings.push_back(fmt::format("{}:{}: {}", file_, line_.number, what));
   }
 
   // ---- sections ------------------------------------------------------------------------------
@@ -161,9 +139,9 @@ class MpsReader {
     if (line_.fields.size() == 1) return;
     const auto rest =
         line_.text.substr(static_cast<std::size_t>(line_.fields[1].data() - line_.text.data()));
-    if (section_ == MpsSection::none) name_ = rest;
+    if (section_ == MpsSection::none) content_.name = rest;
     if (section_ == MpsSection::sense) set_sense(rest);
-    if (section_ == MpsSection::objective_name) objective_name_ = std::string(rest);
+    if (section_ == MpsSection::objective_name) content_.objective_name = std::string(rest);
   }
 
   void check_order(const std::string& word) {
@@ -187,7 +165,7 @@ class MpsReader {
     if (!maximise) refuse(fmt::format("the sense {}", in_quotes(word)), "MAX or MIN");
     if (sense_given_) refuse("a second sense of the objective", "MAX or MIN once");
     sense_given_ = true;
-    maximise_ = *maximise;
+    content_.maximise = *maximise;
   }
 
   void read_line() {
@@ -195,8 +173,8 @@ class MpsReader {
       case MpsSection::sense:
         return set_sense(line_.text);
       case MpsSection::objective_name:
-        if (objective_name_) refuse("a second name of the objective", "one");
-        objective_name_ = std::string(line_.text);
+        if (content_.objective_name) refuse("a second name of the objective", "one");
+        content_.objective_name = std::string(line_.text);
         return;
       case MpsSection::rows:
         return read_row();
@@ -227,10 +205,11 @@ class MpsReader {
       refuse(fmt::format("a row of type {}", in_quotes(line_.fields[0])), "N, L, G or E");
     }
     const std::string name(line_.fields[1]);
-    if (!row_of_.emplace(name, rows_.size()).second) {
+    if (!row_of_.emplace(name, content_.rows.size()).second) {
       refuse(fmt::format("a second row {}", in_quotes(name)), "each name once");
     }
-    rows_.push_back({.type = type.front(), .name = name, .right = {}, .range = {}, .terms = {}});
+    content_.rows.push_back(
+        {.type = type.front(), .name = name, .right = {}, .range = {}, .terms = {}});
     column_in_row_.push_back(-1);
   }
 
@@ -250,8 +229,7 @@ class MpsReader {
     return *value;
   }
 
-  // ---- columns
-  // -----------------------------------------------------------------------------------
+  // ---- columns ----------------------------------------------------------------------------------
 
   bool read_marker() {
     const auto& fields = line_.fields;
@@ -314,14 +292,15 @@ class MpsReader {
     if (read_marker()) return;
     std::string_view name;
     const auto pairs = read_pairs(name, true);
-    if (columns_.empty() || columns_.back().name != name) {
-      if (!column_of_.emplace(std::string(name), columns_.size()).second) {
+    if (content_.columns.empty() || content_.columns.back().name != name) {
+      if (!column_of_.emplace(std::string(name), content_.columns.size()).second) {
         refuse(fmt::format("column {} comes again after another", in_quotes(name)),
                "all of a column together");
       }
-      columns_.push_back({.name = std::string(name), .whole = in_integers_, .line = line_.number});
+      content_.columns.push_back(
+          {.name = std::string(name), .whole = in_integers_, .line = line_.number});
     }
-    const int column = static_cast<int>(columns_.size()) - 1;
+    const int column = static_cast<int>(content_.columns.size()) - 1;
     for (const auto& [row_name, word] : pairs) {
       const auto row = row_called(row_name);
       const double value = number_or_refuse(word);
@@ -331,12 +310,11 @@ class MpsReader {
                            in_quotes(row_name)),
                "one");
       }
-      rows_[row].terms.push_back({column, value});
+      content_.rows[row].terms.push_back({column, value});
     }
   }
 
-  // ---- right-hand sides, ranges
-  // ------------------------------------------------------------------
+  // ---- right-hand sides, ranges -----------------------------------------------------------------
 
   // Several sets are refused: other solvers take the first, or mix them.
   void check_set(std::string_view name) {
@@ -351,7 +329,7 @@ class MpsReader {
     const auto pairs = read_pairs(set, false);
     const bool ranges = section_ == MpsSection::ranges;
     for (const auto& [row_name, word] : pairs) {
-      auto& row = rows_[row_called(row_name)];
+      auto& row = content_.rows[row_called(row_name)];
       const double value = number_or_refuse(word);
       auto& place = ranges ? row.range : row.right;
       if (place) {
@@ -378,8 +356,7 @@ class MpsReader {
     }
   }
 
-  // ---- bounds
-  // --------------------------------------------------------------------------------------
+  // ---- bounds -----------------------------------------------------------------------------------
 
   void read_bound() {
     const auto& fields = line_.fields;
@@ -420,7 +397,7 @@ class MpsReader {
       refuse(fmt::format("{} is not a column", in_quotes(name)), "a name of section COLUMNS");
     }
     check_set(set);
-    bound(columns_[at->second], type, valued ? number_or_refuse(word) : 0);
+    bound(content_.columns[at->second], type, valued ? number_or_refuse(word) : 0);
   }
 
   [[noreturn]] void refuse_bound(bool valued) const {
@@ -473,92 +450,6 @@ class MpsReader {
            "a number below 1e20");
   }
 
-  // ---- the program -----------------------------------------------------------------------------
-
-  std::size_t objective() const {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (rows_[i].type != 'N') continue;
-      if (!objective_name_ || rows_[i].name == *objective_name_) return i;
-    }
-    if (objective_name_) {
-      refuse(
-          fmt::format("OBJNAME says {}, which is not a row of type N", in_quotes(*objective_name_)),
-          "one of ROWS");
-    }
-    refuse("no row of type N, the objective", "one in ROWS");
-  }
-
-  ProgramFile program() {
-    ProgramFile result;
-    result.maximise = maximise_;
-    result.warnings = std::move(warnings_);
-    const double sign = maximise_ ? -1 : 1;
-    auto& [program, binaries] = result.mixed;
-    program.name = name_;
-    const auto objective_row = objective();
-    for (const auto& column : columns_) {
-      if (column.lower > column.upper) {
-        refuse_at(column.line,
-                  fmt::format("column {} has a lower bound of {} and an upper bound of {}",
-                              in_quotes(column.name), column.lower, column.upper),
-                  "a lower bound that is not above the upper one");
-      }
-      if (column.whole && !column.lower_given && !column.upper_given) {
-        refuse_at(column.line,
-                  fmt::format("integer column {} has no bounds, which some readers take for 0 to 1 "
-                              "and others for none",
-                              in_quotes(column.name)),
-                  "bounds in BOUNDS");
-      }
-      const int at = program.add_column({0, column.lower, column.upper, column.name});
-      if (is_binary(column)) binaries.push_back(at);
-    }
-    for (const auto& [column, value] : rows_[objective_row].terms) {
-      if (value == 0) continue;
-      program.columns[static_cast<std::size_t>(column)].cost = sign * value;
-    }
-    // Sign convention of HiGHS and CBC, with which the objective of Netlib's e226 has its published
-    // value.
-    program.constant = -sign * rows_[objective_row].right.value_or(0);
-    if (program.constant == 0) program.constant = 0;  // avoids -0
-    for (const auto& row : rows_) {
-      const auto [lower, upper] = ends(row);
-      if (lower == -infinity && upper == infinity) continue;
-      program.add_row({lower, upper, row.name}, row.terms);
-    }
-    return result;
-  }
-
-  bool is_binary(const MpsColumn& column) const {
-    if (!column.whole) return false;
-    if (column.lower >= 0 && column.upper <= 1) return true;
-    if (column.lower == column.upper && std::floor(column.lower) == column.lower) return false;
-    refuse_at(column.line,
-              fmt::format("column {} is a general integer, {} to {}", in_quotes(column.name),
-                          column.lower, column.upper),
-              "integer columns between 0 and 1 only");
-  }
-
-  static std::pair<double, double> ends(const MpsRow& row) {
-    const auto at = [](double value) {
-      if (std::abs(value) < infinite_in_files) return value;
-      return value > 0 ? infinity : -infinity;
-    };
-    const double right = at(row.right.value_or(0));
-    if (!std::isfinite(right)) return {-infinity, infinity};
-    const double range = at(row.range.value_or(row.type == 'E' ? 0 : infinity));
-    switch (row.type) {
-      case 'L':
-        return {right - std::abs(range), right};
-      case 'G':
-        return {right, right + std::abs(range)};
-      case 'E':
-        return {range < 0 ? right + range : right, range > 0 ? right + range : right};
-      default:
-        return {-infinity, infinity};
-    }
-  }
-
   MpsLines lines_;
   MpsLayout layout_;
   const std::string& file_;
@@ -567,16 +458,11 @@ class MpsReader {
   std::array<bool, 9> seen_{};
   std::optional<std::string> set_;  // set name of the current section
   bool in_integers_ = false;
-  std::string name_;
-  bool maximise_ = false;
   bool sense_given_ = false;
-  std::optional<std::string> objective_name_;
-  std::vector<MpsRow> rows_;
+  MpsContent content_;
   std::vector<int> column_in_row_;  // the last column that had an entry in this row
-  std::vector<MpsColumn> columns_;
   std::unordered_map<std::string, std::size_t> row_of_;
   std::unordered_map<std::string, std::size_t> column_of_;
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace

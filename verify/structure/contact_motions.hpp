@@ -38,14 +38,15 @@ ApproximateList times_lengths(const ContactMotions& motions, const Rationals& nu
 ApproximateList restricted_to_candidates(const ContactMotions& motions,
                                          const Rationals& coefficients);
 
-/// Rigid-body modes that supports and springs admit; bars and elements determine the connected
-/// components.
+/// Rigid-body modes that supports, springs and constraints admit.
 struct UnconstrainedModes {
   ContactMotions of_candidates;
   /// Grounding springs of stiffness 1 for modes that displace no candidate. Contact reactions in
   /// equilibrium cause no force in them.
   std::vector<GroundSpring> others;
 };
+
+UnconstrainedModes unconstrained_modes(const Structure& structure);
 
 /// Z'f of a load: its work on the modes of `of_candidates`, and on those that displace no
 /// candidate.
@@ -57,7 +58,6 @@ struct LoadWork {
 /// Exact work of loads on all modes. @param seen those of unconstrained_modes()
 std::vector<LoadWork> works_of(const Structure& structure, const ContactMotions& seen,
                                const std::vector<std::vector<Force>>& loads);
-UnconstrainedModes unconstrained_modes(const Structure& structure);
 
 /// Rigid-body modes given by doubles, which are taken as exact. @param values dm x p, by rows
 ContactMotions recorded_motions(const std::vector<double>& values, std::size_t count);

@@ -22,6 +22,14 @@ namespace kusabi::wedged {
 /// default: it takes about a second.
 inline constexpr int max_enclosed_displacements = 2000;
 
+/// Largest scale ratio of a structure for which the tolerances 1e-10 and 1e-12, relative to the
+/// largest number, are safe. Above it numbers below these may be significant.
+inline constexpr double wide_scales = 1e7;
+
+/// Threshold of |t*| above which its sign is used with the exact test, although it is zero in
+/// sixteen digits.
+inline constexpr double exact_test_resolution = 1e-22;
+
 /// K of the structure with a proved bound and the modes of its unconstrained bodies, computed by
 /// the verifier; otherwise a sentence with the reason.
 /// @throws support::Stopped if the program is asked to stop
