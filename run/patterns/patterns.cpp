@@ -1,4 +1,4 @@
-// `kusabi patterns`: options, stages and results, on all ranks.
+// `kusabi patterns`: stages and results, on all ranks.
 #include "run/patterns/patterns.hpp"
 
 #include <algorithm>
@@ -14,7 +14,6 @@
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/pattern_search.hpp"
-#include "nodes/wedged/relaxation/facets.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
@@ -32,7 +31,6 @@
 #include "run/session/time_limit.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/contact_problem.hpp"
-#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
@@ -71,8 +69,11 @@ void report_memory(engine::AnalysisOptions& analysis_options) {
 
 class Patterns final : public Subcommand {
  public:
-  void describe(OptionTable& table) override;
-  void check() const override;
+  void describe(OptionTable& table) override {
+    table_ = &table;
+    options_.describe(table);
+  }
+  void check() const override { options_.check(*table_); }
   void read(CommandRun& run) override { options_.input.read(run); }
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
@@ -85,10 +86,6 @@ class Patterns final : public Subcommand {
  private:
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
   [[nodiscard]] bool whole() const { return findings_->whole(); }
-  void describe_tree(OptionTable& table);
-  void describe_table(OptionTable& table);
-  void describe_limits(OptionTable& table);
-  void check_lines() const;
   Step result_lines(CommandRun& run);
   [[nodiscard]] PatternsReport report() const;
   void end_certificate();
@@ -97,8 +94,6 @@ class Patterns final : public Subcommand {
 
   const OptionTable* table_ = nullptr;
   PatternsOptions options_;
-  std::string trace_;
-  std::string vtu_;
   ContactProblem contact_;
   std::vector<double> friction_;
   wedged::PatternParameters parameters_;
@@ -111,148 +106,6 @@ class Patterns final : public Subcommand {
   std::optional<wedged::PatternFirmness> firmness_;
   bool goes_on_ = false;  // a state is kept from which the search can be resumed
 };
-
-void Patterns::describe(OptionTable& table) {
-  table_ = &table;
-  table.problem(options_.input.file);
-  table.friction(options_.friction).swept();
-  describe_tree(table);
-  describe_table(table);
-  table.output();
-  table
-      .choice("--format", options_.lines, {{"json", false}, {"jsonl", true}},
-              "format of the result file: one object (json), or a line per pattern (jsonl), for "
-              "more than about 100,000 patterns. All ranks write the lines during the search, and "
-              "memory does not grow with their number; an object takes 5 kB of memory per pattern")
-      .needs("--output");
-  table.csv_of("patterns");
-  table.pictures(vtu_, "pattern", "patterns.pvd");
-  table.whole_states(
-      options_.whole, "patterns",
-      fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
-  describe_limits(table);
-  table.file("--trace", trace_, Role::output, "timeline of all ranks, for ui.perfetto.dev");
-  table.file("--certificate", options_.certificate, Role::evidence,
-             "certificate file, for kusabi verify");
-  table.flag("--exists", options_.exists,
-             "find one pattern, or prove that there is none. Large decoupled subproblems are first "
-             "searched without a tree");
-  table.prove(options_.prove, "test every node in exact arithmetic, as kusabi verify does");
-  table.quiet_and_serial();
-}
-
-void Patterns::describe_tree(OptionTable& table) {
-  using wedged::Branching;
-  using wedged::FacetBound;
-  // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
-  // to find.
-  table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
-               "tolerance of margins: |t*| up to this value counts as zero, a degenerate node");
-  table.choice("--branching", options_.branching,
-               {{"auto", Branching::automatic},
-                {"paper", Branching::product},
-                {"relative", Branching::relative},
-                {"deepest", Branching::deepest},
-                {"weighed", Branching::weighed}},
-               "branching rule: largest u_n r_n (paper), largest u_n r_n relative to the "
-               "compliance (relative), largest decrease of the margins of both children (deepest), "
-               "a weighted mean of the last two (weighed), or the rule whose sampled tree is "
-               "smallest (auto). The patterns are the same; the number of nodes differs");
-  table.choice("--cuts", options_.tightening, cuts_words(),
-               "bounds of the reaction and the gap of each candidate, which are computed before "
-               "the search and added as cuts to every node: for constrained bodies with a large "
-               "tree (auto), never (none), or always");
-  table.number(
-      "--probe", &options_.probes, between(0, 1000),
-      "number of candidates that strong branching compares at each node. Strong branching gives "
-      "fewer nodes and a smaller certificate, but takes more time; 8 candidates are enough");
-  table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
-               "friction cones of the search: second-order cones (cones), or polyhedral cones that "
-               "contain them (polyhedral, Algorithm 5.8); the resulting patterns are then tested "
-               "with second-order cones");
-  Range facets = between(FacetBound::fewest, FacetBound::maximum);
-  facets.even = true;
-  table.number("--facets", &options_.facets, facets, "number of facets of each polyhedral cone")
-      .needs("--method");
-  table
-      .flag("--candidates", options_.list_candidates,
-            "list all patterns found with polyhedral cones, each with the result of its test")
-      .needs("--method")
-      .varies();
-}
-
-// Order, groups and length of the table, and the order of the search.
-void Patterns::describe_table(OptionTable& table) {
-  table
-      .choice("--sort", options_.sort,
-              {{"number", PatternSort::number},
-               {"margin", PatternSort::margin},
-               {"contact", PatternSort::contact},
-               {"critical", PatternSort::critical}},
-              "order of the table: as found (number), largest margin first (margin), fewest "
-              "candidates in contact first (contact), or smallest critical friction coefficient "
-              "first (critical), which requires about ten cone programs per pattern")
-      .varies();
-  table
-      .number(
-          "--group", &options_.group, between(0, 1000),
-          "table of groups of patterns, one row each. Two patterns are in one group if their "
-          "contact sets differ in at most this number of candidates, or if a chain of such pairs "
-          "connects them. Groups are also in the result file. Default: no groups, but on a "
-          "terminal more than 40 patterns are grouped around those with the largest margins; 0 "
-          "lists all")
-      .varies();
-  table.top(options_.top);
-  // Order by the number of decided signs, see SignPatternTree::bound.
-  table
-      .choice("--order", options_.order,
-              {{"depth-first", engine::Order::depth_first},
-               {"breadth-first", engine::Order::best_first}},
-              "order in which nodes are opened. The patterns are the same; breadth-first requires "
-              "more memory")
-      .varies();
-}
-
-void Patterns::describe_limits(OptionTable& table) {
-  table.search_limits(options_.limits);
-  table
-      .number("--pattern-limit", &options_.limits.solutions, above(0), "maximum number of patterns")
-      .stops(engine::Status::solution_limit)
-      .varies();
-  table.resume(options_.checkpoint);
-  table.former_names_of_resume();
-}
-
-void Patterns::check() const {
-  if (options_.lines) check_lines();
-  if (options_.facets != PatternsOptions{}.facets && !options_.polyhedral) {
-    throw WrongInput("--facets: requires --method polyhedral");
-  }
-  if (options_.list_candidates && !options_.polyhedral) {
-    throw WrongInput("--candidates: requires --method polyhedral");
-  }
-  if (options_.exists && !options_.certificate.empty()) {
-    throw WrongInput(
-        "--certificate: --exists writes no certificate; expected --certificate without --exists, "
-        "or kusabi critical --certificate");
-  }
-  if (options_.probes > 0 && options_.polyhedral)
-    throw WrongInput("--probe: requires --method cones");
-}
-
-// Lines have no further outputs, which would need the whole list.
-void Patterns::check_lines() const {
-  const auto refuse = [](std::string_view option) {
-    throw WrongInput(
-        fmt::format("--format jsonl: is not possible with {}; expected --format json, or no {}",
-                    option, option));
-  };
-  for (const auto* const option : {"--csv", "--vtu", "--whole", "--group", "--exists"}) {
-    if (table_->find(option)->given) refuse(option);
-  }
-  if (options_.sort == PatternSort::critical) refuse("--sort critical");
-  if (table_->find("--output")->given == "-") refuse("--output -");
-}
 
 // Fingerprint of the tree: a checkpoint belongs to a tree, which depends on friction and tolerance.
 std::uint64_t Patterns::tree_fingerprint() const {
@@ -321,7 +174,7 @@ void Patterns::prepare(CommandRun& run) {
                    run.has_searched());
     parameters_.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
-  if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
+  if (!options_.trace.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
   search.warn = warn;
 }
 

@@ -47,8 +47,20 @@ struct PatternsOptions {
   bool lines = false;           ///< result file with one line per pattern
   bool exists = false;          ///< one pattern, or the proof that there is none, is enough
 
+  std::string trace;  ///< timeline file; empty: none
+  std::string vtu;    ///< folder of pictures; empty: none
+
+  void describe(OptionTable& table);
+  /// @throws WrongInput for options that exclude each other
+  void check(const OptionTable& table) const;
   /// Facets of polyhedral cones; 0: second-order cones.
   [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }
+
+ private:
+  void describe_tree(OptionTable& table);
+  void describe_table(OptionTable& table);
+  void describe_limits(OptionTable& table);
+  void check_lines(const OptionTable& table) const;
 };
 
 }  // namespace kusabi::run
