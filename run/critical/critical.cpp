@@ -55,23 +55,25 @@ void Critical::describe(OptionTable& table) {
        {"global", wedged::CriticalStrategy::global},
        {"newton", wedged::CriticalStrategy::newton},
        {"bisection", wedged::CriticalStrategy::bisection}},
-      "method. For the smallest coefficient: from --mu-max downwards (descent), by one search over "
-      "all coefficients from zero (global), or by both in turn (auto). For the coefficients of all "
-      "patterns that stick at --mu-max: newton, or bisection (Algorithm 6.1)");
+      "for the smallest coefficient: search from --mu-max downwards (descent), one search over all "
+      "coefficients from zero (global), or both in turn (auto). For the coefficients of all "
+      "patterns "
+      "that stick at --mu-max: Newton's method (newton), or bisection (Algorithm 6.1)");
   table.number("--mu-max", &options_.parameters.maximum, above(0),
                "largest friction coefficient of the search");
   table.number("--width", &options_.parameters.width, above(0),
                "width of the bracket of each coefficient. Default: 1e-8; with more than 100 "
                "candidates 1e-6, since their cone programs are solved in double precision only");
-  table.choice("--cuts", options_.parameters.tightening, cuts_words(),
-               "bounds of the reaction and the gap of each candidate, which are added as cuts to "
-               "every node: for large constrained bodies (auto), never (none), or always");
+  table.choice(
+      "--cuts", options_.parameters.tightening, cuts_words(),
+      "cuts from bounds of the reaction and the gap of each candidate, added to every node: "
+      "for large constrained bodies (auto), never (none), or always (always)");
   table.flag(
       "--list", options_.parameters.list,
       "list all patterns that stick at the upper bound, in addition to the one that proves it");
   table
       .number("--list-limit", &options_.parameters.list_nodes, above(0),
-              "maximum number of nodes that are opened for this list")
+              "maximum number of nodes that are opened for --list")
       .needs("--list");
   table.top(options_.top, ", smallest coefficients first");
   table.output();

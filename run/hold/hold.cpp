@@ -270,8 +270,8 @@ constexpr Registration hold_subcommand{
      .purpose = "loads that contact with friction can hold",
      .description =
          "The smallest friction coefficient at which the structure can hold its dead load; with "
-         "--mu, the factors of the reference load that it can hold in addition. Both have proved "
-         "bounds.",
+         "--mu, the factors of the reference load that it can hold in addition. All bounds are "
+         "proved.",
      .example = "examples/ladder.toml"},
     make<Hold>};
 

@@ -87,10 +87,11 @@ void Limit::describe(OptionTable& table) {
                "comparison; --cuts none and disjunctive start from the smallest of these factors");
   table.number("--seed", &options_.parameters.seed, at_least(0), "random seed for --samples");
   table.flag("--curve", options_.parameters.curve,
-             "two curves: the load factor over multiples of the critical dead load, and the worst "
-             "case over multiples of alpha");
+             "two curves: the load factor as a function of the multiple of the critical dead load, "
+             "and the worst case as a function of the multiple of alpha");
   table.file("--curve-load", options_.curve_load, Role::input,
-             "curve of the load factor over multiples of the load in this file: [[loads]] with "
+             "curve of the load factor as a function of the multiple of the load in this file: "
+             "[[loads]] with "
              "nodes and forces, or a result file, whose critical load is used");
   table.number("--curve-to", &options_.parameters.curve_to, between(1e-9, 1e9),
                "end of the curves, as a multiple of that load or of alpha");

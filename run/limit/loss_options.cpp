@@ -51,23 +51,23 @@ std::vector<int> kept_members(const LimitProblem& problem, const std::string& na
 }  // namespace
 
 void LossOptions::describe(OptionTable& table) {
-  table.number("--lose", &maximum, between(1, 1000),
-               "maximum number of lost members, for the least load factor over all such losses "
-               "and, with half-widths of uncertain loads, over these loads");
+  table.number(
+      "--lose", &maximum, between(1, 1000),
+      "least load factor after the loss of up to this number of members; with half-widths of "
+      "uncertain loads, also over these loads");
   table
       .number("--at-least", &at_least, Range{},
               "decide whether this load factor is carried after every such loss")
       .needs("--lose");
   table
       .text("--keep", kept, "NAMES",
-            "members that cannot be lost, as NODE-NODE, and nodes none of whose members can be "
-            "lost, separated by blanks")
+            "members (NODE-NODE) that cannot be lost, and nodes all of whose members cannot; "
+            "separated by blanks")
       .needs("--lose");
   table
-      .number(
-          "--sudden", &sudden, between(1, 100),
-          "dynamic factor of all loads after a sudden loss: the yield forces are divided by it. "
-          "1: a slow loss, or unlimited ductility; 2: an elastic structure")
+      .number("--sudden", &sudden, between(1, 100),
+              "dynamic factor by which a sudden loss multiplies all loads: 1 for a slow loss or "
+              "unlimited ductility, 2 for an elastic structure")
       .needs("--lose");
 }
 

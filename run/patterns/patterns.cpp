@@ -59,8 +59,7 @@ void report_memory(engine::AnalysisOptions& analysis_options) {
       reported = true;
       print_message(
           "{}the {} patterns found so far take about {:.1f} GB of memory; --output FILE --format "
-          "jsonl "
-          "writes them during the search\n",
+          "jsonl writes them during the search\n",
           isatty(STDERR_FILENO) != 0 ? "\n" : "", progress.found,
           static_cast<double>(kilobytes * progress.found) / 1e6);
     };

@@ -46,21 +46,23 @@ void PatternsOptions::describe_tree(OptionTable& table) {
   // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
   // to find.
   table.number("--tolerance", &tolerance, between(1e-12, 1e-3),
-               "tolerance of margins: |t*| up to this value counts as zero, a degenerate node");
-  table.choice("--branching", branching,
-               {{"auto", Branching::automatic},
-                {"paper", Branching::product},
-                {"relative", Branching::relative},
-                {"deepest", Branching::deepest},
-                {"weighed", Branching::weighed}},
-               "branching rule: largest u_n r_n (paper), largest u_n r_n relative to the "
-               "compliance (relative), largest decrease of the margins of both children (deepest), "
-               "a weighted mean of the last two (weighed), or the rule whose sampled tree is "
-               "smallest (auto). The patterns are the same; the number of nodes differs");
-  table.choice("--cuts", tightening, cuts_words(),
-               "bounds of the reaction and the gap of each candidate, which are computed before "
-               "the search and added as cuts to every node: for constrained bodies with a large "
-               "tree (auto), never (none), or always");
+               "tolerance of margins: a node with |t*| up to this value is degenerate");
+  table.choice(
+      "--branching", branching,
+      {{"auto", Branching::automatic},
+       {"paper", Branching::product},
+       {"relative", Branching::relative},
+       {"deepest", Branching::deepest},
+       {"weighed", Branching::weighed}},
+      "branching rule: largest u_n r_n (paper), largest u_n r_n relative to the "
+      "compliance (relative), largest decrease of the margins of both children (deepest), "
+      "a weighted mean of relative and deepest (weighed), or the rule whose sampled tree is "
+      "smallest (auto). The patterns are the same; the number of nodes differs");
+  table.choice(
+      "--cuts", tightening, cuts_words(),
+      "cuts from bounds of the reaction and the gap of each candidate, computed before the "
+      "search and added to every node: for constrained bodies with a large tree (auto), "
+      "never (none), or always (always)");
   table.number(
       "--probe", &probes, between(0, 1000),
       "number of candidates that strong branching compares at each node. Strong branching gives "
@@ -95,7 +97,7 @@ void PatternsOptions::describe_table(OptionTable& table) {
   table
       .number(
           "--group", &group, between(0, 1000),
-          "table of groups of patterns, one row each. Two patterns are in one group if their "
+          "table with one row per group of patterns. Two patterns are in one group if their "
           "contact sets differ in at most this number of candidates, or if a chain of such pairs "
           "connects them. Groups are also in the result file. Default: no groups, but on a "
           "terminal more than 40 patterns are grouped around those with the largest margins; 0 "

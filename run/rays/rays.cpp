@@ -78,7 +78,7 @@ void Rays::describe(OptionTable& table) {
                {{"auto", RayMethod::automatic},
                 {"double-description", RayMethod::double_description},
                 {"tree", RayMethod::tree}},
-               "method: Algorithm 4.2 with all rays on every rank (double-description), the rays "
+               "Algorithm 4.2 with all rays on every rank (double-description), the rays "
                "of each sign pattern in turn (tree), or the method that is faster in a trial, "
                "with the rays divided among the ranks (auto). The rays are the same");
   table.output();

@@ -116,8 +116,9 @@ std::vector<std::string> touching_surfaces(const Structure& structure) {
 }
 
 std::string coincident_nodes(const Structure& structure) {
-  return problems::coincidence_warnings(structure).empty() ? "no unconnected nodes"
-                                                           : "unconnected nodes, see the warnings";
+  return problems::coincidence_warnings(structure).empty()
+             ? "none that are not joined"
+             : "nodes that are not joined, see the warnings";
 }
 
 }  // namespace kusabi::run

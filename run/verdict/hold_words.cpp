@@ -167,9 +167,9 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
       points.front().of_reference
           ? fmt::format("It can hold these factors of the reference load {}{}", where, sum)
           : fmt::format("The dead load {}{}", where, sum);
-  return fmt::format("{}: {}{}{}.", what, at(points.front()),
-                     points.size() > 1 ? ", " + at(points.back()) : "",
-                     points.size() > 2 ? "; the table has those between" : "");
+  return fmt::format(
+      "{}: {}{}{}.", what, at(points.front()), points.size() > 1 ? ", " + at(points.back()) : "",
+      points.size() > 2 ? "; the table has the factors at the other coefficients" : "");
 }
 
 std::string headline_of(const HoldingDiagram& found, engine::Status ended) {

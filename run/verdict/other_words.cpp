@@ -29,7 +29,7 @@ std::string of_list(const CertificateCheck::List& list) {
   }
   const auto except = list.except_large_displacements == 0
                           ? std::string{}
-                          : fmt::format(", except for displacements over {:.2g} times the strains",
+                          : fmt::format(" for displacements up to {:.2g} times the strains",
                                         list.displacement_ratio);
   return fmt::format("PROVED: the list of {} is complete{}{}", patterns,
                      list.patterns == 0 ? ": it cannot stick" : "", except);
@@ -57,7 +57,7 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   if (upper > factor.lower) return text;
   return text + fmt::format(
                     "; every load factor from {:.17g} to {:.17g} is carried under every admissible "
-                    "load, and no factor below {:.17g} is",
+                    "load; no factor below {:.17g} is carried",
                     upper, factor.lower, lower);
 }
 
@@ -118,7 +118,7 @@ std::string of_held(const CertificateCheck::Held& held) {
   }
   if (grip) add(grip_text(*held.grip));
   if (held.except_large_displacements) {
-    text += fmt::format(", except for displacements over {:.2g} times the strains",
+    text += fmt::format("; all for displacements up to {:.2g} times the strains",
                         held.displacement_ratio);
   }
   return text;

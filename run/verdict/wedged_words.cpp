@@ -25,11 +25,13 @@ bool is_refuted(const std::optional<ExactDoubt>& doubt) {
 
 void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
   if (!doubt.why.empty()) {
-    all.push_back({fmt::format("The scales of the structure are {:.1e} apart: floating point may "
-                               "miss a pattern or add one. The exact test does not decide this: "
-                               "{}.",
-                               doubt.scale_ratio, doubt.why),
-                   true});
+    all.push_back(
+        {fmt::format(
+             "The stiffnesses or lengths of the structure differ by {:.1e}: floating point may "
+             "miss a pattern or add one. The exact test does not decide this: "
+             "{}.",
+             doubt.scale_ratio, doubt.why),
+         true});
   } else {
     all.push_back({fmt::format("The exact test leaves {} with a margin of zero undecided.",
                                counted(doubt.nodes, "node")),

@@ -36,7 +36,7 @@ std::string verified_friction(const problems::CheckedStructure& structure, doubl
 
 std::string large_displacements_text(std::uint64_t nodes) {
   if (nodes == 0) return {};
-  return fmt::format(", {} of them except for displacements over {:.2g} times the strains", nodes,
+  return fmt::format(", {} of them only for displacements up to {:.2g} times the strains", nodes,
                      verify::largest_displacement_ratio);
 }
 

@@ -29,7 +29,7 @@ std::string verified_problem(const VerifyOptions& options,
                              const problems::CheckedStructure& structure);
 std::string verified_friction(const problems::CheckedStructure& structure, double friction);
 
-/// ", 3 of them except for displacements over 1e+06 times the strains"; empty for none.
+/// ", 3 of them only for displacements up to 1e+06 times the strains"; empty for none.
 std::string large_displacements_text(std::uint64_t nodes);
 
 }  // namespace kusabi::run

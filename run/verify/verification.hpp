@@ -36,7 +36,7 @@ class Verification {
     std::uint64_t infeasible = 0;  ///< with cuts or without
     std::uint64_t feasible = 0;
     std::uint64_t marginal = 0;  ///< without a claim
-    /// Infeasible nodes, proved except for displacements over `displacement_ratio` times the
+    /// Infeasible nodes, proved only for displacements up to `displacement_ratio` times the
     /// strains.
     std::uint64_t except_large_displacements = 0;
     /// Undecided nodes with a proof that some candidate in contact stays unloaded.

@@ -19,9 +19,8 @@ void add_clearances(const problems::Structure& structure, std::string_view comma
   if (first == contact.end()) return;
   const auto count = static_cast<std::uint64_t>(std::ranges::count_if(contact, apart));
   const auto message = fmt::format(
-      "kusabi {} ignores the clearance or interference of {}: a wedged configuration has zero "
-      "gaps; "
-      "expected kusabi hold",
+      "kusabi {} ignores the clearance or interference of {}: the gaps of a wedged configuration "
+      "are zero; kusabi hold uses them",
       command, counted(count, "contact candidate"));
   const auto position =
       problems::position_of(structure.sources.contact, static_cast<int>(first - contact.begin()));
@@ -39,9 +38,8 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
     const auto position =
         problems::position_of(structure.loads.empty() ? sources.uncertain : sources.loads, 0);
     const auto message = fmt::format(
-        "kusabi {} ignores {} of the file: a wedged configuration holds without loads; expected "
-        "kusabi hold for states under load, kusabi limit for limit loads of a truss, or a file "
-        "without [[loads]]",
+        "kusabi {} ignores {} of the file: wedged configurations are without load; kusabi hold "
+        "searches states under load, kusabi limit the limit load of a truss",
         command,
         structure.loads.empty() ? counted(uncertain, "uncertain load")
                                 : counted(structure.loads.size(), "load"));

@@ -114,12 +114,12 @@ std::string nearest_failure_text(const problems::WedgedProblem& problem,
     text = nearest.gap_first ? gap + "; " + text : text + "; " + gap;
   }
   text = fmt::format("If the normal reactions sum to {}, {}.", scale, text);
-  if (nearest.holds_from == 0) return text + " Its configuration needs no friction.";
+  if (nearest.holds_from == 0) return text + " This configuration needs no friction.";
   support::IndexSet slips;
   for (const int i : nearest.slips_there) slips |= support::IndexSet::single(i);
   return fmt::format(
-      "{} Its configuration sticks from friction coefficient {:.4g} on, at which {} {}.", text,
-      nearest.holds_from, with_ranges(candidate_names(problem, slips)),
+      "{} This configuration needs a friction coefficient of at least {:.4g}; with less, {} {}.",
+      text, nearest.holds_from, with_ranges(candidate_names(problem, slips)),
       nearest.slips_there.size() == 1 ? "slips" : "slip");
 }
 

@@ -48,14 +48,13 @@ ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
 }  // namespace
 
 std::string problem_line(const problems::WedgedProblem& problem) {
-  std::string sizes = fmt::format("{} nodes", problem.provenance.nodes);
-  if (problem.provenance.members > 0)
-    sizes += fmt::format(", {} members", problem.provenance.members);
+  auto sizes = counted(problem.provenance.nodes, "node");
+  if (problem.provenance.members > 0) sizes += ", " + counted(problem.provenance.members, "member");
   if (problem.provenance.elements > 0)
-    sizes += fmt::format(", {} elements", problem.provenance.elements);
-  auto line = fmt::format("{}: {}, {}, {} contact candidates", problem.provenance.name,
+    sizes += ", " + counted(problem.provenance.elements, "element");
+  auto line = fmt::format("{}: {}, {}, {}", problem.provenance.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
-                          problem.contact_names.size());
+                          counted(problem.contact_names.size(), "contact candidate"));
   const auto& bodies = problem.modes.bodies;
   constexpr std::size_t max_described = 3;
   for (std::size_t k = 0; k < std::min(bodies.size(), max_described); ++k) {

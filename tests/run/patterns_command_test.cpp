@@ -165,8 +165,7 @@ TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
   }
   EXPECT_LT(minimum, 0.65);
   EXPECT_THAT(run.output,
-              HasSubstr(fmt::format("Its configuration sticks from friction coefficient {:.4g} on",
-                                    minimum)));
+              HasSubstr(fmt::format("needs a friction coefficient of at least {:.4g};", minimum)));
   EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.3").output,
               HasSubstr("It cannot stick at friction coefficient 0.3."));
 }

@@ -78,12 +78,12 @@ class Shown(Problems):
     def test_the_surfaces_that_touch(self):
         text = self.said("show", EXAMPLES / "peg-in-hole.toml").stdout
         self.assertRegex(text, r"body \d against body \d: 7 candidates, one normal \(0.9701, 0.2425\)\n")
-        self.assertIn("coincident  no unconnected nodes", text)
+        self.assertIn("coincident  none that are not joined", text)
         self.assertIn("a proved bracket (critical) in about a second", text)
         text = self.said("show", EXAMPLES / "morse-taper.toml").stdout
         self.assertIn("16 candidates, normals of a cone of half angle 1.5° about an axis", text)
         self.assertIn("can move along x, y and z", text)
-        self.assertIn("unconnected nodes, see the warnings", self.said("show", CASES / "dup.toml").stdout)
+        self.assertIn("nodes that are not joined, see the warnings", self.said("show", CASES / "dup.toml").stdout)
 
     def test_large_problems_have_a_warning_of_their_cost(self):
         file = self.folder / "large.toml"
