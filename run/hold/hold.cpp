@@ -34,6 +34,7 @@ class Hold final : public Subcommand {
   void search(CommandRun& run) override;
   void search_at(engine::Analysis& analysis, double mu);
   std::vector<Step> results(CommandRun& run) override;
+  std::vector<std::string> remarks(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
 
  private:
@@ -168,7 +169,7 @@ void Hold::prepare(CommandRun& run) {
   structure_ = std::move(structure);
   facets_ = std::move(facets);
   if (!options_.points.empty())
-    warn_of_facets(run, options_.input, facets_, options_.points.back());
+    warn_of_facets(run, options_.input, facets_, options_.points.front());
   if (!options_.diagram && options_.load_case.empty() &&
       !problems::load_cases(structure_).empty()) {
     throw WrongInput(
@@ -256,6 +257,16 @@ std::vector<Step> Hold::results(CommandRun& run) {
                  write_chart(out, hold_chart(result, headline(verdict())).value());
                }),
       run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+}
+
+std::vector<std::string> Hold::remarks(CommandRun& /*run*/) {
+  if (options_.certificate.empty() || findings_.points.empty() ||
+      !findings_.points.front().factors.one_factor_at_most)
+    return {};
+  return {
+      fmt::format("{} has no evidence: the reference load is in equilibrium at one factor at "
+                  "most, of which nothing is recorded",
+                  options_.certificate)};
 }
 
 Verdict Hold::verdict() const {

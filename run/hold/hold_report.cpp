@@ -140,8 +140,8 @@ ordered_json grip_json(const wedged::GripRange& found) {
   if (!found.held) return {{"held", false}};
   const auto end = [](const wedged::GripEnd& own) -> ordered_json {
     if (own.unbounded) return nullptr;
-    return {{"held", own.held},
-            {"out", own.out},
+    return {{"held", own.known ? ordered_json(own.held) : ordered_json()},
+            {"out", own.known ? ordered_json(own.out) : ordered_json()},
             {"held_proved", own.held_proved},
             {"out_proved", own.out_proved}};
   };

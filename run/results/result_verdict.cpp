@@ -162,7 +162,17 @@ class WrittenVerdict {
                                  standing(each, "standing"), bracket(each, "below"),
                                  bracket(each, "above")});
     }
+    if (const auto* const grip = ResultReader::find(answer, "grip"))
+      found.grip = holding_grip(*grip);
     return found;
+  }
+  [[nodiscard]] HoldingGrip holding_grip(const ResultJson& grip) const {
+    return {.held = truth(grip, "held"),
+            .held_standing = standing(grip, "held_standing"),
+            .minimum = bracket(grip, "least"),
+            .maximum = bracket(grip, "most"),
+            .unbounded = truth(grip, "unbounded"),
+            .unbounded_standing = standing(grip, "unbounded_standing")};
   }
   [[nodiscard]] HoldingSweep holding_sweep(const ResultJson& answer) const {
     HoldingSweep found{.requested = count(answer, "requested")};

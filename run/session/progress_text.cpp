@@ -128,7 +128,7 @@ std::string progress_explained(bool minimising) {
       "  open    nodes that wait to be opened\n"
       "{}"
       "  idle    ranks without work\n"
-      "  done    closed share of the tree, where both children of a node have half of its share\n"
+      "  done    closed share of the tree; the children of a node divide its share\n"
       "  left    estimated remaining time, from the growth of this share{}\n"
       "          ending: no open node is left, and the ranks terminate",
       progress_header(minimising), progress_row(example),

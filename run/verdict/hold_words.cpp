@@ -28,7 +28,8 @@ std::string part(const HoldingFactors::Interval& each) {
   if (std::isinf(each.low)) return fmt::format("up to {}{}", rounded_down(each.high), standing);
   if (std::isinf(each.high)) return fmt::format("from {} on{}", rounded_up(each.low), standing);
   if (each.low == each.high) return fmt::format("{:.6g}{}", each.low, standing);
-  return fmt::format("from {} to {}{}", rounded_up(each.low), rounded_down(each.high), standing);
+  const auto [low, high] = inside(each.low, each.high);
+  return fmt::format("from {} to {}{}", low, high, standing);
 }
 
 std::string parts(const HoldingFactors& found) {

@@ -28,8 +28,9 @@ std::string nominal(const LoadInterval& found) {
   if (!found.maximum.lower) return "No load factor was found at which it carries its dead load.";
   const auto& [value, standing] = *found.maximum.lower;
   if (const auto& from = found.minimum.upper; from && from->value > 0) {
-    return fmt::format("It carries its dead load only at load factors from {} to {}{}.",
-                       rounded_up(from->value), rounded_down(value), unless_proved(standing));
+    const auto [low, high] = inside(from->value, value);
+    return fmt::format("It carries its dead load only at load factors from {} to {}{}.", low, high,
+                       unless_proved(standing));
   }
   return fmt::format("It carries {} times the reference load, and no more{}.", rounded_down(value),
                      unless_proved(standing));
@@ -82,9 +83,10 @@ std::string factors_headline(const LoadInterval& found) {
   if (is_undecided(found)) {
     return fmt::format("It is numerically undecided whether any load factor is carried {}.", loads);
   }
-  return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}.",
-                     rounded_up(from->value), unless_proved(from->standing),
-                     rounded_down(to->value), if_large(found), unless_proved(to->standing), loads);
+  const auto [low, high] = inside(from->value, to->value);
+  return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}.", low,
+                     unless_proved(from->standing), high, if_large(found),
+                     unless_proved(to->standing), loads);
 }
 
 // True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.
@@ -112,9 +114,9 @@ std::string guaranteed(const LoadSteps& found) {
   if (!from) return "; the least factor that is carried under all admissible loads is open";
   if (from->value > to->value)
     return "; it is numerically undecided whether any factor is carried under all admissible loads";
-  return fmt::format("; factors from {}{} to {} are carried under all admissible loads",
-                     rounded_up(from->value), unless_proved(from->standing),
-                     rounded_down(to->value));
+  const auto [low, high] = inside(from->value, to->value);
+  return fmt::format("; factors from {}{} to {} are carried under all admissible loads", low,
+                     unless_proved(from->standing), high);
 }
 
 }  // namespace

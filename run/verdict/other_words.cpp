@@ -23,14 +23,15 @@ std::string of_list(const CertificateCheck::List& list) {
   if (list.undecided > 0 && list.nodes == 0)
     return "NOTHING PROVED: all nodes are marginal, and the certificate claims nothing about them";
   const auto patterns = counted(list.patterns, "pattern");
-  if (list.undecided > 0) {
-    return fmt::format("PROVED except for {}: the list of {} is complete except for these",
-                       counted(list.undecided, "marginal node"), patterns);
-  }
   const auto except = list.except_large_displacements == 0
                           ? std::string{}
                           : fmt::format(" for displacements up to {:.2g} times the strains",
                                         list.displacement_ratio);
+  if (list.undecided > 0) {
+    return fmt::format("PROVED except for {}: the list of {} is complete{} except for these",
+                       counted(list.undecided, "marginal node"), patterns,
+                       except.empty() ? "" : except + ",");
+  }
   return fmt::format("PROVED: the list of {} is complete{}{}", patterns,
                      list.patterns == 0 ? ": it cannot stick" : "", except);
 }

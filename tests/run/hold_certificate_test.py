@@ -199,6 +199,41 @@ class HoldCertificate(KusabiCase):
         self.assertIsNone(result["result"]["grip"]["most"])
         self.assertIn("no upper bound", " ".join(result["verdict"]["details"]))
 
+    def test_no_largest_sum_is_claimed_if_the_wedged_contacts_do_not_resist_every_mode(self):
+        # A bar between a rough inclined wall and a smooth vertical one: it may turn about its rough end.
+        place = self.folder / "bar.toml"
+        place.write_text("""
+name = "bar"
+dimension = 2
+[nodes]
+a = [0, 0]
+b = [1, 0]
+[[members]]
+between = [["a", "b"]]
+EA = 1
+[[contact]]
+nodes = ["a"]
+normal = [0.9659258262890683, 0.25881904510252074]
+[[contact]]
+nodes = ["b"]
+normal = [-1, 0]
+friction_factor = 0
+[[loads]]
+kind = "dead"
+nodes = ["a"]
+force = [0.01, 0]
+[[loads]]
+kind = "dead"
+nodes = ["b"]
+force = [-0.01, 0]
+""")
+        self.assertEqual(self.solve("patterns", place, "--mu", 0.4)["result"]["count"], 1)
+        result = self.solve("hold", place, "--mu", 0.4, "--grip")
+        self.assertEqual(result["verdict"]["exit_code"], 3)
+        self.assertEqual(result["result"]["grip"]["most"],
+                         {"held": None, "out": None, "held_proved": False, "out_proved": False})
+        self.assertIn("an upper bound is not known", " ".join(result["verdict"]["details"]))
+
     def test_a_groove_holds_what_its_total_allows(self):
         # At a sum of 1 a load along its axis between -(mu cos + sin) and mu cos - sin: theory/loads.md.
         angle, mu = math.radians(15), 0.4

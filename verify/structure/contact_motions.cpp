@@ -167,6 +167,19 @@ SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bo
   return {visible.removed(), visible.basis()};
 }
 
+// Sum of the magnitudes of force times displacement of a mode.
+double size_of_work(const Structure& structure, const UnconstrainedBodies& bodies,
+                    const std::vector<Force>& load, const Rationals& mode) {
+  double size = 0;
+  for (const auto& [node, components] : load) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+      if (components[axis] != 0)
+        size += std::abs(components[axis] * dot(bodies.at(node, axis), mode).get_d());
+    }
+  }
+  return size;
+}
+
 }  // namespace
 
 UnconstrainedModes unconstrained_modes(const Structure& structure) {
@@ -222,7 +235,10 @@ std::vector<LoadWork> works_of(const Structure& structure, const ContactMotions&
     for (std::size_t k = 0; k < modes.of_candidates.size(); ++k)
       result[load].of_candidates.push_back(
           times_power(dot(moved, modes.of_candidates[k]), seen.shifts[k]));
-    for (const auto& mode : modes.others) result[load].others.push_back(dot(moved, mode));
+    for (const auto& mode : modes.others) {
+      result[load].others.push_back(dot(moved, mode));
+      result[load].sizes_of_others.push_back(size_of_work(structure, bodies, loads[load], mode));
+    }
   }
   return result;
 }

@@ -53,6 +53,7 @@ UnconstrainedModes unconstrained_modes(const Structure& structure);
 struct LoadWork {
   Rationals of_candidates;
   Rationals others;
+  std::vector<double> sizes_of_others;  ///< the same with the magnitudes of all products
 };
 
 /// Exact work of loads on all modes. @param seen those of unconstrained_modes()

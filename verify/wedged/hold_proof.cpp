@@ -36,6 +36,7 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
   const auto& header = certificate.header;
   const auto& [problem, loads] = enclosure;
   for (const auto& load : loads) work_on_other_modes_.push_back(load.work.others);
+  sizes_of_work_ = loads[0].work.sizes_of_others;
   for (const auto& block : header.blocks) {
     auto own = contact_block(header, problem.stiffness, problem.motions, block, loads);
     Part part{.unconstrained = own.motions.count > 0};
@@ -193,15 +194,13 @@ std::vector<FactorRange> HoldProof::held_by(std::size_t block,
 }
 
 // The dead load and every multiple of the reference load do work on a motion that displaces no
-// candidate, by more than the rounding of directions.
+// candidate: by more than a share of the magnitudes of which it consists, which may be the rounding
+// of positions and directions in the file.
 bool HoldProof::out_of_equilibrium() const {
   constexpr double rounded = 0x1p-30;
-  double size = 0;
-  for (const auto& mode : work_on_other_modes_[0]) size = std::max(size, std::abs(mode.get_d()));
-  if (size == 0) return false;
   for (std::size_t mode = 0; mode < work_on_other_modes_[0].size(); ++mode) {
     if (sgn(work_on_other_modes_[1][mode]) == 0 &&
-        std::abs(work_on_other_modes_[0][mode].get_d()) > rounded * size)
+        std::abs(work_on_other_modes_[0][mode].get_d()) > rounded * sizes_of_work_[mode])
       return true;
   }
   return false;

@@ -84,6 +84,7 @@ class HoldProof {
   std::vector<BlockProof> blocks_;
   std::vector<Part> parts_;
   std::vector<Rationals> work_on_other_modes_;  // of each load: modes that displace no candidate
+  std::vector<double> sizes_of_work_;           // of the dead load, from the magnitudes
   std::optional<Dyadic> minimum_;
 };
 

@@ -149,23 +149,28 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   return end;
 }
 
+const GripEnd unknown_end{.held_proved = false, .out_proved = false, .known = false};
+
 std::optional<GripOfBlock> BlockGrip::range() {
   GripOfBlock own;
   const auto wedged = search({}, {});
-  own.maximum.unbounded = !wedged.leaf.empty() || !wedged.tally.limits.empty();
-  own.maximum.held_proved = !own.maximum.unbounded || !wedged.leaf.empty();
+  // A multiple of a wedged configuration can be added to a state if it resists all modes; otherwise
+  // their signs may contradict each other.
+  own.maximum.unbounded =
+      !wedged.leaf.empty() && resists_all(block_.problem, wedged.leaf.front().pattern.contact, mu_);
   own.maximum.out_proved = own.maximum.unbounded || wedged.is_infeasible();
+  if (!own.maximum.unbounded && (!wedged.leaf.empty() || !wedged.tally.limits.empty()))
+    own.maximum = unknown_end;
   if (!is_under_dead(block_)) return own;
   const auto first = search(std::array{dead_load}, {});
   if (first.is_infeasible()) return {};
   if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
-    if (!own.maximum.unbounded)
-      own.maximum = {.held_proved = false, .out_proved = false, .known = false};
+    if (!own.maximum.unbounded) own.maximum = unknown_end;
     own.minimum.held_proved = false;
     return own;
   }
   own.minimum = end(Kind::below, first.leaf.front());
-  if (own.maximum.unbounded) return own;
+  if (own.maximum.unbounded || !own.maximum.known) return own;
   const bool known = own.maximum.out_proved;
   own.maximum = end(Kind::above, first.leaf.front());
   own.maximum.out_proved = own.maximum.out_proved && known;

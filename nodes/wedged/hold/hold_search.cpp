@@ -64,7 +64,7 @@ std::optional<double> only_factor(const LoadedProblem& loaded) {
 HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                           const HoldParameters& parameters) {
   const auto factor = only_factor(loaded);
-  if (!factor) return {.not_in_equilibrium = true};
+  if (!factor) return {.one_factor_at_most = true, .not_in_equilibrium = true};
   LoadedProblem fixed = loaded;  // the dead load of that factor alone
   if (loaded.has_dead) {
     fixed.loads.displacements.col(0) +=
@@ -86,6 +86,7 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   fixed.loads.sizes = Eigen::VectorXd(fixed.loads.sizes.head(kept));
   auto at = held_factors(analysis, fixed, mu, parameters);
   at.any_by_supports = false;
+  at.one_factor_at_most = true;
   for (auto& each : at.intervals) each.low = each.low_out = each.high = each.high_out = *factor;
   return at;
 }

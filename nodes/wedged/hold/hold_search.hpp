@@ -54,6 +54,7 @@ struct HeldFactors {
   bool unresolved = false;                ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
+  bool one_factor_at_most = false;        ///< in equilibrium; the search records no evidence
   bool not_in_equilibrium = false;        ///< at every factor the load moves a body where no
                                           ///< candidate resists
   std::vector<HoldCost> costs{};

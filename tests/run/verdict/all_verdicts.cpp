@@ -90,7 +90,15 @@ void add_holding(std::vector<AnyAnswer>& all) {
         some.friction = 0.45;
         some.total = 2;
         some.intervals = {{.low = -1, .high = 2, .standing = standing}};
-        all.insert(all.end(), {none, held});
+        HoldingFactors gripped = held;
+        gripped.grip = HoldingGrip{.held_standing = standing,
+                                   .minimum = {Bound{0.1, standing}, Bound{0.2, standing}},
+                                   .maximum = {Bound{0.3, standing}, Bound{0.4, standing}}};
+        HoldingFactors unlimited = gripped;
+        unlimited.grip->maximum = {};
+        unlimited.grip->unbounded = open;
+        unlimited.grip->unbounded_standing = standing;
+        all.insert(all.end(), {none, held, gripped, unlimited});
         if (reference) all.push_back(some);
         for (const std::uint64_t requested : {3U, 4U})
           all.push_back(HoldingSweep{.requested = requested,

@@ -24,6 +24,17 @@ TEST(ShownBracket, RoundsOutwards) {
   EXPECT_EQ(negative.upper, "-1.2345");
 }
 
+TEST(ShownBracket, InsideIsNeverEmpty) {
+  const auto narrow = inside(0.333331, 0.333339);
+  EXPECT_EQ(narrow.lower, "0.333331");
+  EXPECT_EQ(narrow.upper, "0.333339");
+  const auto wide = inside(-1.23456789, 1.23456789);
+  EXPECT_EQ(wide.lower, "-1.2345");
+  EXPECT_EQ(wide.upper, "1.2345");
+  const double next = std::nextafter(0.1, 1.0);
+  EXPECT_LE(std::stod(inside(0.1, next).lower), std::stod(inside(0.1, next).upper));
+}
+
 TEST(ShownBracket, OfATableIsAtMostTwiceAsWide) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> exponent(-6, 4);
