@@ -24,7 +24,7 @@ TEST(ShownBracket, RoundsOutwards) {
   EXPECT_EQ(negative.upper, "-1.2345");
 }
 
-TEST(ShownBracket, OfATableIsAtMostTwiceAsWide) {
+TEST(ShownBracket, InATableIsAtMostTwiceAsWide) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> exponent(-6, 4);
   for (int i = 0; i < 2000; ++i) {
