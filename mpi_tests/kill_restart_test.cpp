@@ -119,7 +119,7 @@ class KillRestart : public testing::Test {
   std::string result_;
 };
 
-TEST_F(KillRestart, ManyKillsChangeNothing) {
+TEST_F(KillRestart, OutcomeIsTheSameAfterManyKills) {
   const auto expected = undisturbed();
   constexpr std::uint64_t seed = 20;
   std::mt19937_64 random(seed);
@@ -183,7 +183,7 @@ TEST_F(KillRestart, ManyKillsChangeNothing) {
   EXPECT_TRUE(content(result_) == expected) << "not the outcome of the undisturbed run";
 }
 
-TEST_F(KillRestart, ADeathAtAnyCallOfTheDiskLeavesAWholeCheckpoint) {
+TEST_F(KillRestart, AKillAtAnyDiskCallLeavesACompleteCheckpoint) {
   const auto expected = undisturbed();
   // The first checkpoint of a run on one rank takes six calls, each other one seven.
   for (int calls = 1; calls <= 6 + 7; ++calls) {
@@ -210,7 +210,7 @@ TEST_F(KillRestart, ASignalStopsTheSearchWithACheckpoint) {
   EXPECT_TRUE(content(result_) == expected) << "not the outcome of the undisturbed run";
 }
 
-TEST_F(KillRestart, SIGUSR1AsksForACheckpointOnTheWay) {
+TEST_F(KillRestart, SIGUSR1WritesACheckpointWithoutStopping) {
   const auto expected = undisturbed();
   ASSERT_EQ(run(2, call("600", "usr1:1:5000")), 0) << content(log());
   EXPECT_EQ(epoch(), 1U);
@@ -221,7 +221,7 @@ TEST_F(KillRestart, SIGUSR1AsksForACheckpointOnTheWay) {
   EXPECT_TRUE(content(result_) == expected) << "not the outcome of the undisturbed run";
 }
 
-TEST_F(KillRestart, MpirunPassesSIGUSR1On) {
+TEST_F(KillRestart, MpirunForwardsSIGUSR1) {
   bool sent = false;
   // One of the two ranks opens 60,000 of the 193,480 nodes.
   [[maybe_unused]] const int code =

@@ -19,7 +19,7 @@ using examples::Queens;
 using examples::RandomTree;
 using test::thorough;
 
-TEST(MpiSearch, FindsWhatOneProcessFinds) {
+TEST(MpiSearch, OutcomeIsThatOfOneProcess) {
   MpiTransport transport;
   Queens queens(8);
   const auto together = search(queens, transport);
@@ -94,7 +94,7 @@ TEST(MpiSearch, MessagesAboveTheEagerLimitArrive) {
   }
 }
 
-TEST(MpiSearch, ALongExpansionAnswersWhenItPolls) {
+TEST(MpiSearch, AnswersRequestsWhenALongExpansionPolls) {
   // Every node takes several steps' time; with `poll` requests are answered during an expansion.
   struct Polling {
     using Node = int;

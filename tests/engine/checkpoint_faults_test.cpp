@@ -128,7 +128,7 @@ class CheckpointFaults : public testing::Test {
   std::vector<std::string> warnings_;
 };
 
-TEST_F(CheckpointFaults, TheManifestThatCannotBeWrittenLeavesTheOneBefore) {
+TEST_F(CheckpointFaults, ThePreviousCheckpointRemainsIfTheManifestCannotBeWritten) {
   leave_two();
   // A folder has the name of the manifest's temporary file: every new epoch fails.
   fs::create_directories(file_ + ".tmp/in the way");
@@ -137,7 +137,7 @@ TEST_F(CheckpointFaults, TheManifestThatCannotBeWrittenLeavesTheOneBefore) {
   expect_a_good_one();
 }
 
-TEST_F(CheckpointFaults, ADamagedOneNeverTakesThePlaceOfTheGoodOneBefore) {
+TEST_F(CheckpointFaults, ADamagedCheckpointDoesNotReplaceTheValidPreviousOne) {
   leave_two();
   const auto damaged = read_manifest(file_).epoch;
   overwrite(part(damaged, 1), "");
@@ -151,7 +151,7 @@ TEST_F(CheckpointFaults, ADamagedOneNeverTakesThePlaceOfTheGoodOneBefore) {
   expect_a_good_one();
 }
 
-TEST_F(CheckpointFaults, PartsOfARunThatWasKilledDoNotCompleteADamagedOne) {
+TEST_F(CheckpointFaults, PartsOfAKilledRunDoNotCompleteADamagedCheckpoint) {
   leave_two();
   const auto damaged = read_manifest(file_).epoch;
   overwrite(part(damaged, 0), "");
@@ -169,7 +169,7 @@ TEST_F(CheckpointFaults, PartsOfARunThatWasKilledDoNotCompleteADamagedOne) {
   expect_a_good_one();
 }
 
-TEST_F(CheckpointFaults, WhatKilledRunsLeaveBehindIsClearedAway) {
+TEST_F(CheckpointFaults, PartsLeftByKilledRunsAreRemoved) {
   leave_two();
   const auto newest = read_manifest(file_).epoch;
   // Parts never listed, of more ranks than now, complete and incomplete.
@@ -194,7 +194,7 @@ TEST_F(CheckpointFaults, WhatKilledRunsLeaveBehindIsClearedAway) {
   EXPECT_EQ(names(), expected);
 }
 
-TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
+TEST_F(CheckpointFaults, AFullDiskIsAWarningAndThePreviousCheckpointRemains) {
   // A limit on the size of files simulates a full disk: writing fails with an error.
   const auto allow = [](rlim_t bytes) {
     rlimit limit{};
@@ -239,7 +239,7 @@ TEST_F(CheckpointFaults, AFolderThatIsMissingAtTheStartIsAnError) {
   }
 }
 
-TEST_F(CheckpointFaults, AWarningThatNobodyReceivesGoesToStandardError) {
+TEST_F(CheckpointFaults, WarningsWithoutAReceiverGoToStandardError) {
   fs::create_directories(file_ + ".tmp/in the way");
   auto choice = options();
   choice.warn = nullptr;
@@ -248,7 +248,7 @@ TEST_F(CheckpointFaults, AWarningThatNobodyReceivesGoesToStandardError) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(file_));
 }
 
-TEST_F(CheckpointFaults, AFolderThatGoesAndComesBackIsAWarning) {
+TEST_F(CheckpointFaults, ATemporarilyMissingFolderIsAWarning) {
   leave_two();
   const auto before = read_manifest(file_).epoch;
   const fs::path elsewhere = folder_.string() + "-elsewhere";
@@ -307,7 +307,7 @@ TEST_F(CheckpointFaults, AnyTruncationIsRefusedInOneLine) {
 // Stored files of a search of RandomTree(2, 16) on three ranks that stopped at 3000 nodes. If the
 // last test fails because the content of a part has changed, the format version must change too, so
 // that old files are refused by version and not misread.
-TEST_F(CheckpointFaults, AStoredOneOfFormatVersionOneIsRefused) {
+TEST_F(CheckpointFaults, AStoredCheckpointOfFormatVersionOneIsRefused) {
   copy_stored("checkpoint-version-1");
   EXPECT_EQ(refusal(), file_ + ": is of format version 1; expected 3 or 4");
 }
@@ -315,7 +315,7 @@ TEST_F(CheckpointFaults, AStoredOneOfFormatVersionOneIsRefused) {
 class StoredCheckpoint : public CheckpointFaults,
                          public testing::WithParamInterface<const char*> {};
 
-TEST_P(StoredCheckpoint, LeadsToTheEnd) {
+TEST_P(StoredCheckpoint, ResumesToTheOutcomeOfAnUndisturbedRun) {
   if (std::endian::native != std::endian::little || sizeof(long) != 8) {
     GTEST_SKIP() << "parts are in the machine's own format; the stored ones are of x86-64";
   }
@@ -331,8 +331,8 @@ INSTANTIATE_TEST_SUITE_P(, StoredCheckpoint,
                          testing::Values("checkpoint-version-3", "checkpoint-version-4"));
 
 // Command that stored the files of the current format, in the folder of the test:
-// --gtest_also_run_disabled_tests --gtest_filter=*StoresOne
-TEST_F(CheckpointFaults, DISABLED_StoresOne) {
+// --gtest_also_run_disabled_tests --gtest_filter=*StoresACheckpoint
+TEST_F(CheckpointFaults, DISABLED_StoresACheckpoint) {
   auto choice = options();
   choice.checkpoint.interval = 1e9;
   choice.limits.nodes = 3000;

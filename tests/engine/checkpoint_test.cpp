@@ -114,7 +114,7 @@ void overwrite(const fs::path& name, const std::string& bytes) {
   std::ofstream(name, std::ios::binary | std::ios::trunc) << bytes;
 }
 
-TEST_F(Checkpoint, ManyStopsGiveWhatOneRunGives) {
+TEST_F(Checkpoint, OutcomeIsTheSameAfterManyStops) {
   RandomTree tree(2, 16);
   const auto whole = search(tree);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -134,7 +134,7 @@ TEST_F(Checkpoint, ManyStopsGiveWhatOneRunGives) {
   }
 }
 
-TEST_F(Checkpoint, TheBestSolutionSurvives) {
+TEST_F(Checkpoint, KeepsTheBestSolution) {
   auto knapsack = Knapsack::random(5, 24);
   Options best;
   best.goal = Goal::best;
@@ -147,7 +147,7 @@ TEST_F(Checkpoint, TheBestSolutionSurvives) {
   EXPECT_EQ(outcome.bound, whole.bound);
 }
 
-TEST_F(Checkpoint, TheSolutionsOfAPoolSurvive) {
+TEST_F(Checkpoint, KeepsTheSolutionsOfAPool) {
   auto knapsack = Knapsack::random(5, 18);
   pool_ = {.count = 30, .gap = 3};
   Options best;
@@ -190,7 +190,7 @@ TEST_F(Checkpoint, OfAnotherPoolIsRefused) {
 
 // The interval never elapses, so a checkpoint is written only when the incumbent improves; it
 // contains that incumbent.
-TEST_F(Checkpoint, IsThereAsSoonAsTheIncumbentIsBetter) {
+TEST_F(Checkpoint, IsWrittenWhenTheIncumbentImproves) {
   auto choice = options();
   choice.goal = Goal::best;
   choice.reduction_interval = 0;
@@ -223,7 +223,7 @@ TEST_F(Checkpoint, IsThereAsSoonAsTheIncumbentIsBetter) {
   EXPECT_GT(several, 0);
 }
 
-TEST_F(Checkpoint, TheOrderMayChangeOnTheWay) {
+TEST_F(Checkpoint, ResumesInAnotherOrder) {
   auto knapsack = Knapsack::random(4, 12);
   const auto whole = search(knapsack);
   int pieces = 0;
@@ -235,7 +235,7 @@ TEST_F(Checkpoint, TheOrderMayChangeOnTheWay) {
   EXPECT_EQ(outcome.solutions.size(), whole.solutions.size());
 }
 
-TEST_F(Checkpoint, APeriodicOneDoesNotDisturbTheSearch) {
+TEST_F(Checkpoint, PeriodicWritingDoesNotChangeTheSearch) {
   RandomTree tree(2, 16);
   const auto whole = search(tree);
   auto choice = options();
@@ -248,7 +248,7 @@ TEST_F(Checkpoint, APeriodicOneDoesNotDisturbTheSearch) {
   EXPECT_TRUE(fs::exists(file_ + ".previous"));
 }
 
-TEST_F(Checkpoint, GoesOnFromAPeriodicOneAsFromAStop) {
+TEST_F(Checkpoint, ResumesFromAPeriodicCheckpointAsFromAStop) {
   RandomTree tree(2, 16);
   const auto whole = search(tree);
   auto choice = options();
@@ -373,7 +373,7 @@ TEST_F(Checkpoint, IsNotOverwrittenByANewSearch) {
   EXPECT_EQ(refusal_of(choice), "accepted");
 }
 
-TEST_F(Checkpoint, AMissingOneIsRefused) {
+TEST_F(Checkpoint, AMissingFileIsRefused) {
   EXPECT_THAT(refusal(), HasSubstr("cannot be read"));
 }
 
@@ -418,7 +418,7 @@ TEST_F(Checkpoint, APartOfAnotherEpochIsNoticed) {
   EXPECT_THROW(read_part(file_, newest, 0), CheckpointError);
 }
 
-TEST_F(Checkpoint, TheEpochBeforeServesWhenTheNewestIsDamaged) {
+TEST_F(Checkpoint, ThePreviousEpochIsReadIfTheNewestIsDamaged) {
   auto choice = options();
   choice.checkpoint.interval = 1e-3;
   simulate(RandomTree(2, 16), 4, 1, {}, choice);
@@ -451,7 +451,7 @@ std::uint64_t found_in(const Outcome<CountedLeaves>& outcome) {
   return found;
 }
 
-TEST_F(Checkpoint, SolutionsThatTheProblemKeepsAreCountedOverAllRuns) {
+TEST_F(Checkpoint, SolutionsStoredByTheProblemAreCountedOverAllRuns) {
   int pieces = 0;
   const auto outcome = in_pieces(CountedLeaves(), 700, 1, Goal::all, &pieces);
   EXPECT_GT(pieces, 3);
@@ -459,7 +459,7 @@ TEST_F(Checkpoint, SolutionsThatTheProblemKeepsAreCountedOverAllRuns) {
   EXPECT_TRUE(outcome.solutions.empty());
 }
 
-TEST_F(Checkpoint, TheirLimitCountsThoseOfEarlierRuns) {
+TEST_F(Checkpoint, SolutionLimitCountsSolutionsOfEarlierRuns) {
   auto choice = options();
   choice.limits.nodes = 2000;
   const auto first = simulate(CountedLeaves(), 3, 1, {}, choice).outcome;

@@ -31,13 +31,13 @@ TEST(Collectives, BroadcastsWithinOneProcess) {
   EXPECT_NO_THROW(require_equal_on_all_ranks(alone, 0xBAD));
 }
 
-TEST(Collectives, AnExceptionOfAProcessThatIsAloneReachesTheCaller) {
+TEST(Collectives, AnExceptionOfASingleProcessReachesTheCaller) {
   SingleProcess alone;
   EXPECT_THROW(from_first_rank(alone, []() -> int { throw std::runtime_error("no file"); }),
                std::runtime_error);
 }
 
-TEST(Collectives, SimulatedRanksMayNotWaitForEachOther) {
+TEST(Collectives, RefuseSimulatedRanks) {
   SimulatedNetwork network(2, 1, {});
   EXPECT_THROW(from_first_rank(network.transport(0), [] { return 1; }), ContractBroken);
 }
@@ -49,7 +49,7 @@ TEST(SharedWork, GivesTheResultsInTheOrderOfThePieces) {
   EXPECT_EQ(squares, (std::vector<std::uint64_t>{0, 1, 4, 9, 16}));
 }
 
-TEST(SharedWork, EndsWithTheLimitsOfTheAnalysis) {
+TEST(SharedWork, StopsAtTheLimitsOfTheAnalysis) {
   const std::function<std::uint64_t(std::uint64_t)> square = [](std::uint64_t n) { return n * n; };
   SingleProcess alone;
   Analysis unlimited(alone);
@@ -71,7 +71,7 @@ class OneRank final : public SingleProcess {
   mutable double now_ = 0;
 };
 
-TEST(SharedWork, DoesNotEndWithTheNumberOfSolutionsOfASearch) {
+TEST(SharedWork, IgnoresTheSolutionLimitOfSearches) {
   OneRank rank;
   AnalysisOptions few;
   few.limits.solutions = 2;
@@ -83,7 +83,7 @@ TEST(SharedWork, DoesNotEndWithTheNumberOfSolutionsOfASearch) {
   EXPECT_EQ(results, (std::vector<std::uint64_t>{0, 1, 2, 3, 4}));
 }
 
-TEST(Budget, LeavesTheOtherLimitsAndLessTime) {
+TEST(Budget, SubtractsElapsedTimeAndKeepsTheOtherLimits) {
   Limits limits;
   limits.seconds = 1000;
   limits.nodes = 17;
@@ -128,7 +128,7 @@ TEST(Budget, DistinguishesASignalFromTheTimeLimit) {
   EXPECT_EQ(budget.interrupt()(), Interrupt::stop);
 }
 
-TEST(Budget, ACheckpointRequestBetweenSearchesReachesTheNextOnce) {
+TEST(Budget, PassesACheckpointRequestToTheNextSearchOnce) {
   Interrupt asked = Interrupt::checkpoint;
   const Budget budget({}, [&] { return std::exchange(asked, Interrupt::none); });
   EXPECT_FALSE(budget.spent());
@@ -138,7 +138,7 @@ TEST(Budget, ACheckpointRequestBetweenSearchesReachesTheNextOnce) {
   EXPECT_EQ(interrupt(), Interrupt::none);
 }
 
-TEST(Analysis, ShowsASearchToItsWatcherAndThenLetsItGo) {
+TEST(Analysis, ReleasesTheWatcherOfASearchAtItsEnd) {
   std::weak_ptr<int> watcher;
   AnalysisOptions analysis_options;
   analysis_options.watch = [&](Goal goal, const ShownObjective& shown) {
@@ -155,7 +155,7 @@ TEST(Analysis, ShowsASearchToItsWatcherAndThenLetsItGo) {
   EXPECT_TRUE(watcher.expired());
 }
 
-TEST(Analysis, EachSearchHasTheLimitsThatAreLeft) {
+TEST(Analysis, EachSearchHasTheRemainingLimits) {
   AnalysisOptions analysis_options;
   analysis_options.limits.nodes = 1;
   SingleProcess alone;

@@ -29,13 +29,13 @@ std::string complaint(auto&& act) {
   }
 }
 
-TEST(Contract, NamesFileLineAndPromise) {
+TEST(Contract, ViolationNamesFileLineAndCondition) {
   EXPECT_EQ(complaint([] { ensure(true, "the sun rises"); }), "none");
   EXPECT_THAT(complaint([] { ensure(false, "the sun rises"); }),
               MatchesRegex("engine/contract_test.cpp:[0-9]+: contract violated: the sun rises"));
 }
 
-TEST(Contract, HoldsForWhatKeepsNodes) {
+TEST(Contract, IsCheckedByFrontierAndHeap) {
   Frontier<int> frontier;
   EXPECT_THROW(frontier.open(), ContractBroken);
   EXPECT_THAT(
@@ -49,7 +49,7 @@ TEST(Contract, HoldsForWhatKeepsNodes) {
   EXPECT_THROW(heap.give(100), ContractBroken);
 }
 
-TEST(Contract, HoldsForWhomWorkIsAskedOf) {
+TEST(Contract, IsCheckedByVictimsAndLifelines) {
   EXPECT_THROW(Victims(0, 1, 1), ContractBroken);
   Lifelines lifelines(0, 8);
   EXPECT_THROW(lifelines.take(), ContractBroken);
@@ -76,7 +76,7 @@ class Babbling final : public Transport {
   MessageTag tag_;
 };
 
-TEST(Contract, RefusesAnswersWithoutARequest) {
+TEST(Contract, IsViolatedByAnswersWithoutARequest) {
   for (const auto tag : {MessageTag::transfer, MessageTag::refusal}) {
     Babbling transport(tag);
     examples::RandomTree tree(1, 5);

@@ -35,7 +35,7 @@ Tally tally(std::uint64_t opened, std::uint64_t closed, double bound) {
   return made;
 }
 
-TEST(Counts, AddUpAndTheLeastStays) {
+TEST(Counts, AddUpAndKeepTheLeastBound) {
   Tally sum;
   EXPECT_EQ(sum.bound.value, std::numeric_limits<double>::infinity());
   sum += tally(1, 10, 3.5);
@@ -46,7 +46,7 @@ TEST(Counts, AddUpAndTheLeastStays) {
   EXPECT_EQ(sum.bound.value, -1);
 }
 
-TEST(Counts, ArriveWholeOnAnotherRank) {
+TEST(Counts, AreUnchangedBySerialisation) {
   const auto bytes = pack(tally(4, 5, 0.25));
   const auto arrived = unpack<Tally>(std::span<const char>(bytes.data(), bytes.size()));
   EXPECT_EQ(arrived.opened, 4U);

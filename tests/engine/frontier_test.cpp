@@ -99,7 +99,7 @@ TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
 }
 
 // Pieces of a bundle: within the limit, with at least one node, in order, each below its own trail.
-TEST(Frontier, GivesLargeFamiliesInPieces) {
+TEST(Frontier, GivesManySiblingsInPieces) {
   for (const std::size_t limit : {1U, 400U, 100'000U}) {
     SCOPED_TRACE(limit);
     Frontier<PathNode> frontier;
@@ -124,7 +124,7 @@ TEST(Frontier, GivesLargeFamiliesInPieces) {
 }
 
 // Pieces below a long trail: at most twice the size of their nodes, but for one trail.
-TEST(Frontier, GivesPiecesThatAreNotMostlyTrail) {
+TEST(Frontier, LimitsTheShareOfTrailsInPieces) {
   constexpr std::uint32_t levels = 1000;
   constexpr std::size_t node_bytes = 500;
   Frontier<std::vector<char>> frontier;
@@ -146,7 +146,7 @@ TEST(Frontier, GivesPiecesThatAreNotMostlyTrail) {
 }
 
 // Repeated transfers from one node's children: each takes every other of the remaining ones.
-TEST(Frontier, GivesAwayAllButOneByAndBy) {
+TEST(Frontier, GivesAllButOneNodeInRepeatedTransfers) {
   Frontier<PathNode> frontier;
   frontier.add_root({});
   open_and_branch(frontier, 100);
@@ -168,7 +168,7 @@ TEST(Frontier, GivesAwayAllButOneByAndBy) {
   EXPECT_TRUE(frontier.empty());
 }
 
-TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
+TEST(Frontier, GivesNoChildrenBeforeTheirParentIsClosed) {
   Frontier<PathNode> frontier;
   frontier.add_root({});
   frontier.open();
@@ -178,7 +178,7 @@ TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
   EXPECT_TRUE(frontier.can_give());
 }
 
-TEST(Frontier, HasTheShareOfTheTreeOfEachNode) {
+TEST(Frontier, DividesTheShareOfANodeAmongItsChildren) {
   Frontier<PathNode> frontier;
   frontier.add_root({});
   open_and_branch(frontier, 4);
@@ -215,7 +215,7 @@ TEST(Frontier, AFirstChildMayHaveASmallerShare) {
 
 // Several frontiers open and transfer nodes at random; every node must be opened once, with the
 // right path, after any number of transfers.
-TEST(Frontier, PathsSurviveAnyNumberOfTransfers) {
+TEST(Frontier, KeepsPathsInAnyNumberOfTransfers) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     std::mt19937 random(seed);
     std::vector<Frontier<PathNode>> ranks(4);

@@ -60,7 +60,7 @@ TEST(Goal, TheBestIsTheSameOnAnyNumberOfRanksUnderAnySchedule) {
   }
 }
 
-TEST(Goal, ABoundSavesMostOfTheTree) {
+TEST(Goal, BestOpensASmallPartOfTheTreeWithABound) {
   auto knapsack = Knapsack::random(3, 18);
   const auto all = search(knapsack);
   const auto best = search(knapsack, with_goal(Goal::best));
@@ -82,7 +82,7 @@ TEST(Goal, TheFirstIsTheFirstInDepthFirstOrder) {
   }
 }
 
-TEST(Goal, NoSolutionIsAnOutcome) {
+TEST(Goal, ATreeWithoutSolutionsIsSolved) {
   Queens queens(3);
   const auto outcome = search(queens, with_goal(Goal::first));
   EXPECT_TRUE(outcome.solutions.empty());
@@ -114,7 +114,7 @@ TEST(Incumbent, PrefersTheSmallerObjectiveThenTheSmallerPath) {
   EXPECT_FALSE(low.better_than(low));
 }
 
-TEST(Incumbent, RulesOutOnlyWhatCannotBeBetter) {
+TEST(Incumbent, RulesOutOnlyNodesWithoutABetterSolution) {
   const Incumbent best{true, 1, {2, 1}};
   EXPECT_TRUE(best.rules_out(1.5, {0}));    // worse, at any path
   EXPECT_FALSE(best.rules_out(1, {2, 0}));  // equal, with a smaller path
@@ -130,7 +130,7 @@ TEST(Incumbent, RulesOutOnlyWhatCannotBeBetter) {
   EXPECT_THROW(static_cast<void>(best.rules_out(std::nan(""), {3})), std::domain_error);
 }
 
-TEST(Relay, ReachesEveryRankOverEdgesThatBothEndsKnow) {
+TEST(RelayNeighbours, AreMutualAndReachEveryRank) {
   for (const int ranks : {1, 2, 17, 18, 300}) {
     std::vector<int> reached{0};
     std::vector<bool> seen(static_cast<std::size_t>(ranks), false);
@@ -147,7 +147,7 @@ TEST(Relay, ReachesEveryRankOverEdgesThatBothEndsKnow) {
   }
 }
 
-TEST(Limits, OfNodesStopsTheSearchWithOpenNodes) {
+TEST(Limits, NodeLimitStopsTheSearchWithOpenNodes) {
   RandomTree tree(1, 24);
   Options options;
   options.limits.nodes = 1000;
@@ -159,7 +159,7 @@ TEST(Limits, OfNodesStopsTheSearchWithOpenNodes) {
 }
 
 // A slow reduction (a rank has no core) must not let the others finish the tree.
-TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
+TEST(Limits, NodeLimitStopsTheSearchWithSlowReductions) {
   RandomTree tree(11, 10);
   const auto whole = search(tree).opened();
   Options options;
@@ -172,7 +172,7 @@ TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
   }
 }
 
-TEST(Limits, OfSolutionsStopsOnAllRanks) {
+TEST(Limits, SolutionLimitStopsAllRanks) {
   Options options;
   options.limits.solutions = 10;
   options.reduction_interval = 20e-6;
@@ -182,7 +182,7 @@ TEST(Limits, OfSolutionsStopsOnAllRanks) {
   EXPECT_GT(outcome.open, 0U);
 }
 
-TEST(Limits, OfTimeStopsInVirtualTime) {
+TEST(Limits, TimeLimitStopsInVirtualTime) {
   Options options;
   options.limits.seconds = 5e-3;
   options.reduction_interval = 1e-3;
@@ -195,7 +195,7 @@ TEST(Limits, OfTimeStopsInVirtualTime) {
 
 // A reduction does not include nodes in flight, and one of them may have the least bound: with slow
 // messages and few nodes on each rank this happens now and then.
-TEST(Limits, OfGapStopsWithAValidBoundThatKeepsIt) {
+TEST(Limits, GapLimitStopsWithAValidBoundWithinTheGap) {
   constexpr double gap = 0.005;
   int stopped = 0;
   for (std::uint64_t seed = 1; seed <= 600; ++seed) {

@@ -56,7 +56,7 @@ TEST(Heap, TakesTheLeastBoundFirst) {
   EXPECT_EQ(drain(heap), (std::vector<double>{-9, 1, 1, 2, 3, 4, 5}));
 }
 
-TEST(Heap, TakesTheLastPutInFirstWhereBoundsAreEqual) {
+TEST(Heap, TakesTheLastInsertedFirstAmongEqualBounds) {
   Heap<PathNode> heap;
   heap.put(children({0, 0}), bound_of);
   heap.put(children({0, 0, 0}), bound_of);
@@ -65,7 +65,7 @@ TEST(Heap, TakesTheLastPutInFirstWhereBoundsAreEqual) {
   EXPECT_EQ(order, (std::vector<Path>{{0}, {1}, {2}, {0}, {1}}));
 }
 
-TEST(Heap, GivesEveryOtherAndKeepsTheBest) {
+TEST(Heap, GivesEveryOtherNodeAndKeepsTheBest) {
   Heap<PathNode> heap;
   heap.put(children({1, 2, 3, 4, 5}), bound_of);
   const auto transfer = heap.give(100'000);
@@ -141,7 +141,7 @@ TEST(Heap, MemoryOfAChainGrowsWithItsNodes) {
   }
 }
 
-TEST(Heap, IsFullAtItsLimitOfBytes) {
+TEST(Heap, IsFullAtItsByteLimit) {
   Heap<PathNode> heap(1000, 2000);
   heap.put(children({1}), bound_of);
   EXPECT_FALSE(heap.full());
@@ -181,7 +181,7 @@ TEST(Bundle, OfAnOlderCheckpointIsRead) {
 
 // A heap that receives the remainder of a depth-first search at random moments: after any transfers
 // each node still has its own path.
-TEST(Heap, PathsSurvive) {
+TEST(Heap, KeepsPathsInAnyNumberOfTransfers) {
   std::mt19937 random(5);
   Frontier<PathNode> frontier;
   Heap<PathNode> heap;

@@ -31,7 +31,7 @@ TEST(Lifelines, AreNeverTheRankItself) {
   }
 }
 
-TEST(Lifelines, AreAskedOnceUntilTheyHaveServed) {
+TEST(Lifelines, AreRequestedOnceUntilTheyHaveServed) {
   Lifelines lifelines(0, 3);
   EXPECT_FALSE(lifelines.all_aware());
   EXPECT_EQ(lifelines.ask_next(), 1);
@@ -49,7 +49,7 @@ TEST(Lifelines, AreAskedOnceUntilTheyHaveServed) {
   EXPECT_EQ(lifelines.ask_next(), 2);
 }
 
-TEST(Lifelines, NodesThatOvertakeARefusalEndTheRegistration) {
+TEST(Lifelines, NodesThatArriveBeforeTheRefusalEndTheRegistration) {
   Lifelines lifelines(0, 2);
   EXPECT_EQ(lifelines.ask_next(), 1);
   lifelines.served_by(1);
@@ -59,8 +59,8 @@ TEST(Lifelines, NodesThatOvertakeARefusalEndTheRegistration) {
   EXPECT_EQ(lifelines.ask_next(), 1);
 }
 
-// Both sides of each registration at the start must agree: a rank that no lifeline knows starves.
-TEST(Lifelines, KnowTheRanksThatBeginWithoutNodes) {
+// Both sides of each registration at the start agree; otherwise a rank would receive no nodes.
+TEST(Lifelines, HaveRegisteredRanksThatBeginWithoutNodes) {
   for (int ranks = 1; ranks <= 33; ++ranks) {
     for (int first = 1; first <= std::min(ranks, 4); ++first) {
       std::multiset<int> registered;
@@ -78,7 +78,7 @@ TEST(Lifelines, KnowTheRanksThatBeginWithoutNodes) {
   }
 }
 
-TEST(Lifelines, WhoWaitedLongestIsServedFirst) {
+TEST(Lifelines, ServeTheLongestWaitingRankFirst) {
   Lifelines lifelines(0, 8);
   EXPECT_FALSE(lifelines.has_registered());
   lifelines.remember(5);

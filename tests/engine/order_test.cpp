@@ -60,7 +60,7 @@ TEST(Order, BestFirstOpensNodesInTheOrderOfTheirBounds) {
 
 // Every node with a bound below the optimum must be opened in any order; best first alone opens
 // none with a bound above it.
-TEST(Order, BestFirstOpensOnlyWhatMustBeOpened) {
+TEST(Order, BestFirstOpensNoNodeWithABoundAboveTheOptimum) {
   std::size_t depth_first_in_vain = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto problem = watched(seed);
@@ -77,7 +77,7 @@ TEST(Order, BestFirstOpensOnlyWhatMustBeOpened) {
   EXPECT_GT(depth_first_in_vain, 10U);
 }
 
-TEST(Order, HybridGoesDownToALeafAndThenToTheLeastBound) {
+TEST(Order, HybridDivesToALeafAndContinuesAtTheLeastBound) {
   auto problem = watched(8);
   search(problem, with(Order::hybrid));
   ASSERT_GT(problem.opened.size(), items + 2);
@@ -96,7 +96,7 @@ TEST(Order, HybridGoesDownToALeafAndThenToTheLeastBound) {
   EXPECT_EQ(problem.bound(problem.opened[items + 1]), minimum);
 }
 
-TEST(Order, AFullHeapDives) {
+TEST(Order, BestFirstDivesIfTheHeapIsFull) {
   for (const std::size_t room : {1, 10, 100}) {
     auto problem = watched(7);
     auto options = with(Order::best_first, Goal::all);
@@ -137,7 +137,7 @@ TEST(Order, TheOutcomeIsTheSameInAnyOrderOnAnyNumberOfRanks) {
   }
 }
 
-TEST(Order, BoundsOfAProblemWithoutThemAreRefused) {
+TEST(Order, RefusesProblemsWithoutBoundsOrObjective) {
   Queens queens(4);
   EXPECT_THROW(search(queens, with(Order::best_first, Goal::all)), std::invalid_argument);
   EXPECT_THROW(search(queens, with(Order::depth_first, Goal::best)), std::invalid_argument);

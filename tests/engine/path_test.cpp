@@ -13,7 +13,7 @@ TEST(Path, IsWrittenAsBranchNumbersFromTheRoot) {
   EXPECT_EQ(to_string(Path{0, 1, 12}), "0.1.12");
 }
 
-TEST(Path, ALongOneIsCutInTheMiddle) {
+TEST(Path, ALongPathIsAbbreviatedInTheMiddle) {
   Path path(1000, 0);
   path.back() = 7;
   const auto text = to_string(path);

@@ -68,7 +68,7 @@ const std::vector<Pool> pools{{.count = 3},
                               {.count = Pool::no_limit, .relative_gap = 0.03},
                               {.count = 5, .gap = 1}};
 
-TEST(Solutions, OfAPoolAreThoseOfBruteForce) {
+TEST(Pool, HasTheSolutionsOfBruteForce) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     auto knapsack = Knapsack::random(seed, 10);
     for (const auto& pool : pools) {
@@ -79,7 +79,7 @@ TEST(Solutions, OfAPoolAreThoseOfBruteForce) {
   }
 }
 
-TEST(Solutions, OfAPoolAreTheSameUnderAnySchedule) {
+TEST(Pool, HasTheSameSolutionsUnderAnySchedule) {
   constexpr std::array all_orders{Order::depth_first, Order::best_first, Order::hybrid};
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     const SizedTree tree(seed % 10, 200, 3);
@@ -95,7 +95,7 @@ TEST(Solutions, OfAPoolAreTheSameUnderAnySchedule) {
   }
 }
 
-TEST(Solutions, OfAPoolOpenFewerNodesThanAll) {
+TEST(Pool, OpensFewerNodesThanASearchForAllSolutions) {
   auto knapsack = Knapsack::random(3, 15);
   const auto all = search(knapsack).opened();
   const auto three = search(knapsack, for_the_best({.count = 3})).opened();
@@ -104,14 +104,14 @@ TEST(Solutions, OfAPoolOpenFewerNodesThanAll) {
   EXPECT_GE(three, one);
 }
 
-TEST(Solutions, OfAnInvalidPoolAreRefused) {
+TEST(Pool, RefusesInvalidLimits) {
   auto knapsack = Knapsack::random(1, 5);
   EXPECT_THROW(search(knapsack, for_the_best({.count = 0})), std::invalid_argument);
   EXPECT_THROW(search(knapsack, for_the_best({.gap = -1})), std::invalid_argument);
   EXPECT_THROW(search(knapsack, for_the_best({.relative_gap = 1})), std::invalid_argument);
 }
 
-TEST(Solutions, NotAsGoodAsTheCutoffAreLeftOut) {
+TEST(Pool, ExcludesSolutionsBeyondTheCutoff) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto knapsack = Knapsack::random(seed, 12);
     const auto free = search(knapsack, for_the_best());
@@ -143,7 +143,7 @@ struct Started : Knapsack {
   }
 };
 
-TEST(Solutions, ReportedByTheRootStartTheSearch) {
+TEST(Pool, StartsFromTheSolutionThatTheRootReports) {
   Started problem(Knapsack::random(5, 16));
   const auto free = search(problem, for_the_best());
   problem.known = free.solutions[0].solution;
@@ -175,7 +175,7 @@ struct Valuable : Knapsack {
   int possible = 0;
 };
 
-TEST(Sense, OfAMaximumIsThatOfTheNegativeMinimum) {
+TEST(Maximisation, EqualsMinimisationOfTheNegativeObjective) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     auto knapsack = Knapsack::random(seed, 12);
     Valuable valuable(Knapsack::random(seed, 12));
@@ -188,7 +188,7 @@ TEST(Sense, OfAMaximumIsThatOfTheNegativeMinimum) {
   }
 }
 
-TEST(Sense, OfCutoffBoundAndProgressIsTheUsers) {
+TEST(Maximisation, HasCutoffBoundAndProgressInTheSenseOfTheProblem) {
   Valuable valuable(Knapsack::random(3, 18));
   auto options = for_the_best();
   options.reduction_interval = 0;
@@ -242,7 +242,7 @@ TEST(Bound, OfTheWrongSignIsAnErrorAtTheFirstSolution) {
                                     "lower bound .*"));
 }
 
-TEST(Bound, WithinTheToleranceIsAccepted) {
+TEST(Bound, ExcessWithinTheToleranceIsAccepted) {
   EXPECT_EQ(error_of(1 - 1e-9, for_the_best()), "none");
   EXPECT_THAT(error_of(1 - 1e-3, for_the_best()), HasSubstr("of this node is greater than"));
   auto options = for_the_best();
@@ -250,7 +250,7 @@ TEST(Bound, WithinTheToleranceIsAccepted) {
   EXPECT_EQ(error_of(1 - 1e-3, options), "none");
 }
 
-TEST(Bound, IsNotLookedAtIfAllSolutionsAreSought) {
+TEST(Bound, IsNotCheckedIfAllSolutionsAreSought) {
   EXPECT_EQ(error_of(-1, {}), "none");
 }
 
@@ -261,7 +261,7 @@ struct Overvalued : Knapsack {
   void expand(Node&& node, Expansion<Overvalued>& out) { Knapsack::expand(std::move(node), out); }
 };
 
-TEST(Bound, OfAMaximumIsAnUpperOne) {
+TEST(Bound, OfAMaximumIsAnUpperBound) {
   Overvalued problem(Knapsack::random(1, 10));  // its bound is that of the minimum
   try {
     search(problem, for_the_best());
@@ -334,7 +334,7 @@ TEST(Emission, PassesEachSolutionOnceAndKeepsNone) {
   }
 }
 
-TEST(Emission, LeavesSolutionsToTheEngine) {
+TEST(Emission, LeavesRefusedSolutionsToTheEngine) {
   RandomTree plain(3, 12);
   const auto all = pairs(search(plain).solutions);
   Emitter emitter(3, 12);
@@ -348,7 +348,7 @@ TEST(Emission, LeavesSolutionsToTheEngine) {
   EXPECT_EQ(*emitter.taken, taken);
 }
 
-TEST(Emission, CountsForTheLimitOfSolutions) {
+TEST(Emission, CountsTowardsTheSolutionLimit) {
   Emitter emitter(3, 20);
   Options options;
   options.limits.solutions = 10;
@@ -389,7 +389,7 @@ TEST(NodesAlong, OfAnotherPathAreRefused) {
 
 // ---- memory -----------------------------------------------------------------------------------
 
-TEST(Memory, OfTheHeapIsLimitedByDiving) {
+TEST(HeapBytes, LimitTheMemoryByDiving) {
   constexpr std::size_t some = 5'000;
   SizedTree tree(7, 20'000, 5);
   auto options = for_the_best({.count = Pool::no_limit});

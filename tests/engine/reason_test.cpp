@@ -21,7 +21,7 @@ struct Huge {
   void expand(Node&& /*node*/, Expansion<Huge>& /*out*/) { throw std::bad_alloc(); }
 };
 
-TEST(Reason, OfNoMemoryIsASentence) {
+TEST(ReasonOf, ExhaustedMemoryIsASentence) {
   Huge huge;
   try {
     search(huge);
@@ -32,7 +32,7 @@ TEST(Reason, OfNoMemoryIsASentence) {
   EXPECT_THAT(reason_of(std::bad_alloc().what()), StartsWith("out of memory; expected"));
 }
 
-TEST(Reason, OfOtherErrorsIsTheirOwn) {
+TEST(ReasonOf, OtherErrorsIsTheirMessage) {
   EXPECT_EQ(reason_of("disk full"), "disk full");
   EXPECT_EQ(reason_of(""), "");
 }

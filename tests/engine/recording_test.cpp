@@ -64,7 +64,7 @@ class Recorded : public testing::Test {
 
 using JournalTest = Recorded;
 
-TEST_F(JournalTest, GivesBackWhatWasAppended) {
+TEST_F(JournalTest, ReadsAppendedRecords) {
   keep_two();
   Journal journal(file_, these_facts);
   ASSERT_EQ(journal.size(), 2U);
@@ -91,7 +91,7 @@ TEST_F(JournalTest, IsFinishedUntilSomethingIsAppended) {
   EXPECT_TRUE(journal.warnings().empty());
 }
 
-TEST_F(JournalTest, ReportsDifferentFacts) {
+TEST_F(JournalTest, RefusesACallWithDifferentFacts) {
   keep_two();
   const auto before = content();
   EXPECT_THAT(refusal({{"the problem", "7"}, {"--mu", "0.7"}, {"--thorough", ""}}),
@@ -103,12 +103,12 @@ TEST_F(JournalTest, ReportsDifferentFacts) {
   EXPECT_EQ(content(), before);
 }
 
-TEST_F(JournalTest, IsInUseByOneAtATime) {
+TEST_F(JournalTest, IsUsedByOneProcessAtATime) {
   const Journal journal(file_, these_facts);
   EXPECT_THAT(refusal(these_facts), ThrowsMessage<CheckpointError>(HasSubstr("is in use")));
 }
 
-TEST_F(JournalTest, TakesNoOtherFile) {
+TEST_F(JournalTest, RefusesAFileThatIsNoJournal) {
   for (const auto* const text : {"name = \"truss\"\n", "kusabi-checkpoint 4 1 2 3\n"}) {
     write(text);
     EXPECT_THAT(refusal(these_facts), ThrowsMessage<CheckpointError>(HasSubstr("is not a state")));
@@ -212,7 +212,7 @@ class AnalysisTest : public Recorded {
 
 const Answer the_answer{4, 92, {0, 1, 4, 9}, 42, 153 + 2057};
 
-TEST_F(AnalysisTest, IsTheSameWithoutAnInterruption) {
+TEST_F(AnalysisTest, HasTheExpectedResultWithoutAnInterruption) {
   EXPECT_EQ(run(), the_answer);
   EXPECT_EQ(done_, 5);
 }
@@ -224,7 +224,7 @@ TEST_F(AnalysisTest, RepeatsNoFinishedSearch) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);  // no checkpoint is left
 }
 
-TEST_F(AnalysisTest, OpensEachNodeOnceHoweverOftenItIsEnded) {
+TEST_F(AnalysisTest, OpensEachNodeOnceInAnyNumberOfRuns) {
   int runs = 0;
   Answer answer;
   do {
@@ -241,7 +241,7 @@ TEST_F(AnalysisTest, RecordsNoStoppedSearchAsFinished) {
   EXPECT_EQ(run(), the_answer);
 }
 
-TEST_F(AnalysisTest, RestoresDamagedRecords) {
+TEST_F(AnalysisTest, ComputesDamagedRecordsAgain) {
   run();
   const auto kept = content();
   for (const double share : {0.3, 0.6, 0.9}) {

@@ -61,7 +61,7 @@ TEST(ReportRelay, BringsEachPieceToRank0Once) {
   }
 }
 
-TEST(ReportRelay, IsCompleteOnlyAfterAllBelow) {
+TEST(ReportRelay, IsCompleteOnlyAfterAllRanksBelowIt) {
   Tree tree(3, 1000);
   tree.relays[0].finish_own();
   EXPECT_FALSE(tree.relays[0].complete());

@@ -43,7 +43,7 @@ std::string refusal(const std::vector<std::string>& words, ProblemKind kind) {
   return "accepted";
 }
 
-TEST(CommandLineOfASearch, OptionsStandAnywhereAmongTheWords) {
+TEST(CommandLineOfASearch, AcceptsOptionsAtAnyPosition) {
   const auto read = line({"7", "--order", "best", "file", "--node-limit=5", "--quiet"}, with_bound);
   EXPECT_THAT(read.words, ElementsAre("7", "file"));
   EXPECT_EQ(read.options.order, Order::best_first);
@@ -51,7 +51,7 @@ TEST(CommandLineOfASearch, OptionsStandAnywhereAmongTheWords) {
   EXPECT_TRUE(read.quiet);
 }
 
-TEST(CommandLineOfASearch, TakesPrecedenceOverThatOfTheProgram) {
+TEST(CommandLineOfASearch, TakesPrecedenceOverOptionsOfTheProgram) {
   Options own;
   own.limits.seconds = 3;
   own.limits.solutions = 4;
@@ -60,13 +60,13 @@ TEST(CommandLineOfASearch, TakesPrecedenceOverThatOfTheProgram) {
   EXPECT_EQ(read.options.limits.solutions, 4U);
 }
 
-TEST(CommandLineOfASearch, AProblemWithAnObjectiveHasTheBestSolutionAsItsGoal) {
+TEST(CommandLineOfASearch, SearchesTheBestSolutionOfAProblemWithAnObjective) {
   EXPECT_EQ(line({}, with_bound).options.goal, Goal::best);
   EXPECT_EQ(line({"--goal", "all"}, with_bound).options.goal, Goal::all);
   EXPECT_EQ(line({}, plain).options.goal, Goal::all);
 }
 
-TEST(CommandLineOfASearch, RefusesWithTheNameOfTheOption) {
+TEST(CommandLineOfASearch, NamesARefusedOption) {
   EXPECT_THAT(refusal({"--goal", "best"}, plain), HasSubstr("--goal: best not in {all,first}"));
   EXPECT_THAT(refusal({"--order", "best"}, plain), HasSubstr("--order"));
   EXPECT_THAT(refusal({"--nodes", "3"}, with_bound), HasSubstr("--nodes"));
@@ -74,7 +74,7 @@ TEST(CommandLineOfASearch, RefusesWithTheNameOfTheOption) {
   EXPECT_THAT(refusal({"--node-limit", "few"}, with_bound), HasSubstr("--node-limit"));
 }
 
-TEST(CommandLineOfASearch, HelpHasOnlyWhatTheProblemCan) {
+TEST(CommandLineOfASearch, HelpHasOnlyOptionsThatApplyToTheProblem) {
   EXPECT_THAT(line({"--help"}, with_bound).help, HasSubstr("--gap"));
   EXPECT_THAT(line({"--help"}, plain).help, testing::Not(HasSubstr("--gap")));
 }
@@ -109,7 +109,7 @@ class Run : public testing::Test {
   std::uint64_t opened_ = 0;
 };
 
-TEST_F(Run, EndsWithTheCodeOfItsStatus) {
+TEST_F(Run, ReturnsTheExitCodeOfItsStatus) {
   EXPECT_EQ(queens(8, {}), 0);
   EXPECT_EQ(placements_, 92U);
   EXPECT_EQ(queens(8, {"--node-limit", "100"}), 3);

@@ -70,7 +70,7 @@ struct Moody {
   [[nodiscard]] bool slips(Slip which) const { return opened == 20 && slip == which; }
 };
 
-TEST(CheckExpand, NamesTheNodeAndWhatDiffers) {
+TEST(CheckExpand, NamesTheNodeAndTheDifference) {
   using Slip = Moody::Slip;
   const auto complaint_at = [](Slip slip, double share) {
     Moody problem{slip};
@@ -99,7 +99,7 @@ TEST(CheckExpand, NamesTheNodeAndWhatDiffers) {
   EXPECT_EQ(complaint_at(Slip::other_solution, 1), expected("solution 0 is not the same"));
 }
 
-TEST(CheckExpand, ChangesNothingAndOpensItsShareTwice) {
+TEST(CheckExpand, ExpandsItsShareTwiceWithTheSameOutcome) {
   RandomTree plain(2, 16);
   const auto once = search(plain);
   for (const double share : {0.1, 1.0}) {
@@ -190,7 +190,7 @@ TEST(Search, OpensEveryNodeOnceAsARecursionDoes) {
   EXPECT_EQ(paths, recount.solutions);
 }
 
-TEST(Search, HandsOverTheTallyOfTheProblem) {
+TEST(Search, ReturnsTheTallyOfTheProblem) {
   RandomTree tree(3, 12);
   const auto outcome = search(tree);
   ASSERT_EQ(outcome.ranks.size(), 1U);
@@ -198,7 +198,7 @@ TEST(Search, HandsOverTheTallyOfTheProblem) {
   EXPECT_GT(tree.tally(), 0U);
 }
 
-TEST(Search, HoldsNoMoreOpenNodesThanDepthTimesBranching) {
+TEST(Search, StoresAtMostDepthTimesBranchingOpenNodes) {
   RandomTree tree(3, 20);
   const auto outcome = search(tree);
   EXPECT_LE(outcome.ranks[0].statistics.peak_open, 20U * 3U);
@@ -275,7 +275,7 @@ struct Endless {
   }
 };
 
-TEST(Search, ANodeThatIsPutBackWaitsUnopened) {
+TEST(Search, ANodeThatIsPutBackIsNotOpened) {
   Endless endless;
   Options options;
   options.reduction_interval = 0;

@@ -51,7 +51,7 @@ TEST(Signals, OfTheLauncherRequestAStopOneSignalEarlier) {
   EXPECT_EQ(end_of_child(true, [](pid_t child) { kill(child, SIGCONT); }), 0);
 }
 
-TEST(Signals, ThatContinueAJobDoNot) {
+TEST(Signals, ThatContinueAJobRequestNoStop) {
   const auto shell_continues = [](pid_t child) {
     kill(child, SIGCONT);
     kill(child, SIGALRM);

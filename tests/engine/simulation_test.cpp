@@ -31,7 +31,7 @@ void expect_the_same(const Outcome<P>& alone, const Simulated<P>& many, const st
   EXPECT_EQ(found, alone.solutions.size());
 }
 
-TEST(Simulation, TheAnswerIsThatOfOneRankUnderAThousandSchedules) {
+TEST(Simulation, OutcomeIsThatOfOneRankUnderAThousandSchedules) {
   RandomTree tree(11, 10);
   const auto alone = search(tree);
   ASSERT_GT(alone.opened(), 100U);
@@ -89,7 +89,7 @@ struct Bulky {
   double bound(const Node& /*node*/) const { return 0; }
 };
 
-TEST(Simulation, NoMessageIsLargerThanTheLimitAllows) {
+TEST(Simulation, NoMessageExceedsTheLimit) {
   for (const auto order : {Order::depth_first, Order::best_first}) {
     Options options;
     options.order = order;
@@ -113,7 +113,7 @@ TEST(Simulation, ALargeFamilyOfLongNodesIsSentInManyMessages) {
   EXPECT_GT(messages_sent(100e-6), 2 * messages_sent(1e-6));
 }
 
-TEST(Simulation, SmallMessagesCarryEverything) {
+TEST(Simulation, OutcomeIsTheSameWithOneNodePerMessage) {
   RandomTree tree(11, 12);
   const auto alone = search(tree);
   Options options;
@@ -121,7 +121,7 @@ TEST(Simulation, SmallMessagesCarryEverything) {
   expect_the_same(alone, simulate(RandomTree(11, 12), 5, 1, {}, options), "one node a message");
 }
 
-TEST(Simulation, AFailingSeedReplays) {
+TEST(Simulation, ASeedDeterminesTheSchedule) {
   const auto once = simulate(RandomTree(11, 12), 7, 99, {.stall_probability = 0.01});
   const auto again = simulate(RandomTree(11, 12), 7, 99, {.stall_probability = 0.01});
   EXPECT_EQ(once.seconds, again.seconds);
@@ -131,8 +131,8 @@ TEST(Simulation, AFailingSeedReplays) {
   }
 }
 
-// A message that arrives inside a node is looked at when the node is done, in both. A wave that is
-// complete as soon as a rank joins is looked at next, in both.
+// In both, a message that arrives during a node is handled after the node, and a wave that is
+// complete as soon as a rank joins is handled next.
 TEST(Simulation, LazySteppingGivesTheTimesOfEachStep) {
   const std::vector<MachineModel> machines{
       {},
@@ -181,7 +181,7 @@ TEST(Simulation, TwoRanksShareTheWorkAndHalveTheTime) {
   EXPECT_GE(one.seconds / two.seconds, 1.8);
 }
 
-TEST(Simulation, WorkFindsTheRanksThatWaitForIt) {
+TEST(Simulation, WorkReachesIdleRanksSoon) {
   // All but one of 256 ranks are asleep when a chain of a thousand nodes ends in a tree that gives
   // each of them 128 nodes of a millisecond.
   struct LateTree {
@@ -203,7 +203,7 @@ TEST(Simulation, WorkFindsTheRanksThatWaitForIt) {
   EXPECT_LT(result.seconds - 1, 1.75 * ideal);
 }
 
-TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {
+TEST(Simulation, IdleRanksSendFewRequestsToABusyRank) {
   // A path graph cannot be shared: one rank works, seven request work without success for 10 ms.
   struct Chain {
     using Node = int;

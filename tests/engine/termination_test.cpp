@@ -1,4 +1,4 @@
-// Termination tests: one wave, and what it must say.
+// Termination tests: conditions on one wave of reductions.
 #include "engine/detail/protocol/termination.hpp"
 
 #include <gtest/gtest.h>
@@ -8,22 +8,22 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(Termination, NeedsOneWaveInWhichAllAreQuiet) {
+TEST(Termination, RequiresAWaveInWhichAllRanksAreQuiet) {
   EXPECT_TRUE(all_quiet({.ranks = 2, .quiet = 2, .sent = 5, .received = 5}));
   EXPECT_FALSE(all_quiet({.ranks = 2, .quiet = 1, .sent = 5, .received = 5}));
 }
 
-TEST(Termination, ATransferInFlightKeepsTheSearchAlive) {
+TEST(Termination, IsPreventedByATransferInFlight) {
   EXPECT_FALSE(all_quiet({.ranks = 2, .quiet = 2, .sent = 6, .received = 5}));
 }
 
-TEST(Termination, ACrossedWaveDoesNotCount) {
-  // Rank 0 joins, gets nodes from rank 2, gives them to rank 1 and is asked for by nobody; rank 1
-  // receives them before it joins, and its count makes up for that of rank 0, which came too late.
+TEST(Termination, IsNotDetectedByACrossedWave) {
+  // Rank 0 joins, receives nodes from rank 2 and gives them to rank 1, which receives them before
+  // it joins: its count compensates that of rank 0, which came too late.
   EXPECT_FALSE(all_quiet({.ranks = 3, .quiet = 3, .crossed = 1, .sent = 1, .received = 1}));
 }
 
-TEST(Termination, RanksAreQuietOneByOne) {
+TEST(Termination, IsDetectedFromMergedContributions) {
   Reduction wave{.ranks = 1, .quiet = 1, .sent = 1};
   wave.merge({.ranks = 1, .quiet = 1, .received = 1});
   EXPECT_TRUE(all_quiet(wave));
@@ -31,7 +31,7 @@ TEST(Termination, RanksAreQuietOneByOne) {
   EXPECT_FALSE(all_quiet(wave));
 }
 
-TEST(Stamp, LeavesTheBodyAsItWas) {
+TEST(Stamp, LeavesTheMessageUnchanged) {
   Bytes message = stamped({'a', 'b'}, 7);
   EXPECT_EQ(take_stamp(message), 7U);
   EXPECT_EQ(message, (Bytes{'a', 'b'}));

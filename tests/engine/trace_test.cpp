@@ -87,7 +87,7 @@ TEST(Trace, OfASimulatedRunIsComplete) {
   }
 }
 
-TEST(Trace, DoesNotChangeTheAnswerAndIsNotThereUnlessAskedFor) {
+TEST(Trace, IsRecordedOnRequestWithoutChangingTheOutcome) {
   const auto with = traced(5, 1, 1000);
   const auto without = traced(5, 1, 0);
   EXPECT_EQ(with.outcome.fingerprint(), without.outcome.fingerprint());

@@ -11,7 +11,7 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(Victims, AreNeverTheRankItselfAndAllOthersAlike) {
+TEST(Victims, AreAllOtherRanksWithEqualProbability) {
   constexpr int ranks = 8;
   constexpr int self = 3;
   constexpr int expected = 10'000;
@@ -31,7 +31,7 @@ TEST(Victims, AreNeverTheRankItselfAndAllOthersAlike) {
 }
 
 // Neighbours are mutual, few and never the rank itself, and lead from each rank to every other.
-TEST(Victims, HaveAFixedGraphThatJoinsAllRanks) {
+TEST(Victims, NeighboursFormAConnectedGraphOfAllRanks) {
   for (const int ranks : {2, 3, 33, 34, 35, 64, 1000}) {
     SCOPED_TRACE(ranks);
     std::vector<std::set<int>> graph;
@@ -92,7 +92,7 @@ TEST(Victims, TheLastGiverIsAskedFirstUntilItRefuses) {
   EXPECT_TRUE(another);
 }
 
-TEST(Victims, RefusalsSpaceTheRequestsOutAndATransferEndsThat) {
+TEST(Victims, RefusalsDelayRequestsUntilATransferArrives) {
   Victims victims(0, 2, 7);
   EXPECT_TRUE(victims.due(0));
   double pause = 0;

@@ -13,7 +13,7 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(Wire, GivesBackWhatWasPacked) {
+TEST(Wire, UnpacksPackedValues) {
   const std::vector<std::string> words{"", "kusabi", std::string(100'000, 'x')};
   EXPECT_EQ(unpack<std::vector<std::string>>(pack(words)), words);
 }

@@ -42,7 +42,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return bytes.size();
 }
 
-// A Defect is not caught, and libFuzzer keeps the input that brought it about.
+// A Defect is not caught, and libFuzzer keeps the input that caused it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   kusabi::fuzz::try_reader(reader, {data, data + size});
   return 0;

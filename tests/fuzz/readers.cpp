@@ -126,7 +126,7 @@ std::optional<std::string> try_mesh(const std::string& bytes, const std::string&
   return plane ? space : plane;
 }
 
-// As each kind of file that the bytes might be.
+// The bytes as each kind of matrix file.
 std::optional<std::string> try_matrix(const std::string& bytes) {
   const auto as = [&](const std::string& name, const std::string& rows) {
     problems::ProblemText problem;
@@ -222,7 +222,7 @@ std::optional<std::string> try_checkpoint(const std::string& bytes) {
     const auto manifest = engine::read_manifest(file);
     const auto part = file + "." + std::to_string(manifest.epoch) + "." + std::to_string(0);
     write(part, std::string_view(bytes).substr(line_end + 1));
-    // The search that goes on from it compares; here nothing but the types differs.
+    // The resumed search compares them; here only the types differ.
     engine::Manifest own = manifest;
     own.node = own.solution = typeid(int).name();
     refusal<engine::CheckpointError>([&] { engine::expect_same_search(file, manifest, own); });

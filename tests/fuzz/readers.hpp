@@ -33,19 +33,19 @@ std::string name_of(Reader reader);
 /// @return nothing if no reader has that name
 std::optional<Reader> reader_named(std::string_view name);
 
-/// A reader did what none may do.
+/// Violation of the rules that all readers satisfy.
 class Defect : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// Gives the bytes to the reader, and what it accepts to the next step that the command takes.
+/// Gives the bytes to the reader, and accepted input to the next step of the command.
 /// @return the line with which they are refused, or nothing
-/// @throws Defect if something else than the reader's own error comes out, if its message is not
-///   one line, or if what it has accepted breaks its promises
+/// @throws Defect if an error is not of the reader's own type, its message is not one line, or the
+///   accepted input violates the reader's contract
 std::optional<std::string> try_reader(Reader reader, const std::string& bytes);
 
-/// Makes checksums and digests fit again, so that a change gets past them.
+/// Recomputes checksums and digests, so that they do not detect a change.
 void repair(Reader reader, std::string& bytes);
 
 }  // namespace kusabi::fuzz

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Everything of a reader's kind that lies in tests/ and examples/, in the order of the names.
+// All files of a reader's kind in tests/ and examples/, ordered by name.
 std::vector<std::string> corpus(Reader reader) {
   const auto source = fs::path(KUSABI_SOURCE_DIR);
   std::vector<fs::path> folders{source / "tests/fuzz/corpus" / name_of(reader)};
@@ -103,7 +103,7 @@ void change(std::string& text, const std::string& other, Bits& bits) {
 
 class Readers : public testing::TestWithParam<Reader> {};
 
-TEST_P(Readers, AcceptOrRefuseInOneLineWhatLiesInTheCorpus) {
+TEST_P(Readers, AcceptOrRefuseTheCorpusInOneLine) {
   const auto texts = corpus(GetParam());
   ASSERT_FALSE(texts.empty());
   int accepted = 0;
@@ -111,10 +111,10 @@ TEST_P(Readers, AcceptOrRefuseInOneLineWhatLiesInTheCorpus) {
     SCOPED_TRACE(text.substr(0, 200));
     accepted += try_reader(GetParam(), text) ? 0 : 1;
   }
-  EXPECT_GT(accepted, 0);  // or nothing behind the reader is tried
+  EXPECT_GT(accepted, 0);  // otherwise nothing after the reader is tested
 }
 
-TEST_P(Readers, AcceptOrRefuseInOneLineWhateverHasBecomeOfIt) {
+TEST_P(Readers, AcceptOrRefuseMutationsInOneLine) {
   const auto texts = corpus(GetParam());
   constexpr int tries = 1500;
   Bits bits(1);

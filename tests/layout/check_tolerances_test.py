@@ -25,29 +25,29 @@ class CheckTolerances(Planted):
         self.write("run/critical/ends.hpp", "struct Ends {\n  double width = 1e-8;  // of a cell\n};\n")
         self.write("problems/families/bridge.cpp", "constexpr double span = 30;\n")
 
-    def test_accepts_a_page_that_is_true(self):
+    def test_accepts_a_correct_page(self):
         self.assertEqual(self.check(), (0, ["2 numbers in the sources, 3 in docs/tolerances.md: the same"]))
 
-    def test_finds_another_value(self):
+    def test_finds_a_changed_value(self):
         self.write("solvers/plane.hpp", "// near\ninline constexpr double near = 1e-6;\n")
         self.assertEqual(self.check(), (1, [
             "solvers/plane.hpp:2: near = 1e-6 is not in docs/tolerances.md; line 5 has 1e-9",
             "docs/tolerances.md:5: solvers/plane.hpp has no near = 1e-9"]))
 
-    def test_finds_a_number_that_is_new(self):
+    def test_finds_a_new_number(self):
         self.write("nodes/limit/cut.cpp", "constexpr double kept = 0.5, lost = 0.1;\n")
         self.assertEqual(self.check(), (1, [
             "nodes/limit/cut.cpp:1: kept = 0.5 is not in docs/tolerances.md",
             "nodes/limit/cut.cpp:1: lost = 0.1 is not in docs/tolerances.md"]))
 
-    def test_finds_a_number_that_has_moved(self):
+    def test_finds_a_moved_number(self):
         self.write("verify/line.cpp", "constexpr long double far = 1 / near;\n")
         (self.root / "verify/plane.cpp").unlink()
         self.assertEqual(self.check(), (1, [
             "verify/line.cpp:1: far = 1/near is not in docs/tolerances.md; line 6 has it in verify/plane.cpp",
             "docs/tolerances.md:6: verify/plane.cpp has no far = 1/near"]))
 
-    def test_finds_a_member_that_has_changed(self):
+    def test_finds_a_changed_member(self):
         self.write("run/critical/ends.hpp", "struct Ends {\n  double width = 1e-7;\n  double half_width = 1e-8;\n};\n")
         self.assertEqual(self.check(), (1, ["docs/tolerances.md:7: run/critical/ends.hpp has no width = 1e-8"]))
 

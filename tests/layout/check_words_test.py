@@ -42,7 +42,7 @@ class CheckWords(Planted):
             "engine/rank.cpp:1: 'give way'; expected: relax",
             "engine/rank.cpp:2: 'loose body'; expected: unconstrained body"]))
 
-    def test_finds_terms_in_scripts_without_a_suffix_and_in_no_other_file_without_one(self):
+    def test_finds_terms_in_scripts_without_a_suffix_but_not_in_data(self):
         self.write("engine/start", "#!/bin/bash\nsent=gift\n")
         self.write("engine/stop.sh", "gift=1\n")
         self.write("engine/data", "gift\n")
@@ -65,7 +65,7 @@ class CheckWords(Planted):
             "engine/rank.cpp:1: a comment begins with 'Whether'; expected its noun",
             "engine/rank.cpp:2: a comment begins with 'what'; expected its noun"]))
 
-    def test_refuses_a_page_that_it_cannot_read(self):
+    def test_refuses_an_invalid_page(self):
         for text, line in ((PAGE.replace("gift ->", "Gift ->"), r"^docs/words.md:4: 'Gift -> transfer'; expected TERM"),
                            (PAGE.replace("\nengine\n", "\nengines\n"), "^docs/words.md:10: engines is not a folder"),
                            ("# Words\n", "^docs/words.md: no block fenced as ```words")):

@@ -126,14 +126,14 @@ class Pages(unittest.TestCase):
             for name, seen in found.items():
                 self.assertEqual(seen["faults"], [], name)
 
-    def test_nothing_sticks_out_on_a_phone_or_on_paper(self):
+    def test_pages_fit_a_phone_and_paper(self):
         for name, seen in self.light.items():
             with self.subTest(name):
                 self.assertEqual(seen["inner"], width(name))
                 self.assertLessEqual(seen["closed"], width(name))
                 self.assertLessEqual(seen.get("open", 0), width(name))
 
-    def test_words_can_be_read_in_the_light_and_in_the_dark(self):
+    def test_text_has_sufficient_contrast_in_light_and_dark_mode(self):
         for found, dark in ((self.light, False), (self.dark, True)):
             for name in ("patterns", "body", "limit", "taper"):
                 with self.subTest(name, dark=dark):
@@ -142,11 +142,11 @@ class Pages(unittest.TestCase):
                     self.assertGreaterEqual(seen["contrast"]["ratio"], 4.5, seen["contrast"]["of"])
         self.assertNotEqual(self.light["body"]["paper"], self.dark["body"]["paper"])
 
-    def test_the_keyboard_gets_everywhere(self):
+    def test_all_controls_can_be_reached_by_keyboard(self):
         for name in ("patterns", "body", "limit", "taper"):
             self.assertEqual(self.light[name]["reach"], [], name)
 
-    def test_a_body_in_space_turns(self):
+    def test_a_body_in_space_can_be_rotated(self):
         view = self.light["taper"]["turning"]
         self.assertGreater(view["drawn"], 0.1)
         self.assertTrue(view["turned"])
@@ -165,7 +165,7 @@ class Pages(unittest.TestCase):
         self.assertLess(with_it, count)
         self.assertTrue(gallery["right"] and gallery["sorted"])
 
-    def test_on_paper(self):
+    def test_print_has_no_controls_and_no_folded_parts(self):
         for name in ("patterns", "limit"):
             printed = self.light[f"{name}-printed"]
             self.assertFalse(printed["controls"])
@@ -181,7 +181,7 @@ class Pages(unittest.TestCase):
         self.assertLess(len(sheets), 15)  # the first ten and a table
 
     # Limit: a browser loads a page of this size within about a second.
-    def test_many_patterns(self):
+    def test_a_page_of_many_patterns_is_complete_and_small(self):
         for count in (250, MANY):
             name = f"many-{count}"
             seen = self.light[name]

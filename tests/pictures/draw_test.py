@@ -76,7 +76,7 @@ class Draw(KusabiCase):
     def text(self, root):
         return "\n".join(element.text or "" for element in root.iter(SVG + "text"))
 
-    def test_a_pattern_of_a_plane_truss(self):
+    def test_draws_a_pattern_of_a_plane_truss(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         problem, patterns = result["problem"], result["result"]["patterns"]
         structure = problem["structure"]
@@ -123,7 +123,7 @@ class Draw(KusabiCase):
         self.assertIn(f"reaction, largest {abs(biggest[1]):.4g} {problem['units']['force']}", self.text(root))
         self.assertIn("μ = 0.8", self.text(root))
 
-    def test_springs_ties_and_inclined_supports(self):
+    def test_draws_springs_constraints_and_inclined_supports(self):
         problem = self.folder / "held.toml"
         problem.write_text(HELD)
         result = self.solve("patterns", problem, "--mu", 5)
@@ -155,7 +155,7 @@ class Draw(KusabiCase):
         for words in ("inclined support", "spring", "tie"):
             self.assertIn(words, self.text(root))
 
-    def test_a_sheet_of_all(self):
+    def test_draws_all_patterns_on_a_sheet(self):
         result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)
         root = self.draw()
         count = result["result"]["count"]
@@ -164,7 +164,7 @@ class Draw(KusabiCase):
         for number in range(1, count + 1):
             self.assertIn(f"pattern {number}\n", self.text(root) + "\n")
 
-    def test_a_sheet_is_cut_and_says_so(self):
+    def test_a_sheet_has_at_most_sixty_patterns_and_says_so(self):
         result = self.solve("patterns", "space-truss.toml", "--mu", 2)
         self.assertGreater(result["result"]["count"], 60)
         root = self.draw()
@@ -172,7 +172,7 @@ class Draw(KusabiCase):
         self.assertIn("the first 60 of them", self.text(root))
         self.assertIn(" · pattern 61", self.text(self.draw("--pattern", 61)))
 
-    def test_all_others(self):
+    def test_draws_patterns_of_other_structures_and_subcommands(self):
         for command, name, *words in (("patterns", "morse-taper.toml", "--mu", 0.3, "--pattern-limit", 1),
                                       ("patterns", "brick-by-calculix.toml", "--mu", 0.9),
                                       ("patterns", "peg-in-hole.toml", "--mu", 0.9, "--pattern-limit", 2),
@@ -184,7 +184,7 @@ class Draw(KusabiCase):
                 self.assertEqual(set(self.marks(root)), {each["node"] for each in result["problem"]["contact"]})
                 self.assertIn("μ", self.text(root))
 
-    def test_a_collapse(self):
+    def test_draws_a_collapse(self):
         answer = self.solve("limit", "gust.toml", "--alpha", 0.5)["result"]
         self.assertEqual(len(with_class(self.draw(), "g", "small")), 2)
         root = self.draw("--pattern", 2)
@@ -209,7 +209,7 @@ class Draw(KusabiCase):
         for place, number in zip(drawn, expected):
             self.assertAlmostEqual(place, b + (a - b) * (number - y) / (x - y), delta=0.1)
 
-    def test_a_sweep_of_friction_is_a_staircase(self):
+    def test_draws_a_sweep_of_friction_as_a_staircase(self):
         result, drawn = self.check_sweep("plane-truss.toml", "--mu", "0.5:0.8:0.1")
         steps = [(step[end], step["count"]) for step in result["staircase"] for end in ("from", "to")]
         self.assertEqual(len(drawn), len(steps))
@@ -218,7 +218,7 @@ class Draw(KusabiCase):
             self.check_scale([place[axis] for place in drawn], [step[axis] for step in steps])
         self.assertIn("expected no --pattern", self.refused("draw", self.result, "--pattern", 1))
 
-    def test_a_sweep_of_loads_is_a_curve(self):
+    def test_draws_a_sweep_of_loads_as_a_curve(self):
         result, drawn = self.check_sweep("gust.toml", "--alpha", "0:0.6:0.2")
         pieces = result["curve"]
         corners = [(each["from"], each["factor_from"]) for each in pieces] + [(pieces[-1]["to"], pieces[-1]["factor_to"])]
@@ -226,21 +226,21 @@ class Draw(KusabiCase):
         for axis in (0, 1):
             self.check_scale([place[axis] for place in drawn], [corner[axis] for corner in corners])
 
-    def test_a_sweep_that_knows_nothing_has_no_image(self):
+    def test_refuses_a_sweep_without_results(self):
         self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
         self.assertEqual(self.refused("draw", self.result), f"{self.result}: has no results that could be drawn; expected a result with at least one\n")
 
-    def test_names_may_be_anything(self):
+    def test_escapes_names(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         self.result.write_text(self.result.read_text().replace('"r1"', json.dumps('<a> & "b" ]]>')))
         self.assertIn('<a> & "b" ]]>', self.marks(self.draw("--pattern", 1)))
 
-    def test_an_answer_of_nothing_has_no_image(self):
+    def test_refuses_an_empty_answer(self):
         self.assertEqual(self.solve("rays", "two-bars.toml", "--mu", 1.5)["result"]["count"], 0)
         run = self.kusabi("draw", self.result)
         self.assertEqual((run.returncode, run.stderr), (2, f"{self.result}: has no rays; expected at least one\n"))
 
-    def test_what_is_no_result_is_refused_in_a_line(self):
+    def test_refuses_a_file_that_is_no_result_in_one_line(self):
         whole = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = json.dumps(whole)
         self.result.write_text(text)

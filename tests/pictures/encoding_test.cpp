@@ -10,7 +10,7 @@ namespace {
 
 using kusabi::pictures::base64;
 
-TEST(Encoding, WritesTheExamplesOfRfc4648) {
+TEST(Base64, WritesTheExamplesOfRfc4648) {
   for (const auto& [plain, coded] : {std::pair<std::string, std::string>{"", ""},
                                      {"f", "Zg=="},
                                      {"fo", "Zm8="},
@@ -22,7 +22,7 @@ TEST(Encoding, WritesTheExamplesOfRfc4648) {
   }
 }
 
-TEST(Encoding, TakesBytesOfAllSizes) {
+TEST(Base64, EncodesBytesOfAllValues) {
   EXPECT_EQ(base64(std::string("\xFF\xFE\xFD", 3)), "//79");
   EXPECT_EQ(base64(std::string("\0\x80", 2)), "AIA=");
 }

@@ -23,14 +23,14 @@ class LargeResults(KusabiCase):
         self.assertEqual(child.returncode, 0)
         return usage.ru_maxrss / 1024
 
-    def test_a_file_may_be_longer_than_any_problem(self):
+    def test_a_file_longer_than_any_problem_is_read(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         with self.result.open("a") as file:
             file.write(" " * (65 << 20))
         for command in ("report", "draw"):
             self.megabytes(command, self.result)
 
-    def test_answers_without_a_picture_take_no_room(self):
+    def test_answers_without_a_picture_take_no_memory(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         structure, patterns = result["problem"]["structure"], result["result"]["patterns"]
         more = 5000
@@ -50,7 +50,7 @@ class LargeResults(KusabiCase):
             with self.subTest(words):
                 self.assertLess(needed(shown + 2000, *words) - needed(shown, *words), 80)
 
-    def test_all_nodes_of_a_body_are_read_in_time(self):
+    def test_a_body_of_many_nodes_is_read_in_linear_time(self):
         # A linear search for each name takes 10^10/2 steps: ten seconds.
         result = self.solve("patterns", "two-bars.toml", "--mu", 2.5)
         structure, pattern = result["problem"]["structure"], result["result"]["patterns"][0]

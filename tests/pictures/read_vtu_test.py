@@ -256,7 +256,7 @@ class ReadVtu(unittest.TestCase):
             self.assertIn(name, {**grid.at_points, **grid.at_cells})
             self.assertIn(f'"{name}"', script.read_text())
 
-    def test_patterns_of_a_space_truss(self):
+    def test_patterns_of_a_space_truss_match_the_result(self):
         file = SOURCES / "examples/space-truss.toml"
         result, grids = self.series("patterns", file, "--mu", 0.65)
         self.export_compliance(file)
@@ -278,7 +278,7 @@ class ReadVtu(unittest.TestCase):
                 stretch = along @ (grid.at_points["displacement"][b] - grid.at_points["displacement"][a])
                 self.assertAlmostEqual(force, each * stretch / (along @ along), delta=1e-8)
 
-    def test_a_mesh_in_the_plane(self):
+    def test_patterns_of_a_mesh_in_the_plane_match_the_result(self):
         file = SOURCES / "examples/snap-hook.toml"
         result, grids = self.series("patterns", file, "--mu", 1.5)
         self.export_compliance(file)
@@ -287,13 +287,13 @@ class ReadVtu(unittest.TestCase):
             self.check_configuration(result["problem"], pattern, grid)
             self.check_contact(result["problem"], pattern, grid)
 
-    def test_what_begins_to_wedge(self):
+    def test_the_critical_pattern_of_a_truss_matches_the_result(self):
         self.check_critical(SOURCES / "examples/plane-truss.toml")
 
-    def test_a_body_that_begins_to_wedge(self):
+    def test_the_critical_pattern_of_a_body_matches_the_result(self):
         self.check_critical(SOURCES / "examples/elastic-body.toml")
 
-    def test_elements_of_several_shapes(self):
+    def test_elements_of_several_shapes_match_the_result(self):
         problem = self.folder / "mixed.toml"
         problem.write_text(MIXED)
         result, grids = self.series("patterns", problem, "--mu", 2)
@@ -309,7 +309,7 @@ class ReadVtu(unittest.TestCase):
         for pattern, grid in zip(result["result"]["patterns"], grids):
             self.check_configuration(result["problem"], pattern, grid)
 
-    def test_rays(self):
+    def test_rays_match_the_result(self):
         result, grids = self.series("rays", SOURCES / "examples/plane-truss.toml", "--mu", 0.6, "--whole")
         self.assertEqual(len(grids), result["result"]["count"])
         candidates = [frame["node"] for frame in result["problem"]["contact"]]
@@ -318,7 +318,7 @@ class ReadVtu(unittest.TestCase):
             ray["separated"] = [name for name, its in zip(candidates, ray["state"]) if its == "separates"]
             self.check_configuration(result["problem"], ray, grid)
 
-    def test_a_collapse(self):
+    def test_a_collapse_matches_the_result(self):
         result, grids = self.series("limit", SOURCES / "examples/gust.toml", "--alpha", 0.5)
         answer = result["result"]
         structure = result["problem"]["structure"]
@@ -399,13 +399,13 @@ class ReadVtu(unittest.TestCase):
         deviators = tensors - np.trace(tensors, axis1=1, axis2=2)[:, None, None] * np.eye(3) / 3
         self.close(grid.at_cells["von_mises"].ravel(), np.sqrt(1.5 * (deviators ** 2).sum(axis=(1, 2))))
 
-    def test_stresses_are_of_elements_alone(self):
+    def test_a_body_without_elements_has_no_stresses(self):
         _, grids = self.series("patterns", SOURCES / "examples/brick-by-calculix.toml", "--mu", 0.9)
         self.assertNotIn("stress", grids[0].at_cells)
 
     # Each mesh fills a body of known volume (tests/meshes/*.geo), and mid-edge nodes are where VTK
     # expects them.
-    def test_orders_of_nodes(self):
+    def test_nodes_have_the_order_of_vtk(self):
         if READER != "vtk":
             self.skipTest("meshio computes no volumes")
         circle = math.pi / 16

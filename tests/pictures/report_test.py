@@ -139,7 +139,7 @@ class Report(KusabiCase):
     def verdict(self, page):
         return page.with_id("verdict").text()
 
-    def test_patterns(self):
+    def test_shows_patterns(self):
         result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)
         page = self.page()
         self.assertEqual(self.verdict(page),
@@ -210,7 +210,7 @@ class Report(KusabiCase):
         self.assertLessEqual(found, set(names))
         return found
 
-    def test_the_first_sentence(self):
+    def test_begins_with_the_answer_in_a_sentence(self):
         # A wedge of 15 degrees to either side needs tan 15 degrees, and its sides slip at once.
         self.solve("critical", "wedge-in-groove.toml")
         page = self.page()
@@ -225,7 +225,7 @@ class Report(KusabiCase):
         leading = max(range(len(patterns)), key=lambda i: patterns[i]["margin"])
         self.assertIn(f"with the largest margin in pattern {leading + 1} (", self.page().with_id("answer").text())
 
-    def test_states_under_load(self):
+    def test_shows_states_under_load(self):
         # A ladder that leans against a smooth wall: foot and top, and the coefficient at which it slips.
         result = self.solve("hold", "ladder.toml")
         holding = result["result"]["holding_friction"]
@@ -239,7 +239,7 @@ class Report(KusabiCase):
         result = self.solve("hold", "peg-under-load.toml", "--mu", 0.5)
         self.page()
 
-    def test_no_word_of_the_program_is_on_the_page(self):
+    def test_has_no_internal_terms(self):
         for command, name, *words in (("patterns", "space-truss.toml", "--mu", 0.65), ("limit", "truss-bridge.toml", "--alpha", 1),
                                       ("critical", "wedge-in-groove.toml"), ("sweep", "plane-truss.toml", "--mu", "0.5:0.8:0.1"),
                                       ("rays", "plane-truss.toml", "--mu", 0.65)):
@@ -250,7 +250,7 @@ class Report(KusabiCase):
                 for word in ("alive", "entries", "dead load limit", "leaf", "null", "nan"):
                     self.assertNotRegex(text, rf"\b{word}\b")
 
-    def test_a_body_in_space_turns(self):
+    def test_shows_a_body_in_space_that_can_be_rotated(self):
         result = self.solve("critical", "morse-taper.toml")
         page = self.page()
         figure = next(page.root.all("figure"))
@@ -281,7 +281,7 @@ class Report(KusabiCase):
         self.assertGreater(volume / scale ** 3, 0.8 * exact)
         self.assertLess(volume / scale ** 3, 1.2 * exact)
 
-    def test_beyond_sixty_there_are_rows(self):
+    def test_lists_more_than_sixty_patterns_in_rows(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         patterns = result["result"]["patterns"]
         count = 302
@@ -299,14 +299,14 @@ class Report(KusabiCase):
         printed = page.with_class("on-paper") + [each for each in answers[60:] if "late" not in each.kinds()]
         self.assertEqual(len(printed), 100)
 
-    def test_nothing_sticks(self):
+    def test_shows_that_nothing_sticks(self):
         result = self.solve("rays", "two-bars.toml", "--mu", 0.5)
         self.assertEqual(result["result"]["count"], 0)
         page = self.page()
         self.assertEqual(self.verdict(page), "It cannot stick at friction coefficient 0.5.")
         self.assertEqual(page.with_class("answer"), [])
 
-    def test_what_is_not_known_is_not_claimed(self):
+    def test_marks_an_incomplete_answer(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         for key in ("verdict", "warnings"):  # of a file that an older version has written
             del result[key]
@@ -323,7 +323,7 @@ class Report(KusabiCase):
         self.result.write_text(json.dumps(result))
         self.assertIn("not known", self.verdict(self.page()))
 
-    def test_rays(self):
+    def test_shows_rays(self):
         result = self.solve("rays", "plane-truss.toml", "--mu", 0.6)["result"]
         page = self.page()
         self.assertIn(f"{result['count']} extremal ray", self.verdict(page))
@@ -332,7 +332,7 @@ class Report(KusabiCase):
             touching = [name for name, state in zip(names, ray["state"]) if state not in ("separates", "idle")]
             self.assertEqual(json.loads(card.attributes["data-contact"]), touching)
 
-    def test_critical(self):
+    def test_shows_a_critical_coefficient(self):
         bracket = self.solve("critical", "plane-truss.toml")["result"]["critical_friction"]
         page = self.page()
         lower, upper = map(float, re.findall(r"\d+\.\d+", self.verdict(page)))
@@ -347,7 +347,7 @@ class Report(KusabiCase):
         self.assertEqual(len(set(shown)), 2)
         self.assertEqual(len(page.with_class("answer")), 1)
 
-    def test_an_end_that_is_not_proved(self):
+    def test_marks_a_bound_that_is_not_proved(self):
         result = self.solve("critical", "plane-truss.toml")
         del result["verdict"]
         result["result"]["critical_friction"].update(upper=None, lower_proved=False, upper_proved=False)
@@ -358,7 +358,7 @@ class Report(KusabiCase):
                                              r"above it, this is not known\.$")
         self.assertIn("not proved", page.with_id("reservations").text())
 
-    def test_limit(self):
+    def test_shows_a_limit_load(self):
         result = self.solve("limit", "gust.toml", "--alpha", 0.5)
         answer, worst = result["result"], result["result"]["worst_case"]
         page = self.page()
@@ -380,7 +380,7 @@ class Report(KusabiCase):
         table = next(each for each in page.root.all("table") if each.children[0].text() == caption)
         return [self.numbers(row) for row in next(table.all("tbody")).all("tr")]
 
-    def test_a_sweep_of_friction(self):
+    def test_shows_a_sweep_of_friction(self):
         answer = self.solve("sweep", "plane-truss.toml", "--mu", "0.5:0.8:0.1")["result"]
         page = self.page()
         self.assertEqual(self.verdict(page), "It cannot stick up to friction coefficient 0.48755536; at 0.8 there are 11 sign "
@@ -395,7 +395,7 @@ class Report(KusabiCase):
                          [[each["lower"], each["upper"]] for each in answer["patterns"]])
         self.assertNotIn("reservations", page.named)
 
-    def test_a_sweep_with_a_point_that_is_not_decided(self):
+    def test_marks_an_undecided_point_of_a_sweep(self):
         self.solve("sweep", "two-bars.toml", "--mu", "1,2,3")  # 2 is critical
         self.assertIn("at 1 of the points", self.page().with_id("reservations").text())
         self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
@@ -404,7 +404,7 @@ class Report(KusabiCase):
         self.assertIn("not known", self.verdict(page))
         self.assertNotIn("curve", page.named)
 
-    def test_a_sweep_of_loads(self):
+    def test_shows_a_sweep_of_loads(self):
         answer = self.solve("sweep", "gust.toml", "--alpha", "0:0.6:0.2")["result"]
         page = self.page()
         self.assertIn("at alpha = 0.6 the worst case is 6.9813203, proved", self.verdict(page))
@@ -414,7 +414,7 @@ class Report(KusabiCase):
         self.assertEqual(self.rows(page, "Linear pieces of the curve"),
                          [[each[key] for key in ("from", "to", "factor_from", "factor_to", "error")] for each in answer["curve"]])
 
-    def test_names_may_be_anything(self):
+    def test_escapes_names(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = self.result.read_text().replace('"r1"', json.dumps(EVIL)).replace('"plane truss, 5 rows"', json.dumps(EVIL))
         text = text.replace('"kN"', json.dumps(EVIL))
@@ -425,7 +425,7 @@ class Report(KusabiCase):
         card = next(each for each in page.with_class("answer") if EVIL in json.loads(each.attributes["data-contact"]))
         self.assertIn(EVIL, [each.text() for each in card.all("th")])
 
-    def test_what_is_no_result_is_refused_in_a_line(self):
+    def test_refuses_a_file_that_is_no_result_in_one_line(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = json.dumps(result)
         self.result.write_text(text)

@@ -49,7 +49,7 @@ const Values& values(const std::vector<Field>& fields, const std::string& name) 
   return std::get<Values>(field(fields, name).values);
 }
 
-TEST(StructureGrid, HasBarsThenNodesWithoutAny) {
+TEST(StructureGrid, HasBarsFollowedByNodesWithoutBars) {
   const auto grid = structure_grid(corner());
   ASSERT_EQ(grid.cells.size(), 3U);
   EXPECT_EQ(grid.cells[1].type, CellType::line);
@@ -74,14 +74,14 @@ TEST(StructureGrid, MarksSupportsAndCandidates) {
   EXPECT_TRUE(normal.leftCols(2).isZero(0));
 }
 
-TEST(StructureGrid, HasTheStateOfCandidatesAlone) {
+TEST(StructureGrid, HasContactStatesOfCandidatesOnly) {
   const auto states = contact_states(corner(), std::vector{ContactState::separated});
   SmallNumbers wanted(1, 4);
   wanted << 0, 0, 2, 0;
   EXPECT_EQ(std::get<SmallNumbers>(states.values), wanted);
 }
 
-TEST(StructureGrid, SaysWhatElseHolds) {
+TEST(StructureGrid, HasInclinedSupportsSpringsAndConstraints) {
   auto structure = corner();
   structure.inclined = {{2, Eigen::Vector2d(3, 4)}};
   structure.springs = {{1, 0, 5.0}, {1, 0, 2.0}};
@@ -95,7 +95,7 @@ TEST(StructureGrid, SaysWhatElseHolds) {
   EXPECT_THROW(field(structure_grid(corner()).point_data, "tied"), std::runtime_error);
 }
 
-TEST(StructureGrid, HasNumbersOfElementsBetweenBarsAndNodes) {
+TEST(StructureGrid, NumbersElementsBetweenBarsAndNodes) {
   auto structure = corner();
   structure.elements = {{.nodes = {0, 1, 2},
                          .modulus = 1,
@@ -140,7 +140,7 @@ TEST(UnsolvedGrid, HasLoadsAndStrengths) {
 
 // The type numbers are those of the VTK file formats (vtkCellType.h); the orders of nodes are
 // tested with VTK itself.
-TEST(StructureGrid, KnowsTheTypeOfEveryShape) {
+TEST(StructureGrid, HasTheVtkTypeOfEveryShape) {
   const std::map<ElementShape, int> types{
       {ElementShape::triangle3, 5},      {ElementShape::triangle6, 22},
       {ElementShape::quadrilateral4, 9}, {ElementShape::quadrilateral8, 23},

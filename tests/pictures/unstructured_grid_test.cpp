@@ -58,7 +58,7 @@ void expect_all_of(const std::string& text, const UnstructuredGrid& grid) {
   EXPECT_TRUE(std::equal(flags.begin(), flags.end(), small.data()));
 }
 
-TEST(VtuFile, HoldsAFewNumbersAsTheyAre) {
+TEST(VtuFile, StoresFewNumbersUncompressed) {
   const auto grid = random_grid(4);
   const auto text = text_of(grid);
   EXPECT_THAT(text, Not(HasSubstr("compressor")));
@@ -68,7 +68,7 @@ TEST(VtuFile, HoldsAFewNumbersAsTheyAre) {
   EXPECT_THAT(array<std::uint8_t>(text, "types"), ElementsAre(3, 3, 3));
 }
 
-TEST(VtuFile, PacksManyInBlocks) {
+TEST(VtuFile, CompressesManyNumbersInBlocks) {
   const auto grid = random_grid(5000);
   const auto text = text_of(grid);
   EXPECT_THAT(text, HasSubstr("compressor=\"vtkZLibDataCompressor\""));
@@ -76,7 +76,7 @@ TEST(VtuFile, PacksManyInBlocks) {
 }
 
 // 4096 numbers of eight bytes fill one block exactly: the last block is full.
-TEST(VtuFile, PacksWhatFillsItsBlocks) {
+TEST(VtuFile, CompressesNumbersThatFillTheirBlocks) {
   UnstructuredGrid grid;
   grid.points = Eigen::Matrix3Xd::Zero(3, 4096);
   grid.cells.push_back({CellType::vertex, {0}});

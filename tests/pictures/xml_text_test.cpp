@@ -12,7 +12,7 @@ TEST(XmlText, EscapesSpecialCharacters) {
   EXPECT_EQ(xml_text("a<b & \"c\">d"), "a&lt;b &amp; &quot;c&quot;&gt;d");
 }
 
-TEST(XmlText, KeepsLettersOfAllSizes) {
+TEST(XmlText, KeepsCharactersOfSeveralBytes) {
   EXPECT_EQ(xml_text("µ 楔 \U0001F4D0"), "µ 楔 \U0001F4D0");
 }
 
@@ -26,7 +26,7 @@ TEST(XmlText, ReplacesInvalidCharacters) {
   EXPECT_EQ(xml_text("\xED\xA0\x80"), std::string(none) + none + none);  // surrogate
 }
 
-TEST(XmlText, CommentsHoldNoTwoDashes) {
+TEST(XmlText, CommentsContainNoDoubleDash) {
   EXPECT_EQ(xml_comment("a--b---"), "<!-- a- -b- - - -->\n");
   EXPECT_EQ(xml_comment(""), "");
 }

@@ -101,14 +101,14 @@ class BodyLoads(KusabiCase):
             for end in self.grip(text):
                 self.assertAlmostEqual(end, 3 * 9.81 * 2 * 1 * 0.5, delta=1e-7)
 
-    def test_a_slope_holds_a_block_by_its_angle(self):
+    def test_a_block_on_a_slope_requires_the_tangent_of_its_angle(self):
         angle = math.radians(20)
         text = BLOCK.format(top=f"gravity = [{math.sin(angle)}, {-math.cos(angle)}]", plane="strain", material="density = 1")
         found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
         self.assertAlmostEqual(found["upper"], math.tan(angle), delta=1e-8)
         self.assertAlmostEqual(found["lower"], math.tan(angle), delta=1e-8)
 
-    def test_shares_of_the_nodes(self):
+    def test_weight_is_divided_among_the_nodes_of_each_shape(self):
         for nodes, volume, shares in SHAPES:
             dimension = len(nodes[0])
             names = [f"n{i}" for i in range(len(nodes))]
@@ -136,24 +136,24 @@ class BodyLoads(KusabiCase):
             for end in self.grip(BRICK.format(top="temperature = 20", plane=plane), 0):
                 self.assertAlmostEqual(end, 2 * pressure * 0.5, delta=1e-6)
 
-    def test_a_cold_brick_is_loose(self):
+    def test_a_cold_brick_has_no_reactions(self):
         file = self.problem(BRICK.format(top="temperature = -20", plane="stress"))
         grip = self.solve("hold", file, "--mu", 0, "--grip")["result"]["grip"]
         self.assertEqual((grip["least"]["held"], grip["most"]["held"]), (0, 0))
 
-    def test_a_warm_bar(self):
+    def test_a_warm_bar_presses_its_wall(self):
         text = BAR.format(top="temperature = 30", material="EA = 200\nexpansion = 1e-3", support="")
         for end in self.grip(text):
             self.assertAlmostEqual(end, 200 * 1e-3 * 30, delta=1e-8)
 
-    def test_a_support_that_moves_towards_the_wall(self):
+    def test_a_displaced_support_presses_the_wall(self):
         text = BAR.format(top="", material="EA = 200", support="displacement = [0.01, 0]")
         for end in self.grip(text):
             self.assertAlmostEqual(end, 200 / 2 * 0.01, delta=1e-8)
         away = self.problem(BAR.format(top="", material="EA = 200", support="displacement = [-0.01, 0]"))
         self.assertEqual(self.solve("hold", away, "--mu", 0.3, "--grip")["result"]["grip"]["most"]["held"], 0)
 
-    def test_a_moved_edge_is_an_interference(self):
+    def test_a_displaced_edge_is_an_interference(self):
         body = BRICK.format(top="", plane="strain").replace('[[contact]]\nnodes = ["b.left"]\nnormal = [1, 0]\n', "")
         body = body.replace('nodes = ["b.1,1"]', 'nodes = ["b.left"]\nMOVED')
         moved = self.grip(body.replace("MOVED", "displacement = [0.02, 0]"))
@@ -162,7 +162,7 @@ class BodyLoads(KusabiCase):
             self.assertAlmostEqual(one, other, delta=1e-7 * other)
         self.assertGreater(moved[0], 1)
 
-    def test_an_obstacle_that_moves(self):
+    def test_a_displaced_obstacle_presses_the_bar(self):
         # The bar touches a node of another bar, which is held and moves towards it.
         text = BAR.replace('"t" = [2, 0]', '"t" = [2, 0]\n"u" = [2, 0]\n"v" = [3, 0]').replace(
             "[[supports]]", '[[members]]\nEA = 50\nbetween = [["u", "v"]]\n[[supports]]\nnodes = ["u"]\nMOVED\n[[supports]]\nnodes = ["v"]\n[[supports]]', 1)
@@ -171,11 +171,11 @@ class BodyLoads(KusabiCase):
         for end in self.grip(text.replace("MOVED", "displacement = [-0.01, 0]")):
             self.assertAlmostEqual(end, 200 / 2 * 0.01, delta=1e-8)
 
-    def test_other_commands_name_it(self):
+    def test_other_subcommands_warn_that_they_ignore_body_loads(self):
         said = self.kusabi("critical", self.problem(BRICK.format(top="temperature = 20", plane="stress"))).stderr
         self.assertIn("kusabi critical ignores temperature and displaced supports", said)
 
-    def test_refusals(self):
+    def test_invalid_keys_are_refused(self):
         for top, material, why in (("gravity = [0, -1]", "", "gravity has no effect; expected the density of a material"),
                                    ("temperature = 3", "", "temperature has no effect; expected the expansion of a material"),
                                    ("", "density = -1", "density is -1; expected 0 or a positive number")):

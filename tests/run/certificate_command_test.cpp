@@ -19,7 +19,9 @@ namespace {
 
 using testing::HasSubstr;
 
-// The lines of a certificate that speak of nodes, each once, in an order of their own.
+using PatternsCertificate = Command;
+
+// The lines of a certificate about nodes, sorted.
 std::vector<std::string> node_lines(const std::string& name) {
   std::ifstream file(name);
   std::vector<std::string> lines;
@@ -32,7 +34,7 @@ std::vector<std::string> node_lines(const std::string& name) {
   return lines;
 }
 
-// The whole of a certificate anew from the lines before its "end", with the right digest.
+// Command that replaces the end of a changed certificate, with the right count and digest.
 std::string sealed(const std::string& name) {
   return fmt::format(
       "{{ sed -i '/^end /,$d' {0} && echo \"end $(sed '1,/^nodes$/d' {0} | wc -l)\" >>{0} &&"
@@ -40,7 +42,7 @@ std::string sealed(const std::string& name) {
       name);
 }
 
-TEST_F(Command, ProvesItsListOfPatterns) {
+TEST_F(PatternsCertificate, ProvesTheListOfPatterns) {
   const auto run =
       shell(command + " patterns " + truss + " --mu 0.65 --certificate " + argument("cert"));
   ASSERT_EQ(run.exit_code, 0) << run.output;
@@ -52,7 +54,7 @@ TEST_F(Command, ProvesItsListOfPatterns) {
   const auto quiet = shell(command + " verify --quiet " + argument("cert"));
   EXPECT_EQ(quiet.exit_code, 0);
   EXPECT_EQ(quiet.output, "");
-  // Its digest is no secret of the program's.
+  // The digest is the SHA-1 of all lines before it.
   EXPECT_EQ(shell(fmt::format("test \"digest $(head -n -1 {0} | sha1sum | cut -d' ' -f1)\" = "
                               "\"$(tail -n 1 {0})\"",
                               argument("cert")))
@@ -60,7 +62,7 @@ TEST_F(Command, ProvesItsListOfPatterns) {
             0);
 }
 
-TEST_F(Command, ProvesAllButWhatIsMarginal) {
+TEST_F(PatternsCertificate, ProvesAllNodesExceptMarginalOnes) {
   std::ofstream(in_folder("rod.toml")) << rod_along_normal;
   shell(command + " patterns " + argument("rod.toml") + " --mu 1.1 --certificate " +
         argument("cert"));
@@ -69,7 +71,7 @@ TEST_F(Command, ProvesAllButWhatIsMarginal) {
   EXPECT_THAT(run.output, testing::ContainsRegex("PROVED except for [0-9]* marginal node"));
 }
 
-TEST_F(Command, TheCertificateAndTheVerdictAreTheSameOnAnyNumberOfRanks) {
+TEST_F(PatternsCertificate, HasTheSameContentAndVerdictOnAnyNumberOfRanks) {
   const auto search = command + " patterns " + truss + " --mu 1.0 --quiet --certificate ";
   const auto alone = in_folder("alone");
   ASSERT_EQ(shell(search + quoted(alone) + " --serial").exit_code, 0);
@@ -87,7 +89,7 @@ TEST_F(Command, TheCertificateAndTheVerdictAreTheSameOnAnyNumberOfRanks) {
   EXPECT_EQ(files(), (std::vector<std::string>{"alone", "np1", "np2", "np3"}));
 }
 
-TEST_F(Command, RefusesASpoiltCertificateOnAnyNumberOfRanks) {
+TEST_F(PatternsCertificate, IsRefusedOnAnyNumberOfRanksIfFalsified) {
   const auto cert = argument("cert");
   shell(command + " patterns " + truss + " --mu 0.65 --certificate " + cert);
   const auto verdict = [&](const std::string& launch, const std::string& change) {
@@ -108,7 +110,7 @@ TEST_F(Command, RefusesASpoiltCertificateOnAnyNumberOfRanks) {
   }
 }
 
-// A slab between parallel walls, with 25 candidates on each side and nothing else that holds it.
+// A slab between parallel walls, with 25 candidates on each side and no supports.
 constexpr auto slab = R"(name = "slab"
 dimension = 2
 units = { length = "m", force = "kN" }
@@ -130,7 +132,7 @@ normal = [0, -1]
 
 // The lower bound is that of the form with products of two displacements; the limit of nodes ends
 // the run before any tree.
-TEST_F(Command, ProvesTheBracketOfASlabBetweenParallelWalls) {
+TEST_F(PatternsCertificate, ProvesTheBracketOfASlabBetweenParallelWalls) {
   const auto file = argument("slab.toml"), cert = argument("cert.lower");
   std::ofstream(in_folder("slab.toml")) << slab;
   const auto run =
@@ -156,7 +158,7 @@ TEST_F(Command, ProvesTheBracketOfASlabBetweenParallelWalls) {
               HasSubstr("its form is not negative definite"));
 }
 
-TEST_F(Command, SaysThatACertificateWasAltered) {
+TEST_F(PatternsCertificate, IsRefusedIfItsDigestIsWrong) {
   const auto cert = argument("cert");
   shell(command + " patterns " + truss + " --mu 0.65 --certificate " + cert);
   shell("sed -i '0,/^alive/s/^alive/dead/' " + cert);
@@ -167,9 +169,9 @@ TEST_F(Command, SaysThatACertificateWasAltered) {
   }
 }
 
-TEST_F(Command, RefusesWrongCallsAboutCertificates) {
+TEST_F(PatternsCertificate, IsRefusedInInvalidCalls) {
   const std::string good = "patterns " + truss + " --mu 0.5 ";
-  // A part that a state can go on with.
+  // A part that a run with its state continues.
   std::ofstream(in_folder("state")) << "kusabi-checkpoint";
   std::ofstream(in_folder("cert.part.1.0"))
       << "part of the tree 0 of the checkpoint " << in_folder("state") << '\n';
@@ -194,7 +196,7 @@ TEST_F(Command, RefusesWrongCallsAboutCertificates) {
   EXPECT_EQ(files(), (std::vector<std::string>{"cert.part.1.0", "pipe", "state"}));
 }
 
-TEST_F(Command, ACertificateIsNotKeptFromItsPlaceByPartsOfAKilledProcess) {
+TEST_F(PatternsCertificate, ReplacesPartsOfAKilledProcess) {
   std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\nmarginal 1 0 0\n";
   std::ofstream(in_folder("cert.part.3.1"))
       << "part of the tree 0 of the checkpoint " << in_folder("gone") << '\n';
@@ -204,7 +206,7 @@ TEST_F(Command, ACertificateIsNotKeptFromItsPlaceByPartsOfAKilledProcess) {
   EXPECT_EQ(files(), std::vector<std::string>{"cert"});
 }
 
-TEST_F(Command, ACertificateThatIsBeingWrittenIsNotTouched) {
+TEST_F(PatternsCertificate, IsNotOverwrittenWhileAnotherProcessWritesIt) {
   std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\n";
   const int part = open(in_folder("cert.part.1.0").c_str(), O_WRONLY | O_CLOEXEC);
   ASSERT_EQ(flock(part, LOCK_EX), 0);
@@ -216,7 +218,7 @@ TEST_F(Command, ACertificateThatIsBeingWrittenIsNotTouched) {
   EXPECT_EQ(files(), std::vector<std::string>{"cert.part.1.0"});
 }
 
-TEST_F(Command, ACertificateIsResumed) {
+TEST_F(PatternsCertificate, IsCompletedByAResumedRun) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet";
   const auto with = " --certificate " + argument("cert");
   const auto stopped =
@@ -224,7 +226,7 @@ TEST_F(Command, ACertificateIsResumed) {
   EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
   EXPECT_THAT(stopped.output, HasSubstr("the proofs so far are in " + in_folder("cert.part.*")));
   EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
-  // Not as if nothing had been, not under another name, and not of another tree.
+  // Refused: a new search, and another name of the certificate.
   const auto anew = shell(call + with);
   EXPECT_EQ(anew.exit_code, 2);
   EXPECT_THAT(anew.output, HasSubstr("belongs to an unfinished search; "
@@ -245,7 +247,7 @@ TEST_F(Command, ACertificateIsResumed) {
   EXPECT_EQ(shell(command + " verify " + argument("cert")).exit_code, 0);
 }
 
-TEST_F(Command, ACertificateNeedsAStateToResumeFrom) {
+TEST_F(PatternsCertificate, OfAStoppedRunRequiresAState) {
   const auto run = shell(command + " patterns " + truss +
                          " --mu 1.0 --quiet --node-limit 300 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 3);
@@ -253,7 +255,7 @@ TEST_F(Command, ACertificateNeedsAStateToResumeFrom) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(Command, SaysThatTheDiskIsFullForTheCertificate) {
+TEST_F(PatternsCertificate, ReportsAFullDisk) {
   // A file may have 4096 bytes, and a longer write is an error, not a signal.
   const auto run = shell("trap '' XFSZ; ulimit -f 8; " + command + " patterns " + truss +
                          " --mu 1.0 --certificate " + argument("cert"));

@@ -14,9 +14,11 @@ namespace {
 
 using testing::HasSubstr;
 
-// Whatever was in the call, and on as many ranks: names that a shell would split, and options that
-// change the tree.
-TEST_F(Command, PrintsACallThatResumes) {
+using PatternsResume = Command;
+
+// The printed call has all options and the number of ranks, including names that a shell would
+// split and options that change the tree.
+TEST_F(PatternsResume, PrintsTheCallThatResumes) {
   fs::copy(truss_file, in_folder("a truss.toml"));
   const std::string call = fmt::format(
       " patterns {} --mu 1 --branching paper --tolerance 1e-9 --certificate {} --output {}",
@@ -37,7 +39,7 @@ TEST_F(Command, PrintsACallThatResumes) {
   EXPECT_EQ(fs::file_size(in_folder("c.cert")), certificate.size());
 }
 
-TEST_F(Command, StopsAtALimitAndIsResumed) {
+TEST_F(PatternsResume, ContinuesAfterALimit) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --output ";
   const auto whole = in_folder("whole.json");
   ASSERT_EQ(shell(call + quoted(whole)).exit_code, 0);
@@ -75,14 +77,14 @@ std::string nothing_saved(const std::string& state) {
 constexpr auto make_long = " example space-truss --rows 15 --depth 2 --output ";
 constexpr auto long_friction = " --mu 0.52 ";
 
-TEST_F(Command, ASignalEndsItWithAStateToResumeFrom) {
+TEST_F(PatternsResume, ContinuesAfterASignal) {
   shell(command + make_long + argument("long.toml"));
   const auto call = command + " patterns " + argument("long.toml") + " --cuts none" + long_friction;
   const auto whole = in_folder("whole.json");
   ASSERT_EQ(shell(ranks(2) + call + " --quiet --output " + quoted(whole)).exit_code, 0);
   for (const std::string signal : {"TERM", "INT"}) {
     const auto state = in_folder(signal);
-    // Once there is a checkpoint the command heeds signals.
+    // From its first checkpoint on the command handles signals.
     const auto stopped = shell(
         fmt::format("{{ {} --resume {} --checkpoint-interval 0.02 >{} & p=$!;"
                     "   while {} && kill -0 $p; do sleep 0.01; done; kill -{} $p; wait $p; }}",
@@ -97,7 +99,7 @@ TEST_F(Command, ASignalEndsItWithAStateToResumeFrom) {
   }
 }
 
-TEST_F(Command, SIGUSR1AsksForACheckpointAndTheSearchGoesOn) {
+TEST_F(PatternsResume, WritesACheckpointWithoutStoppingAtSIGUSR1) {
   shell(command + " example space-truss --rows 10 --depth 4 --output " + argument("long.toml"));
   const auto state = in_folder("state");
   // The command handles signals from shortly after its first line of output on.
@@ -108,12 +110,12 @@ TEST_F(Command, SIGUSR1AsksForACheckpointAndTheSearchGoesOn) {
       command, argument("long.toml"), quoted(state), argument("table"), argument("log"),
       argument("log"), nothing_saved(state)));
   EXPECT_EQ(run.exit_code, 3) << content(in_folder("log"));
-  // The first asked for by SIGUSR1, the second at the end: it had gone on.
+  // The first checkpoint is due to SIGUSR1, the second one to the end: the search continued.
   for (const auto* const ending : {".previous", ".1.0", ".2.0"})
     EXPECT_THAT(files(), testing::Contains(testing::EndsWith(ending)));
 }
 
-TEST_F(Command, ACertificateOutlivesAKilledSearch) {
+TEST_F(PatternsResume, KeepsTheCertificateOfAKilledSearch) {
   shell(command + make_long + argument("long.toml"));
   const auto call = command + " patterns " + argument("long.toml") + " --cuts none" +
                     long_friction + " --certificate " + argument("cert");

@@ -38,7 +38,7 @@ class Completion(KusabiCase):
             (pathlib.Path(folder) / name).touch()
         (pathlib.Path(folder) / "pictures").mkdir()
 
-    def test_subcommands(self):
+    def test_subcommands_are_completed(self):
         self.assertEqual(self.completed("kusabi pat"), ["patterns"])
         self.assertIn("example", self.completed("kusabi "))
         self.assertIn("help", self.completed("kusabi "))
@@ -48,7 +48,7 @@ class Completion(KusabiCase):
         self.assertEqual(self.completed("kusabi help bench u"), ["uts"])
         self.assertEqual(self.completed("kusabi --completion z"), ["zsh"])
 
-    def test_options_and_choices(self):
+    def test_options_and_choices_are_completed(self):
         self.assertEqual(self.completed("kusabi patterns truss.toml --resu"), ["--resume", "--resume-wait"])
         self.assertEqual(self.completed("kusabi patterns --sort "), ["number", "margin", "contact", "critical"])
         self.assertEqual(self.completed("kusabi patterns --sort = mar"), ["margin"])
@@ -58,7 +58,7 @@ class Completion(KusabiCase):
         self.assertEqual(self.completed("kusabi patterns --mu "), [])
         self.assertEqual(self.completed("kusabi limit --mu"), [])
 
-    def test_files(self):
+    def test_files_are_completed(self):
         with tempfile.TemporaryDirectory() as folder:
             self.files(folder)
             self.assertEqual(sorted(self.completed("kusabi patterns ", folder)), ["other.json", "pictures", "truss.toml"])
@@ -76,13 +76,13 @@ class Completion(KusabiCase):
             run = subprocess.run([shell, *options, script.name], capture_output=True, text=True)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
 
-    def test_zsh(self):
+    def test_zsh_accepts_the_script(self):
         self.check_syntax("zsh", "-n")
 
-    def test_fish(self):
+    def test_fish_accepts_the_script(self):
         self.check_syntax("fish", "--no-execute")
 
-    def test_manual_pages(self):
+    def test_manual_pages_have_no_errors(self):
         if shutil.which("groff") is None:
             self.skipTest("groff is not installed")
         for words in ((), ("patterns",), ("limit",), ("example", "grid")):

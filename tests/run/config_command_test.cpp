@@ -28,7 +28,7 @@ class Config : public Command {
   }
 };
 
-TEST_F(Config, StandsInForOptionsThatTheCallHasNot) {
+TEST_F(Config, SetsOptionsThatTheCallDoesNotSet) {
   const auto file = config("[patterns]\nmu = 0.65\nsort = \"margin\"\ntop = 2\n[rays]\nmu = 3\n");
   const auto result = in_folder("result.json");
   const auto rest = "patterns " + truss + " --output " + quoted(result);
@@ -51,7 +51,7 @@ TEST_F(Config, StandsInForOptionsThatTheCallHasNot) {
   EXPECT_THAT(none.output, Not(HasSubstr("defaults of")));
 }
 
-TEST_F(Config, IsFoundInTheUsualFolders) {
+TEST_F(Config, IsFoundInTheStandardFolders) {
   const auto rest = "show " + truss;
   config("[show]\nquiet = true\n", "xdg/kusabi/config.toml");
   const auto other = config("[show]\nquiet = false\n", "other.toml");
@@ -111,7 +111,7 @@ TEST_F(Config, ReportsFileLineAndKeyOfAFault) {
               HasSubstr("none: the file cannot be read; expected defaults in TOML"));
 }
 
-TEST_F(Config, LeavesOutWhatAloneMeansNothing) {
+TEST_F(Config, OmitsOptionsWhoseRequiredOptionIsMissing) {
   const auto file = config("[limit]\nsamples = 3\n[patterns]\nmu = 0.65\nfacets = 8\n");
   const auto rest = " --config " + quoted(file);
   EXPECT_EQ(shell(call("patterns " + truss + rest)).exit_code, 0);

@@ -50,16 +50,16 @@ class Counts(KusabiCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         return run.stdout, json.loads(self.result.read_text())["result"]
 
-    def test_one_part_has_four(self):
+    def test_one_subproblem_has_four_patterns(self):
         self.assertEqual(self.asked("patterns", 1, "--mu", 2)[1]["count"], 4)
 
-    def test_up_to_2_to_the_53_it_is_a_number(self):
+    def test_counts_up_to_2_to_the_53_are_numbers(self):
         said, result = self.asked("patterns", 26, "--mu", 2)
         self.assertEqual(result["count"], 2 ** 52)
         self.assertNotIn("count_log10", result)
         self.assertIn(f"It can stick in {2 ** 52} ways", said)
 
-    def test_beyond_it_has_all_its_digits(self):
+    def test_larger_counts_have_all_digits(self):
         for count in (27, 32, 40):
             with self.subTest(count):
                 said, result = self.asked("patterns", count, "--mu", 2)
@@ -70,7 +70,7 @@ class Counts(KusabiCase):
                     self.assertIn(f"It can stick in {4 ** count} ways", said)
                 self.assertEqual(kusabi.load(self.result).answer["count"], 4 ** count)
 
-    def test_a_report_counts_them_and_those_of_older_files(self):
+    def test_a_report_has_large_counts_also_of_older_files(self):
         self.asked("patterns", 32, "--mu", 2)
         page = self.folder / "page.html"
         for wrapped in (False, True):
@@ -82,7 +82,7 @@ class Counts(KusabiCase):
             self.assertEqual(self.kusabi("report", self.result, "--output", page).returncode, 0)
             self.assertIn(f"It can stick in {2 ** 64} ways", page.read_text())
 
-    def test_a_sweep_counts_them(self):
+    def test_a_sweep_has_large_counts(self):
         said, result = self.asked("sweep", 32, "--mu", "0.5,2", "--csv", self.folder / "steps.csv", "--svg",
                                   self.folder / "steps.svg")
         own = [self.asked("patterns", 1, "--mu", mu)[1]["count"] for mu in (0.5, 2)]

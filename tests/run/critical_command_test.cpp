@@ -12,7 +12,9 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(Command, FindsTheCriticalFrictionOnAnyNumberOfRanks) {
+using CriticalCommand = Command;
+
+TEST_F(CriticalCommand, FindsTheSameOnAnyNumberOfRanks) {
   const auto run_on = [&](const std::string& launcher, const std::string& way) {
     const auto file = in_folder("result.json");
     const auto run =
@@ -29,7 +31,7 @@ TEST_F(Command, FindsTheCriticalFrictionOnAnyNumberOfRanks) {
   }
 }
 
-TEST_F(Command, ProvesBothEndsOfTheCriticalFriction) {
+TEST_F(CriticalCommand, ProvesBothBounds) {
   const auto run = shell(command + " critical " + truss + " --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("between 0.47027964 and 0.47027965"));
@@ -44,15 +46,15 @@ TEST_F(Command, ProvesBothEndsOfTheCriticalFriction) {
               HasSubstr("PROVED: the list of 1 pattern is"));
 }
 
-TEST_F(Command, NothingThatWedgesIsAnAnswer) {
+TEST_F(CriticalCommand, ReportsThatItCannotStickUpToTheMaximum) {
   const auto run = shell(command + " critical " + truss + " --mu-max 0.4");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("It cannot stick up to friction coefficient 0.4."));
 }
 
-// The 30 candidates' critical coefficient is 0.54124 (docs/theory/wedged.md). A tree comes upon it
+// The 30 candidates' critical coefficient is 0.54124 (docs/theory/wedged.md). A tree finds it
 // after a thousand nodes.
-TEST_F(Command, FindsThePatternOfTheUpperBoundWithoutATree) {
+TEST_F(CriticalCommand, FindsThePatternOfTheUpperBoundWithoutATree) {
   const auto file = argument("long.toml");
   shell(command + " example space-truss --rows 10 --depth 3 --output " + file);
   const auto upper_on = [&](const std::string& launcher) {
@@ -68,7 +70,7 @@ TEST_F(Command, FindsThePatternOfTheUpperBoundWithoutATree) {
   EXPECT_EQ(upper_on(ranks(3)), upper);
 }
 
-TEST_F(Command, ACriticalFrictionThatWasStoppedSaysWhatIsProved) {
+TEST_F(CriticalCommand, ReportsAnEarlyStop) {
   const auto run = shell(command + " critical " + truss + " --node-limit 20");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_THAT(run.output, HasSubstr("Stopped early (node-limit)"));

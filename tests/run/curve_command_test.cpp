@@ -61,7 +61,7 @@ double value_of(const Json& pieces, double beta) {
 }
 
 // Some of these are decided by the tree of signs.
-TEST_F(CurveCommand, TheWorstCaseIsThatOfARunAtEachPlace) {
+TEST_F(CurveCommand, WorstCaseIsThatOfARunAtEachPlace) {
   const auto curves = result_of(gap + " --alpha 0.45 --curve --curve-to 1.5");
   const auto& pieces = curves["worst_curve"];
   EXPECT_GE(pieces.size(), 4U);
@@ -81,7 +81,7 @@ TEST_F(CurveCommand, TheWorstCaseIsThatOfARunAtEachPlace) {
 }
 
 // The load is written among the dead loads of another problem file.
-TEST_F(CurveCommand, ALoadOfOnesOwnIsThatOfARunAtEachPlace) {
+TEST_F(CurveCommand, GivenLoadHasTheFactorOfARunAtEachPlace) {
   const auto group = [](double beta) {
     return fmt::format("nodes = [\"1,3\", \"3,2\"]\nforce = [{}, {}]\n", beta * 30.0, beta * -90.0);
   };
@@ -141,7 +141,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-TEST_F(CurveCommand, TheTableForPlotsHasEveryBreakpoint) {
+TEST_F(CurveCommand, WritesEveryBreakpointAsCsv) {
   write("load.toml", "[[loads]]\nnodes = [\"f\"]\nforce = [0, 5]\n");
   const auto found = result_of(gap + " --alpha 0.45 --curve --curve-to 4 --curve-load " +
                                argument("load.toml") + " --curve-csv " + argument("curves.csv"));
@@ -183,7 +183,7 @@ TEST_F(CurveCommand, TheTableForPlotsHasEveryBreakpoint) {
   EXPECT_FALSE(std::getline(lines, line)) << line;
 }
 
-TEST_F(CurveCommand, SaysTheSameOnOneAndTwoRanks) {
+TEST_F(CurveCommand, WritesTheSameOnOneAndTwoRanks) {
   write("load.toml", "[[loads]]\nnodes = [\"f\"]\nforce = [0, 5]\n");
   const auto options = " limit " + gap +
                        " --quiet --alpha 0.45 --curve --curve-to 2 --curve-load " +
@@ -223,7 +223,7 @@ TEST_F(CurveCommand, RefusesAnInvalidLoad) {
   EXPECT_THAT(refusal(group + "force = [1, 0]\n", " --curve-to 0"), HasSubstr("--curve-to"));
 }
 
-TEST_F(CurveCommand, RefusesToGoNowhere) {
+TEST_F(CurveCommand, RefusesOptionsOfCurvesWithoutACurve) {
   for (const std::string option : {"--curve-csv x.csv", "--curve-to 2"}) {
     const auto run = shell("cd " + quoted(folder_.string()) + " && " + command + " limit " + three +
                            " --alpha 40 " + option);

@@ -90,10 +90,10 @@ class Docs(unittest.TestCase):
         self.assertEqual(len(faults), 1, faults)
         return faults[0]
 
-    def test_all_pages_are_what_comes_out(self):
+    def test_pages_have_the_output_of_their_calls(self):
         self.assertEqual(self.call("--check"), [])
 
-    def test_what_is_wrong_is_named(self):
+    def test_each_fault_of_a_page_is_reported(self):
         self.made()
         self.assertEqual(self.faults(PAGE), [])
         for old, new, what in (
@@ -111,14 +111,14 @@ class Docs(unittest.TestCase):
             with self.subTest(new):
                 self.assertIn(what, self.found(old, new))
 
-    def test_a_picture_that_is_not_what_comes_out_is_named(self):
+    def test_an_outdated_or_missing_picture_is_reported(self):
         self.made()
         self.picture.write_text(self.picture.read_text().replace("<svg", "<svg class='old'", 1))
         self.assertIn("two.svg: line 2: ", self.faults(PAGE)[0])
         self.picture.unlink()
         self.assertIn("two.svg: is missing", " ".join(self.faults(PAGE)))
 
-    def test_output_is_written_anew_abridged_as_it_was(self):
+    def test_output_is_rewritten_with_its_abridgements(self):
         self.page.write_text(PAGE.replace("5.000e-01  tip", "5.100e-01  all").replace("2.501", "2.9"))
         self.call(self.page)
         self.assertEqual(self.page.read_text(), PAGE.replace("2.501", "2.500"))

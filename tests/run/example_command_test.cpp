@@ -12,7 +12,10 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(Command, WritesExamplesThatItCanSolve) {
+using ExampleCommand = Command;
+using BenchCommand = Command;
+
+TEST_F(ExampleCommand, WritesTrussesThatCanBeSolved) {
   const auto file = in_folder("truss.toml");
   const auto call = command + " example space-truss ";
   EXPECT_EQ(shell(call + "--output " + quoted(file)).exit_code, 0);
@@ -32,7 +35,7 @@ TEST_F(Command, WritesExamplesThatItCanSolve) {
   EXPECT_THAT(wrong.output, HasSubstr("expected no more bays than rows"));
 }
 
-TEST_F(Command, WritesPlaneTrussesOfAnyShape) {
+TEST_F(ExampleCommand, WritesPlaneTrussesOfAnyShape) {
   const auto file = in_folder("truss.toml");
   const auto run = shell(command +
                          " example plane-truss --rows 4 --bays 3 --width 6 --lean 20 "
@@ -46,7 +49,7 @@ TEST_F(Command, WritesPlaneTrussesOfAnyShape) {
   EXPECT_THAT(refused.output, HasSubstr("expected 0 to 80 degrees"));
 }
 
-TEST_F(Command, WritesGridsThatItReads) {
+TEST_F(ExampleCommand, WritesGridsThatCanBeRead) {
   shell(command + " example grid --bays 3 --output " + argument("grid.toml"));
   const auto run = shell(command + " limit " + argument("grid.toml") + " --alpha 20");
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -55,13 +58,13 @@ TEST_F(Command, WritesGridsThatItReads) {
   EXPECT_THAT(wrong.output, HasSubstr("a grid of 1 bays; expected 2 to 100"));
 }
 
-TEST_F(Command, TheProtocolHoldsUnderThousandsOfSchedules) {
+TEST_F(BenchCommand, FindsNoFaultInThousandsOfSchedules) {
   const auto run = shell(command + " bench schedules --seeds 3000");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("3000 schedules, 0 failed"));
 }
 
-TEST_F(Command, ShowsHowFarTheSearchScales) {
+TEST_F(BenchCommand, ReportsTheScalingOfASearch) {
   // A quarter of a million nodes in virtual time: 64 ranks with four thousand each.
   const auto run = shell(command + " bench scaling --nodes 262144 --node-us 100 --most-ranks 64");
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -73,7 +76,7 @@ TEST_F(Command, ShowsHowFarTheSearchScales) {
   EXPECT_GE(efficiency, 0.9);
 }
 
-TEST_F(Command, PredictsTheTimeOfARecordedTree) {
+TEST_F(BenchCommand, PredictsTheTimeOfARecordedTree) {
   // A root of 1 ms with two children of 3 ms and 2 ms.
   const auto tree = in_folder("tree");
   std::ofstream(tree) << "0 1000000\n1 3000000\n1 2000000\n";

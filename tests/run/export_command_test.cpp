@@ -101,7 +101,7 @@ std::vector<std::string> uncertain_of(const LinearProgram& worst_case) {
   return names;
 }
 
-TEST_F(ExportCommand, TheOptimumOfTheZeroOneProgramIsTheWorstCorner) {
+TEST_F(ExportCommand, ZeroOneProgramHasTheFactorOfTheWorstVertex) {
   const auto truss = example("static-gap.toml");
   const auto worst = exported("mps " + truss + " --alpha 0.45", "worst.mps");
   const auto statics = exported("mps " + truss + " --program static", "static.mps");
@@ -116,13 +116,13 @@ TEST_F(ExportCommand, TheOptimumOfTheZeroOneProgramIsTheWorstCorner) {
 }
 
 // Truss and figure of the paper.
-TEST_F(ExportCommand, TheProgramOfThePaperHasThePapersOptimum) {
+TEST_F(ExportCommand, ProgramOfThePaperHasItsPrintedOptimum) {
   const auto truss = example("paper/limit-3x3.toml");
   const auto worst = exported("mps " + truss + " --alpha 40", "worst.mps");
   EXPECT_NEAR(result("mip " + quoted(worst))["objective"], 37.0120, 5e-5);
 }
 
-TEST_F(ExportCommand, BothPrinciplesHaveTheLoadFactorAsTheirOptimum) {
+TEST_F(ExportCommand, StaticAndKinematicProgramHaveTheLoadFactor) {
   const auto truss = example("paper/limit-3x3.toml");
   const auto statics = exported("mps " + truss + " --program static", "static.mps");
   const auto kinematic = exported("mps " + truss + " --program kinematic", "kinematic.mps");
@@ -157,7 +157,7 @@ class ExportCbf : public ExportCommand {
   }
 };
 
-TEST_F(ExportCbf, AnotherSolverFindsTheMarginsOfThePatterns) {
+TEST_F(ExportCbf, HasTheMarginsOfPatternsByAnotherSolver) {
   if (!has(python + " -c 'import cvxopt'")) GTEST_SKIP() << "python3-cvxopt is not installed";
   for (const std::string& of :
        {example("plane-truss.toml") + " --mu 0.9", example("space-truss.toml") + " --mu 0.65"}) {
@@ -246,7 +246,7 @@ TEST_F(ExportMatrix, StiffnessAndComplianceAreInverse) {
   }
 }
 
-TEST_F(ExportMatrix, ScipyReadsIt) {
+TEST_F(ExportMatrix, IsReadByScipy) {
   if (!has(python + " -c 'import scipy.io'")) GTEST_SKIP() << "python3-scipy is not installed";
   const auto file =
       exported("matrix " + example("two-bars.toml") + " --matrix compliance", "F.mtx");
@@ -264,7 +264,7 @@ TEST_F(ExportCommand, PrintsUnlessGivenAFile) {
   EXPECT_THAT(run.output, HasSubstr("in kN/m"));
 }
 
-TEST_F(ExportCommand, RefusesWhatDoesNotGoTogether) {
+TEST_F(ExportCommand, RefusesIncompatibleOptions) {
   const auto refusal = [&](const std::string& options) {
     const auto run = shell(command + " export mps " + example("static-gap.toml") + options);
     EXPECT_EQ(run.exit_code, 2) << run.output;

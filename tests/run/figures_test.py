@@ -28,10 +28,10 @@ class Figures(unittest.TestCase):
         self.assertEqual(run.returncode, 1 if run.stderr else 0)
         return run.stderr.splitlines()
 
-    def test_all_are_what_comes_out(self):
+    def test_images_of_the_repository_are_up_to_date(self):
         self.assertEqual(self.faults(), [])
 
-    def test_what_is_not_is_named(self):
+    def test_outdated_and_unknown_images_are_reported(self):
         image = self.images / "wedge-in-groove.svg"
         text = image.read_text()
         shutil.copy(image, self.images / "another.svg")

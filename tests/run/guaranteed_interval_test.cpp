@@ -61,7 +61,7 @@ void expect_interval(const Json& interval, double lower, double upper, double ne
 }
 
 // By hand: the hanger carries -1 <= lambda - w <= 3, so [w - 1, w + 3] for an uplift of w.
-TEST_F(GuaranteedInterval, OfAHangerUnderUplift) {
+TEST_F(GuaranteedInterval, OfAHangerUnderUpliftIsThatOfStatics) {
   const auto file = case_file("uplift.toml");
   const auto json = result_of(file + " --alpha 1.5");
   expect_interval(json["guaranteed_interval"], 0.5, 1.5);
@@ -87,14 +87,14 @@ TEST_F(GuaranteedInterval, IsUndecidedIfItIsOnePoint) {
 
 // By hand: with a wind of -1 the cable is slack below lambda = 1; 2 sqrt 2 - 1 in the other
 // direction.
-TEST_F(GuaranteedInterval, OfACableThatGoesSlack) {
+TEST_F(GuaranteedInterval, OfASlackCableIsThatOfStatics) {
   const auto file = case_file("cable_stay.toml");
   expect_interval(result_of(file + " --alpha 1")["guaranteed_interval"], 1, 2 * std::sqrt(2.0) - 1);
   proved(file, " --alpha 1");
 }
 
 // All eight vertices, by another program (HiGHS in SciPy).
-TEST_F(GuaranteedInterval, OfABridge) {
+TEST_F(GuaranteedInterval, OfABridgeIsThatOfAllVertices) {
   const auto file = example("truss-bridge.toml");
   for (const auto& [alpha, lower, upper] : {std::tuple("1", -2.6345770236779, 1.8827765994967),
                                             {"2", -2.4145770236779, 1.48},
@@ -108,7 +108,7 @@ TEST_F(GuaranteedInterval, OfABridge) {
 }
 
 // (29) as printed, with an M that is too small: 1.4317; the true value is 1.11629.
-TEST_F(GuaranteedInterval, IsNotClaimedOfTheProgramAsPrinted) {
+TEST_F(GuaranteedInterval, IsNotProvedByThePrintedProgram) {
   const auto call = case_file("bigm_sentence.toml") + " --alpha 0.317 --cuts none --big-m 1e-6";
   const auto run = shell(command + " limit " + call);
   EXPECT_EQ(run.exit_code, 3);
@@ -123,7 +123,7 @@ TEST_F(GuaranteedInterval, IsNotClaimedOfTheProgramAsPrinted) {
 
 // By hand: wind w and snow s on two bars at right angles; the case with the lower known bound
 // governs.
-TEST_F(GuaranteedInterval, SaysWhichGroupGoesHowFar) {
+TEST_F(GuaranteedInterval, ReportsTheHalfWidthOfEachGroup) {
   const auto file = case_file("groups.toml");
   const auto wind = proved(file, " --group-alpha wind=5,snow=1");
   EXPECT_THAT(wind, HasSubstr("\"snow\" within +- 1, \"wind\" within +- 5"));
@@ -133,7 +133,7 @@ TEST_F(GuaranteedInterval, SaysWhichGroupGoesHowFar) {
   EXPECT_THAT(snow, HasSubstr("between 7.642"));
 }
 
-TEST_F(GuaranteedInterval, OfGroupsInSweepsAndExports) {
+TEST_F(GuaranteedInterval, UsesGroupsInSweepsAndExports) {
   const auto file = case_file("groups.toml");
   const auto swept = shell(command + " sweep " + file +
                            " --alpha 0,1 --group-alpha wind=5 --output " + argument("out.json"));
@@ -157,7 +157,7 @@ TEST_F(GuaranteedInterval, OfGroupsInSweepsAndExports) {
 }
 
 // HiGHS in SciPy at both vertices; a derived M cannot be too small.
-TEST_F(GuaranteedInterval, DisjunctiveCutsFindAPointOfADerivedM) {
+TEST_F(GuaranteedInterval, HasAPointByDisjunctiveCutsWithADerivedM) {
   const auto json = result_of(case_file("disjunctive_no_point.toml") +
                               " --group-alpha g0=19.4 --cuts disjunctive");
   EXPECT_NEAR(json["worst_case"]["upper"].get<double>(), 1.515444077, 1e-8);
@@ -177,7 +177,7 @@ TEST_F(GuaranteedInterval, OfNoUncertaintyIsThatOfTheNominalLoad) {
 
 // Two bars, two load cases. By hand: [-2 + 0.5, 3 - 0.5] with the tip pulled, and [-2 - 2 + 0.25, 3
 // - 2 - 0.25] with the tip pushed.
-class CasesOfLoads : public GuaranteedInterval {
+class IntervalOfLoadCases : public GuaranteedInterval {
  protected:
   void write(const std::string& push) const {
     std::ofstream(in_folder("cases.toml")) << limit::two_bars(R"([[loads]]
@@ -200,7 +200,7 @@ alpha = 0.25
   [[nodiscard]] std::string file() const { return argument("cases.toml"); }
 };
 
-TEST_F(CasesOfLoads, AreProvedTogether) {
+TEST_F(IntervalOfLoadCases, IsProvedForAllCasesTogether) {
   write("[2, 0]");
   const auto json = result_of(file());
   const auto& all = json["guaranteed_interval_of_all_cases"];
@@ -215,13 +215,13 @@ TEST_F(CasesOfLoads, AreProvedTogether) {
   EXPECT_THAT(one, HasSubstr("not part of the certificate: load case \"push\""));
 }
 
-TEST_F(CasesOfLoads, AreProvedWhereOneIsCarriedAtNoFactor) {
+TEST_F(IntervalOfLoadCases, IsProvedIfOneCaseIsCarriedAtNoFactor) {
   write("[0, 9]");
   EXPECT_THAT(proved(file(), ""), HasSubstr("carried at no load factor"));
 }
 
 // A load that is not carried at any factor: the nominal one, and an admissible one.
-TEST_F(GuaranteedInterval, IsEmptyWhereALoadIsCarriedAtNoFactor) {
+TEST_F(GuaranteedInterval, IsEmptyIfALoadIsCarriedAtNoFactor) {
   const auto gap = example("static-gap.toml");
   const auto json = result_of(gap + " --alpha 3");
   EXPECT_EQ(json["guaranteed_interval"]["empty"], true);

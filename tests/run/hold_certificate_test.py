@@ -62,7 +62,7 @@ class HoldCertificate(KusabiCase):
         none = re.search(r"it cannot hold: (.*?)(?:;|$)", said)
         return ranges(held and held[1]), ranges(none and none[1]), said
 
-    def test_bounds_of_a_coefficient(self):
+    def test_both_bounds_of_a_coefficient_are_proved(self):
         self.written(LADDER)
         for end, what in (("lower", "it cannot hold the dead load"), ("upper", "it can hold the dead load")):
             said = self.proved(self.folder / f"cert.{end}", LADDER)[2]
@@ -71,7 +71,7 @@ class HoldCertificate(KusabiCase):
             self.assertAlmostEqual(mu, 1 / 3, delta=1e-8)
             self.assertEqual(mu < 1 / 3, end == "lower")
 
-    def test_factors_and_their_complement(self):
+    def test_factors_and_their_complement_are_proved(self):
         self.written(LADDER, "--mu", "0.4")
         held, none, _ = self.proved(self.folder / "cert", LADDER)
         ((low, high),) = held
@@ -80,7 +80,7 @@ class HoldCertificate(KusabiCase):
         self.assertEqual((below[0], above[1]), (-math.inf, math.inf))
         self.assertTrue(LEAST - 1e-8 <= below[1] <= LEAST and MOST <= above[0] <= MOST + 1e-8)
 
-    def test_two_intervals_without_end(self):
+    def test_two_unbounded_intervals_are_proved(self):
         self.written(PEG, "--mu", "0.5")
         held, none, _ = self.proved(self.folder / "cert", PEG)
         self.assertEqual((held[0][0], held[1][1]), (-math.inf, math.inf))
@@ -101,7 +101,7 @@ class HoldCertificate(KusabiCase):
             self.assertEqual(run.returncode, 1, f"{new}: {said}")
         self.assertIn("expected --problem FILE", self.refused("verify", self.folder / "cert"))
 
-    def test_forgeries(self):
+    def test_forgeries_prove_nothing_wrong(self):
         text = self.written(LADDER, "--mu", "0.4")
         body = text[:text.rindex("digest ")]
         forged = self.folder / "forged"
@@ -134,7 +134,7 @@ class HoldCertificate(KusabiCase):
                 self.assertTrue(high <= LEAST + 1e-12 or low >= MOST - 1e-12, said)
         self.assertGreater(outcomes.get(1, 0) + outcomes.get(2, 0), 10, outcomes)
 
-    def test_sum_of_normal_reactions_of_a_ladder(self):
+    def test_sum_of_normal_reactions_of_a_ladder_is_that_of_statics(self):
         # Statics with the reaction T of the wall along it: N_floor = 1 - T, N_wall = (1/2 - T) / SLOPE. T is at most
         # mu N_wall, and N_wall is at most mu N_floor.
         mu = 0.4
@@ -194,7 +194,7 @@ class HoldCertificate(KusabiCase):
         said = self.proved(self.folder / "cert", place)[2]
         self.assertRegex(said, r"add up to 0 or more and [0-9.e-]+ or less, those of some states to 0 and ")
 
-    def test_no_largest_sum_where_it_can_be_wedged(self):
+    def test_there_is_no_largest_sum_if_the_body_can_be_wedged(self):
         result = self.solve("hold", "ladder.toml", "--mu", 1.4, "--grip")
         self.assertIsNone(result["result"]["grip"]["most"])
         self.assertIn("no upper bound", " ".join(result["verdict"]["details"]))
@@ -234,7 +234,7 @@ force = [-0.01, 0]
                          {"held": None, "out": None, "held_proved": False, "out_proved": False})
         self.assertIn("an upper bound is not known", " ".join(result["verdict"]["details"]))
 
-    def test_a_groove_holds_what_its_total_allows(self):
+    def test_a_groove_holds_the_loads_of_statics_at_a_total(self):
         # At a sum of 1 a load along its axis between -(mu cos + sin) and mu cos - sin: theory/loads.md.
         angle, mu = math.radians(15), 0.4
         text = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
@@ -248,14 +248,14 @@ force = [-0.01, 0]
         self.assertEqual((len(proved), len(none)), (1, 2))
         self.assertIn("normal reactions that add up to 1", said)
 
-    def test_the_total_of_far_displacements(self):
+    def test_a_total_with_large_displacements_is_proved(self):
         case = SOURCES / "tests" / "cases" / "total_of_far_displacements.toml"
         result = self.solve("hold", case, "--mu", 1.74231, "--total", 1.5395190209950314, "--certificate", self.folder / "cert")
         (held,) = result["result"]["intervals"]
         ((low, high),) = self.proved(self.folder / "cert", case)[0]
         self.assertEqual((low, high), (held["low"], held["high"]))
 
-    def test_the_total_at_a_limit(self):
+    def test_a_total_at_a_limit_has_the_factors_of_rational_programs(self):
         # By linear programs in rational numbers, of all patterns: bench/hostile/hold.py.
         case = SOURCES / "tests" / "cases" / "total_at_a_limit.toml"
         (held,) = self.solve("hold", case, "--mu", 1.03178, "--total", 1.2236448818295438)["result"]["intervals"]

@@ -69,16 +69,16 @@ class HoldDiagram(KusabiCase):
                         checked[jammed] += 1
             self.assertGreater(min(checked.values()), 20)
 
-    def test_above_the_critical_coefficient_it_holds_everything(self):
+    def test_above_the_critical_coefficient_all_loads_are_held(self):
         self.assertTrue(any(piece["everything"] for piece in self.diagram(BOTH, 0.76)["pieces"]))
 
-    def test_vertices_are_the_corners_of_the_pieces(self):
+    def test_pieces_have_no_redundant_vertices(self):
         # A piece of two candidates begins where the gap opens and ends where loads close it at a third one.
         for piece in self.diagram(BOTH, 0.5)["pieces"]:
             self.assertEqual(len(piece["vertices"]), 4 if len(piece["pattern"]["contact"]) == 2 else 1)
             self.assertEqual(len(piece["rays"]), 2)
 
-    def test_decoupled_parts_hold_what_each_of_them_holds(self):
+    def test_decoupled_parts_hold_loads_that_each_part_holds(self):
         # Two pegs; the second one has other shares of both loads.
         mu, share, other_share = 0.5, -0.4, 0.7
         second = moved(BOTH[BOTH.index("[[mesh]]"):], 10).replace("peg", "second")
@@ -98,7 +98,7 @@ class HoldDiagram(KusabiCase):
                     checked[inside] += 1
         self.assertGreater(min(checked.values()), 20)
 
-    def test_parts_with_one_load_each(self):
+    def test_parts_with_one_load_each_hold_both_loads(self):
         # A moment on one peg, a side force on another, and a ladder with its weight only, which stands from 1/3 on.
         parts = BOTH.split("\n[[loads]]")
         body, dead, moments, side = parts[0], parts[1], parts[2:4], parts[4]
@@ -145,7 +145,7 @@ force = [1, 0.5]
                 self.assertEqual(inside, wanted, factor)
         self.assertTrue(any(end is not None for pair in ends for end in pair))
 
-    def test_files(self):
+    def test_csv_and_svg_have_the_pieces(self):
         self.diagram(BOTH, 0.5, "--csv", self.folder / "a.csv", "--svg", self.folder / "a.svg")
         rows = list(csv.DictReader((self.folder / "a.csv").read_text().splitlines()))
         self.assertEqual(set(rows[0]), {"piece", "what", "first", "second", "contact"})
@@ -160,7 +160,7 @@ force = [1, 0.5]
         self.assertEqual([(row["low"] == "", row["high"] == "") for row in rows], [(True, False), (False, True)])
         xml.etree.ElementTree.parse(self.folder / "b.svg")
 
-    def test_refusals(self):
+    def test_invalid_calls_are_refused(self):
         self.assertIn("expected two, each with a reference load", self.refused("hold", EXAMPLES / "ladder.toml", "--mu", 0.4, "--diagram"))
         dead = BOTH.replace('kind = "dead"', 'kind = "dead"\ncase = "side"')
         self.assertIn("a dead load belongs to one load case", self.refused("hold", self.problem(dead), "--mu", 0.4, "--diagram"))
@@ -169,7 +169,7 @@ force = [1, 0.5]
 
 
 class Firmness(KusabiCase):
-    def test_two_bars(self):
+    def test_two_bars_have_their_closed_form(self):
         text = (EXAMPLES / "two-bars.toml").read_text()
         place = self.folder / "bars.toml"
         place.write_text(text + f'\n[[loads]]\nkind = "reference"\nnodes = ["tip"]\nforce = [{-math.sqrt(0.5)}, {math.sqrt(0.5)}]\n')
@@ -189,7 +189,7 @@ class Firmness(KusabiCase):
             self.assertIn("load held from", self.kusabi("patterns", place, "--mu", mu).stdout)
             self.assertTrue(any("holds the reference load up to" in each for each in result["verdict"]["details"]))
 
-    def test_a_groove(self):
+    def test_a_groove_has_its_closed_form(self):
         # Of the pattern with all candidates in contact; the others hold no more: theory/loads.md.
         angle, mu = math.radians(15), 0.4
         text = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
@@ -202,7 +202,7 @@ class Firmness(KusabiCase):
         self.assertAlmostEqual(low, -(mu * math.cos(angle) + math.sin(angle)), delta=2e-6)
         self.assertAlmostEqual(high, mu * math.cos(angle) - math.sin(angle), delta=2e-6)
 
-    def test_files_without_a_reference_load_have_none(self):
+    def test_files_without_a_reference_load_have_no_firmness(self):
         for pattern in self.solve("patterns", "wedge-in-groove.toml", "--mu", 0.4, "--pattern-limit", 2)["result"]["patterns"]:
             self.assertNotIn("firmness", pattern)
 

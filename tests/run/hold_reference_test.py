@@ -180,7 +180,7 @@ class HoldReference(KusabiCase):
                     math.inf if any(x > 1e-9 for x, _ in piece["rays"]) else max(x for x, _ in piece["vertices"])]
             self.assertTrue(ends[0] <= least + 1e-6 and most - 1e-6 <= ends[1], f"{name}: {ends}")
 
-    def test_reference(self):
+    def test_answers_agree_with_the_reference(self):
         before, count = None, 0
         for case in CASES:
             if case.get("input") == "as before":

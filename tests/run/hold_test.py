@@ -33,7 +33,7 @@ class Hold(KusabiCase):
         self.assertLessEqual(min(held, out), wanted + 1e-12)
         self.assertGreaterEqual(max(held, out), wanted - 1e-12)
 
-    def test_friction_of_a_ladder(self):
+    def test_friction_of_a_ladder_is_that_of_statics(self):
         result = self.solve("hold", "ladder.toml")
         found = result["result"]["holding_friction"]
         self.check_end(found["upper"], found["lower"], 1 / 3)
@@ -45,7 +45,7 @@ class Hold(KusabiCase):
         self.assertEqual(result["verdict"]["exit_code"], 0)
         self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.3333\d+; at 0\.3333\d+ it can\.$")
 
-    def test_climbers_on_a_ladder(self):
+    def test_climbers_on_a_ladder_are_those_of_statics(self):
         for mu in (0.4, 0.5):
             result = self.solve("hold", "ladder.toml", "--mu", mu)
             (held,) = result["result"]["intervals"]
@@ -68,7 +68,7 @@ class Hold(KusabiCase):
         self.assertEqual(result["verdict"]["answer"]["outside"], "proved")
         self.assertIn("any load", self.solve("hold", "peg-under-load.toml", "--mu", 0.76)["verdict"]["sentence"])
 
-    def test_a_dead_load_alone(self):
+    def test_a_dead_load_alone_is_decided(self):
         text = LADDER.split("[[loads]]\nkind = \"reference\"")[0]
         for mu, sentence in ((0.34, "It can hold the dead load at friction coefficient 0.34."),
                              (0.33, "It cannot hold the dead load at friction coefficient 0.33.")):
@@ -84,7 +84,7 @@ class Hold(KusabiCase):
             self.assertIn("the supports constrain every body", result["verdict"]["sentence"])
             self.assertEqual(result["verdict"]["exit_code"], 0)
 
-    def test_a_load_that_nothing_resists(self):
+    def test_a_load_without_resistance_cannot_be_held(self):
         text = LADDER.replace('normal = [-1, 0]', 'normal = [0, 1]').split("[[loads]]\nkind = \"reference\"")[0]
         text = text.replace("normal = [0, 1]", "normal = [0, 1]\nfriction_factor = 0")
         text = text.replace("force = [0, -1]", "force = [1, -1]")
@@ -97,13 +97,13 @@ class Hold(KusabiCase):
         first, second = (self.solve("hold", self.problem(text), "--mu", 0.5)["result"] for text in (pressed, also))
         self.assertEqual(first, second)
 
-    def test_other_commands_name_it(self):
+    def test_other_subcommands_warn_that_they_ignore_loads(self):
         said = self.kusabi("critical", EXAMPLES / "peg-under-load.toml").stderr
         self.assertIn("kusabi critical ignores 3 loads of the file", said)
         self.assertIn("expected kusabi hold", said)
         self.assertIn("ignores the clearance or interference of 4 contact candidates", said)
 
-    def test_refusals(self):
+    def test_invalid_calls_are_refused(self):
         for words in (("--mu", "0.4,0.3"), ("--mu", "-0.1"), ("--mu", "0.1:0.2"), ("--mu", "0.1,0.2", "--diagram"),
                       ("--mu", "0.1,0.2", "--certificate", self.folder / "cert")):
             self.assertIn("--mu", self.refused("hold", EXAMPLES / "ladder.toml", *words))
@@ -142,7 +142,7 @@ class Hold(KusabiCase):
             self.assertEqual(picture.count("held from 0.4 to 0.74"), 2)
             self.assertEqual(picture.count("held from 0.76 to 2"), 1)
 
-    def test_several_coefficients_of_a_dead_load(self):
+    def test_several_coefficients_of_a_dead_load_are_decided(self):
         text = LADDER.split("[[loads]]\nkind = \"reference\"")[0]
         result = self.solve("hold", self.problem(text), "--mu", "0.31:0.35:0.01")
         held = {each["mu"]: len(each["intervals"]) for each in result["result"]["points"]}
@@ -150,7 +150,7 @@ class Hold(KusabiCase):
         self.assertEqual(result["verdict"]["sentence"], "The dead load at 5 friction coefficients: at 0.31 it cannot be held, "
                                                         "at 0.35 it can be held; the table has the factors at the other coefficients.")
 
-    def test_an_early_end_of_several_coefficients(self):
+    def test_a_stopped_run_has_the_answers_of_searched_coefficients(self):
         mus = (0.4, 0.5, 0.6)
         alone = [self.solve("hold", "peg-under-load.toml", "--mu", mu)["result"]["intervals"] for mu in mus]
         numbers = set()
@@ -170,7 +170,7 @@ class Hold(KusabiCase):
             numbers.add(len(points))
         self.assertEqual(numbers, {0, 1, 2})
 
-    def test_parts_that_are_not_searched_may_hold_less(self):
+    def test_a_stopped_run_claims_no_load_that_an_unsearched_part_may_not_hold(self):
         # Two ladders, the second one with its weight higher up, which requires more friction and holds fewer climbers.
         other = moved(LADDER[LADDER.index("[[mesh]]"):], 10).replace("ladder", "other").replace("other.5,0", "other.7,0")
         place = self.problem(LADDER + other)

@@ -60,7 +60,7 @@ class Imports(KusabiCase):
         answer = json.loads(output.read_text())["result"]["critical_friction"]
         return answer["lower"], answer["upper"]
 
-    def test_a_wedge_of_abaqus_cae_is_the_wedge_by_hand(self):
+    def test_a_wedge_of_abaqus_cae_has_the_critical_coefficient_of_statics(self):
         deck = self.written("wedge.inp", wedge_in_parts())
         problem = self.folder / "wedge.toml"
         run = self.kusabi("import", deck, "--output", problem, "--units", "mm,N")
@@ -85,7 +85,7 @@ class Imports(KusabiCase):
         deck = self.written("wedge.inp", wedge_in_parts())
         self.assertIn('[[contact]]', self.kusabi("import", deck).stdout)
 
-    def test_what_needs_editing_is_said_and_written(self):
+    def test_entries_that_need_editing_are_reported_and_marked(self):
         deck = self.written("wedge.inp", wedge_in_parts().replace("*Elastic", "*Hyperelastic"))
         problem = self.folder / "wedge.toml"
         run = self.kusabi("import", deck, "-o", problem)

@@ -54,7 +54,7 @@ class Keys(KusabiCase):
             with self.subTest(name):
                 self.assertEqual(self.known(f"\n{BEFORE.get(name, '')}{HEADERS.get(name, f'[[{name}]]')}\n{start}\nzzz = 1\n"), keys)
 
-    def test_lists_of_nodes_have_two_more(self):
+    def test_the_table_has_the_keys_of_node_lists(self):
         besides = PAGE.read_text().split("Wherever a table has `nodes`, it may also have\n\n")[1].split("\n\n")[0]
         self.assertEqual(set(re.findall(r"(?m)^\| `(\w+)` \|", besides)), WITH_NODES)
 

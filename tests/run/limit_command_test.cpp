@@ -35,12 +35,12 @@ void expect_proved(const Json& json, double factor, double near) {
 
 // Equilibrium determines the force of a hanging cable: a proof must not require slack there. By
 // hand: both bars yield, sqrt(2) - alpha.
-TEST_F(LimitCommand, ProvesATrussWithAnIdleCable) {
+TEST_F(LimitCommand, ProvesATrussWithAnUnstressedCable) {
   expect_proved(result_of(case_file("tie.toml") + " --alpha 0.1"), std::sqrt(2.0) - 0.1, 1e-8);
 }
 
 // By hand: only the post n0-n2 supports n2 vertically, and n1-n5 yields first: 0.6 of its 0.0307.
-TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
+TEST_F(LimitCommand, ProvesATrussWithAChainOfUnstressedBars) {
   const auto json = result_of(case_file("idle_chain.toml") + " --alpha 0.1");
   expect_proved(json, 0.6 * 0.0307, 1e-8);
 }
@@ -83,7 +83,7 @@ TEST_F(LimitCommand, ProvesATrussWithMembersThatNeverYield) {
 
 // By hand: with s = sin 45°, the bars carry up to 2 s of vertical force, so that 3 - 2 s <= lambda
 // <= 3 + 2 s.
-TEST_F(LimitCommand, SaysWhichFactorsAreCarriedIfZeroIsNot) {
+TEST_F(LimitCommand, ReportsTheCarriedFactorsIfZeroIsNotCarried) {
   const auto run = shell(command + " limit " + case_file("lambda_zero_not_carried.toml"));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("nominal load factor 4.414213562"));
@@ -96,12 +96,12 @@ TEST_F(LimitCommand, SaysWhichFactorsAreCarriedIfZeroIsNot) {
 }
 
 // The interval is not printed if it contains zero.
-TEST_F(LimitCommand, SaysNothingOfZeroWhereItIsCarried) {
+TEST_F(LimitCommand, OmitsTheIntervalIfZeroIsCarried) {
   const auto run = shell(command + " limit " + example("paper/limit-3x3.toml") + " --alpha 40");
   EXPECT_THAT(run.output, Not(HasSubstr("carried only")));
 }
 
-TEST_F(LimitCommand, EveryMethodHandsOverACertificate) {
+TEST_F(LimitCommand, WritesACertificateByEveryMethod) {
   for (const char* cuts : {"none", "disjunctive", "tighten", "static", "all"}) {
     const auto file = argument(std::string("cert-") + cuts);
     const auto truss_of = example("static-gap.toml");
@@ -115,7 +115,7 @@ TEST_F(LimitCommand, EveryMethodHandsOverACertificate) {
   }
 }
 
-TEST_F(LimitCommand, RefusesWhatAWorstCaseHasWithoutOne) {
+TEST_F(LimitCommand, RefusesOptionsOfAWorstCaseWithoutAlpha) {
   for (const char* option : {"--cuts all", "--samples 3", "--curve"}) {
     const auto run = shell(command + " limit " + example("static-gap.toml") + ' ' + option);
     EXPECT_EQ(run.exit_code, 2);
@@ -149,7 +149,7 @@ alpha = 0.25
 };
 
 // By hand: 3 - 0.5 with the tip pulled down, since 5 + 1 is more, and 3 - 2 - 0.25.
-TEST_F(LoadCases, AreAnsweredOneAfterAnother) {
+TEST_F(LoadCases, HaveAResultForEachCase) {
   const auto json = result_of(file());
   expect_proved(json, 0.75, 1e-8);
   const auto& result = json["result"];
@@ -185,7 +185,7 @@ TEST_F(LimitCommand, AnswersBothCasesOfTheSteelMast) {
   EXPECT_NEAR(cases[1]["worst_case"]["lower"].get<double>(), 13.44, 1e-6);
 }
 
-TEST_F(LoadCases, CanBeAskedForByName) {
+TEST_F(LoadCases, CanBeSelectedByName) {
   const auto json = result_of(file() + " --case pull");
   expect_proved(json, 2.5, 1e-8);
   EXPECT_FALSE(json["result"].contains("cases"));
@@ -205,7 +205,7 @@ TEST_F(LoadCases, CanBeAskedForByName) {
   EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("expected --case with one of"));
 }
 
-TEST_F(LoadCases, AreFoundByTheProofOfOne) {
+TEST_F(LoadCases, CertificateOfOneIsProvedForThatCaseOnly) {
   const auto run =
       shell(command + " limit " + file() + " --case push --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -223,7 +223,7 @@ TEST_F(LoadCases, AreFoundByTheProofOfOne) {
   EXPECT_THAT(other.output, HasSubstr("NOT PROVED"));
 }
 
-TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {
+TEST_F(LimitCommand, WritesACertificateWithTheCutsOfThePaper) {
   const auto run = shell(command + " limit " + example("paper/limit-4x4.toml") +
                          " --alpha 40 --cuts disjunctive --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -232,7 +232,7 @@ TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {
 }
 
 // Method of the paper alone: neither static cuts nor proofs, as the output states.
-TEST_F(LimitCommand, TakesNothingFromStaticCutsIfMIsGiven) {
+TEST_F(LimitCommand, UsesNoStaticCutsIfMIsGiven) {
   for (const std::string cuts : {"none", "disjunctive"}) {
     const auto call = example("static-gap.toml") + " --alpha 0.45 --big-m 20 --cuts " + cuts;
     const auto run = shell(command + " limit " + call);
@@ -253,7 +253,7 @@ TEST_F(LimitCommand, TakesNothingFromStaticCutsIfMIsGiven) {
   }
 }
 
-TEST_F(LimitCommand, ProvesThePapersMethodIfACertificateIsWanted) {
+TEST_F(LimitCommand, ProvesTheMethodOfThePaperIfACertificateIsRequested) {
   for (const std::string cuts : {"none", "disjunctive"}) {
     const auto truss_of = example("static-gap.toml");
     const auto json = result_of(truss_of + " --alpha 0.45 --big-m 20 --cuts " + cuts +
@@ -268,7 +268,7 @@ TEST_F(LimitCommand, ProvesThePapersMethodIfACertificateIsWanted) {
   }
 }
 
-TEST_F(LimitCommand, WritesNoCertificateOfAStoppedTreeAndSaysSo) {
+TEST_F(LimitCommand, ReportsThatAStoppedTreeHasNoCertificate) {
   const auto run =
       shell(command + " limit " + example("paper/limit-3x3.toml") +
             " --alpha 40 --cuts none --big-m 5 --node-limit 30 --certificate " + argument("cert"));
@@ -288,7 +288,7 @@ TEST_F(LimitCommand, RefutesAnMThatIsTooSmall) {
 }
 
 // (29) is finite for every M; one program (5) shows that the load of its optimum is not carried.
-TEST_F(LimitCommand, SaysThatNoMIsLargeEnoughWhereALoadIsNotCarried) {
+TEST_F(LimitCommand, ReportsThatNoMIsLargeEnoughIfALoadIsNotCarried) {
   const auto run =
       shell(command + " limit " + example("static-gap.toml") + " --alpha 3 --cuts none --big-m 20");
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -339,7 +339,7 @@ TEST_F(LimitCommand, HasTheSameCertificateOnTwoRanks) {
 }
 
 // The complete analysis takes seconds at the root alone; partial results must be valid.
-TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
+TEST_F(LimitCommand, AppliesTheTimeLimitToTheRoot) {
   shell(command + " example grid --bays 14 --output " + argument("grid.toml"));
   const auto whole = result_of(argument("grid.toml") + " --alpha 40");
   const auto json = result_of(argument("grid.toml") + " --alpha 40 --time-limit 0.2", 3);
@@ -372,7 +372,7 @@ TEST_F(LimitCommand, TheNominalFactorDoesNotDependOnAlpha) {
   EXPECT_EQ(nominal(" --alpha 1e3"), nominal(""));
 }
 
-TEST_F(LimitCommand, AStoppedSearchSaysWhatIsNotProved) {
+TEST_F(LimitCommand, ReportsNoProofOfAStoppedSearch) {
   shell(command + " example grid --bays 14 --output " + argument("grid.toml"));
   const auto run = shell(command + " limit " + argument("grid.toml") +
                          " --alpha 40 --time-limit 0.2 --certificate " + argument("cert"));

@@ -69,7 +69,7 @@ class Lines(KusabiCase):
             self.assertTrue(head.pop("statistics"))
         self.assertEqual(*heads)
 
-    def test_a_stopped_run_goes_on(self):
+    def test_a_stopped_run_is_resumed(self):
         self.write(TRUSS, "--mu", 1)
         whole = self.lines.read_text().splitlines()[1:]
         state = ("--resume", self.folder / "state")
@@ -89,7 +89,7 @@ class Lines(KusabiCase):
         self.assertEqual(self.write(TRUSS, "--mu", 1, *state).split("rank")[0], table.split("rank")[0])
         self.assertEqual(self.lines.read_text().splitlines()[1:], whole)
 
-    def test_flat_patterns_are_compared_with_those_in_the_parts(self):
+    def test_flat_patterns_in_solid_ones_are_excluded_after_a_resume(self):
         # Of the rest of this list, some flat patterns belong to solid ones.
         for name, mu in (("two-bars.toml", 1), ("plane-truss.toml", 0.48755537)):
             expected = self.solve("patterns", name, "--mu", mu)

@@ -53,7 +53,7 @@ class LossCommand : public LimitCalls {
   void write_hanger() const { std::ofstream(in_folder("hanger.toml")) << hanger; }
 };
 
-TEST_F(LossCommand, LosesTheStrongestBarsOfAHanger) {
+TEST_F(LossCommand, FindsTheLossOfTheStrongestBarsOfAHanger) {
   write_hanger();
   const auto file = argument("hanger.toml");
   const auto one = file_of(file + " --lose 1");
@@ -114,7 +114,7 @@ TEST_F(LossCommand, IsTheSameOnOneAndTwoRanks) {
   }
 }
 
-TEST_F(LossCommand, RefusesWhatItCannotCombine) {
+TEST_F(LossCommand, RefusesIncompatibleOptions) {
   write_hanger();
   const auto refusal = [&](const std::string& options) {
     const auto run = shell(command + " limit " + argument("hanger.toml") + ' ' + options);
@@ -262,7 +262,7 @@ std::string dead_load(const std::string& force) {
   return "[[loads]]\nkind = \"dead\"\ncase = \"hang\"\nnodes = [\"a\"]\nforce = " + force + "\n";
 }
 
-TEST_F(LossCommand, TheLeastFactorAfterBucklingMayBeThatOfAnotherCase) {
+TEST_F(LossCommand, ReportsTheGoverningCaseBeforeAndAfterBuckling) {
   std::ofstream(in_folder("two.toml")) << tie_and_strut();
   const auto sentences = [&](const std::string& options) {
     return file_of(argument("two.toml") + options)["verdict"].dump();

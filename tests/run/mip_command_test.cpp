@@ -57,7 +57,7 @@ const std::vector<std::string> ways{"", "--cuts disjunctive", "--no-tighten --no
                                     "--branching look-ahead",
                                     "--cuts disjunctive --no-dive --branching look-ahead"};
 
-TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
+TEST_F(MipCommand, SolvesProgramsThatWereOnceSolvedWrongly) {
   struct Known {
     const char* name;
     double optimum;
@@ -100,7 +100,7 @@ TEST_F(MipCommand, KeepsTheScaleOfABigM) {
 }
 
 // Both optima are from rational arithmetic (bench/hostile/exact_program.py).
-TEST_F(MipCommand, LooksAgainAtWhatTheSimplexMethodCallsInfeasible) {
+TEST_F(MipCommand, VerifiesInfeasibilityReportedByTheSimplexMethod) {
   // x0 = 0, x3 = x4 = 1: r1 is tight to the last digit, and no basis in doubles has that point.
   const auto tight = solve(source("cases/tight_rows.lp"));
   EXPECT_EQ(tight.exit_code, 0) << tight.said;
@@ -127,7 +127,7 @@ TEST_F(MipCommand, SolvesSmallProgramsOfTheClassicKinds) {
   }
 }
 
-TEST_F(MipCommand, KnowsAnUnboundedProgramByBoundsOf1e30AndBothSenses) {
+TEST_F(MipCommand, ReportsUnboundedProgramsInBothSensesAndWithBoundsOf1e30) {
   const auto program = [](const char* sense, const char* bound) {
     return fmt::format(
         "{}NAME T\nROWS\n N c\n L l\nCOLUMNS\n M 'MARKER' 'INTORG'\n b c 1 l 1\n M 'MARKER' "
@@ -182,7 +182,7 @@ std::string market_split(int rows, int columns) {
   return text + "ENDATA\n";
 }
 
-TEST_F(MipCommand, EndsWithinASecondOfItsTimeLimitAtTheRootToo) {
+TEST_F(MipCommand, StopsAtTheTimeLimitInTheRoot) {
   const auto hard = file("hard.mps", market_split(60, 300));
   for (const std::string& launcher : {std::string(), ranks(2)}) {
     const auto begin = std::chrono::steady_clock::now();

@@ -16,7 +16,9 @@ namespace {
 
 using testing::HasSubstr;
 
-// A knapsack with three rows and thirty things, weights from a linear congruence: some hundreds of
+using MipSearch = Command;
+
+// A knapsack with three rows and thirty items, weights from a linear congruence: some hundreds of
 // nodes.
 std::string knapsack() {
   unsigned state = 12345;
@@ -43,7 +45,7 @@ std::string knapsack() {
   return text + "Binary\n" + binaries + "\nEnd\n";
 }
 
-TEST_F(Command, SolvesAZeroOneProgramAlikeOnAnyNumberOfRanks) {
+TEST_F(MipSearch, HasTheSameResultOnAnyNumberOfRanks) {
   std::ofstream(in_folder("k.lp")) << knapsack();
   const std::string call = command + " mip " + argument("k.lp") + " --quiet --output ";
   for (int count = 1; count <= 3; ++count) {
@@ -67,7 +69,7 @@ TEST_F(Command, SolvesAZeroOneProgramAlikeOnAnyNumberOfRanks) {
   }
 }
 
-TEST_F(Command, GoesOnWithAZeroOneProgramWhereItStopped) {
+TEST_F(MipSearch, ResumesAfterAStop) {
   std::ofstream(in_folder("k.lp")) << knapsack();
   const std::string call =
       command + " mip " + argument("k.lp") + " --branching look-ahead --no-dive --output ";
@@ -85,7 +87,7 @@ TEST_F(Command, GoesOnWithAZeroOneProgramWhereItStopped) {
   EXPECT_GE(part["result"]["bound"], whole["result"]["objective"]);
 }
 
-TEST_F(Command, SaysWhenAZeroOneProgramHasNoOptimum) {
+TEST_F(MipSearch, ReportsProgramsWithoutAnOptimum) {
   std::ofstream(in_folder("none.lp")) << "Minimize\n c: x\nSubject To\n r: 2 x + 2 y = 1\n"
                                          "Binary\n x y\nEnd\n";
   auto run = shell(command + " mip " + argument("none.lp"));
@@ -96,7 +98,7 @@ TEST_F(Command, SaysWhenAZeroOneProgramHasNoOptimum) {
   run = shell(command + " mip " + argument("open.lp"));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("unbounded"));
-  // Without a point, an objective without bound is of no use.
+  // A program without a point is infeasible, even if its objective has no bound.
   std::ofstream(in_folder("both.lp"))
       << "Maximize\n c: x + w\nSubject To\n r: w - x >= 0\n s: 2 x + 2 y = 1\n"
          "Binary\n x y\nEnd\n";
@@ -105,7 +107,7 @@ TEST_F(Command, SaysWhenAZeroOneProgramHasNoOptimum) {
   EXPECT_THAT(run.output, HasSubstr("infeasible"));
 }
 
-TEST_F(Command, RefusesAnInvalidZeroOneProgram) {
+TEST_F(MipSearch, RefusesAnInvalidProgram) {
   std::ofstream(in_folder("bad.mps")) << "NAME X\nROWS\n N C\nCOLUMNS\n A B 1\nENDATA\n";
   const auto run = shell(command + " mip " + argument("bad.mps"));
   EXPECT_EQ(run.exit_code, 2);

@@ -31,7 +31,7 @@ class OldFiles(KusabiCase):
         self.assertIn("the list of 1 pattern is complete", self.proved("critical.cert.upper"))
         self.assertIn("between 2.954320376", self.proved("limit.cert"))
 
-    def test_certificates_are_proved_of_their_structures(self):
+    def test_certificates_are_proved_for_their_structures(self):
         self.proved("patterns.cert", "--problem", EXAMPLES / "two-bars.toml")
         self.proved("limit.cert", "--problem", EXAMPLES / "static-gap.toml")
 
@@ -56,7 +56,7 @@ class OldFiles(KusabiCase):
         self.assertLess(abs(old["lower"] - new["lower"]), 1e-7)
         self.assertLess(abs(old["upper"] - new["upper"]), 1e-7)
 
-    def test_what_has_no_structure_is_not_drawn(self):
+    def test_results_without_a_structure_are_not_drawn(self):
         for command in ("draw", "report"):
             self.assertIn("'structure' is missing", self.refused(command, OLD / "patterns.json"))
 

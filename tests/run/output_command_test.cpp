@@ -21,14 +21,16 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(Command, SaysNothingWhenAskedToBeQuiet) {
+using CommandOutput = Command;
+
+TEST_F(CommandOutput, IsEmptyIfQuiet) {
   const auto run = shell(command + " patterns " + truss + " --mu 0.55 --quiet");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.output, "");
 }
 
 // Long lists have the whole state of 100 patterns, and of the one that the verdict names.
-TEST_F(Command, WritesTheWholeStateOfAllPatternsOnRequest) {
+TEST_F(CommandOutput, HasTheWholeStateOfAllPatternsOnRequest) {
   const auto patterns = [&](const std::string& option) {
     shell(command + " patterns " + truss + " --mu 1 --quiet --output " + argument("all.json") +
           option);
@@ -57,8 +59,8 @@ TEST_F(Command, WritesTheWholeStateOfAllPatternsOnRequest) {
             0);
 }
 
-// W (4) and (5): what the obstacle pushes, the supports hold.
-TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
+// W (4) and (5): contact forces and support reactions are in equilibrium.
+TEST_F(CommandOutput, HasTheWholeStateOfTheStructure) {
   const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
   for (const std::string& call : {" patterns " + plane + " --mu 1", " critical " + plane,
                                   " rays " + plane + " --mu 1 --whole"}) {
@@ -97,7 +99,7 @@ TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
   }
 }
 
-TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
+TEST_F(CommandOutput, DoesNotOverwriteTheProblem) {
   fs::copy_file(truss_file, in_folder("truss.toml"));
   fs::create_symlink("truss.toml", in_folder("link"));
   const auto call = command + " patterns " + argument("truss.toml") + " --mu 0.5 --output ";
@@ -113,7 +115,7 @@ TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
   EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));
 }
 
-TEST_F(Command, WritesToWhereALinkPoints) {
+TEST_F(CommandOutput, IsWrittenToTheTargetOfALink) {
   std::ofstream(in_folder("old.json")) << "old";
   fs::create_symlink("old.json", in_folder("link"));
   const auto call = command + " patterns " + truss + " --mu 0.5 --quiet --output ";
@@ -122,7 +124,7 @@ TEST_F(Command, WritesToWhereALinkPoints) {
   EXPECT_EQ(nlohmann::json::parse(content(in_folder("old.json")))["command"], "patterns");
 }
 
-TEST_F(Command, WritesToAPipeWithoutReplacingIt) {
+TEST_F(CommandOutput, IsWrittenToAPipeWithoutReplacingIt) {
   const auto call = command + " patterns " + truss + " --mu 0.5 --quiet --output ";
   EXPECT_EQ(nlohmann::json::parse(shell(call + "/dev/stdout").output)["command"], "patterns");
   ASSERT_EQ(mkfifo(in_folder("pipe").c_str(), 0600), 0);
@@ -132,14 +134,14 @@ TEST_F(Command, WritesToAPipeWithoutReplacingIt) {
   EXPECT_TRUE(fs::is_fifo(in_folder("pipe")));
 }
 
-TEST_F(Command, LeavesNoHalfWrittenFileBehindAfterAnError) {
+TEST_F(CommandOutput, LeavesNoIncompleteFileAfterAnError) {
   std::ofstream(in_folder("typo.toml")) << "name = 1\n";
   shell(command + " patterns " + argument("typo.toml") + " --mu 0.5 --output " +
         argument("result.json"));
   EXPECT_EQ(files(), std::vector<std::string>{"typo.toml"});
 }
 
-TEST_F(Command, IsPartOfAPipe) {
+TEST_F(CommandOutput, CanBePipedFromAndToOtherCommands) {
   const auto through = shell(command + " example plane-truss --rows 5 | " + command +
                              " patterns - --mu 1 --output - 2>/dev/null");
   EXPECT_EQ(through.exit_code, 0);
@@ -160,8 +162,8 @@ TEST_F(Command, IsPartOfAPipe) {
   EXPECT_EQ(twice.exit_code, 2);
 }
 
-// Standard output is what is open, with all that is there before and comes after.
-TEST_F(Command, WritesToTheStandardOutputThatIsOpen) {
+// The open standard output keeps its text from before and receives that of later commands.
+TEST_F(CommandOutput, IsAppendedToTheOpenStandardOutput) {
   const auto call = command + " patterns " + truss + " --mu 0.65 --output ";
   const auto file = in_folder("all");
   for (const auto* const name : {"-", "/dev/stdout --quiet"}) {
@@ -179,7 +181,7 @@ TEST_F(Command, WritesToTheStandardOutputThatIsOpen) {
   EXPECT_THAT(full.output, HasSubstr("standard output"));
 }
 
-TEST_F(Command, WritesATraceOfAllRanksAndTheSameResult) {
+TEST_F(CommandOutput, HasATraceOfAllRanksAndTheSameResult) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet --output ";
   const auto plain = in_folder("plain.json");
   ASSERT_EQ(shell(call + quoted(plain)).exit_code, 0);

@@ -24,7 +24,7 @@ class Papers(unittest.TestCase):
     def setUp(self):
         self.page = (PAPERS.parent.parent / "docs" / "papers.md").read_text()
 
-    def test_the_page_is_what_comes_out_but_for_a_figure_that_is_not(self):
+    def test_a_wrong_figure_is_reported_alone(self):
         self.assertEqual(self.page.count(RIGHT), 1)
         run = self.check(self.page.replace(RIGHT, "| 25 | 24 | same |"))
         self.assertEqual(run.returncode, 1)
@@ -32,7 +32,7 @@ class Papers(unittest.TestCase):
         self.assertEqual(run.stdout, "")
         self.assertRegex(run.stderr, r"wedged-plane: '\| Figures 8, 9: .*\| 25 \| 24 \| same \|'; expected '.*\| 25 \| 25 \| same \|'")
 
-    def test_a_table_that_nothing_computes_is_refused(self):
+    def test_a_table_without_a_computation_is_refused(self):
         run = self.check(self.page.replace("figures: seconds", "figures: minutes"))
         self.assertEqual(run.returncode, 1)
         self.assertIn("expected [", run.stderr)

@@ -23,14 +23,16 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST_F(Command, ShowsTheTableOfPatterns) {
+using PatternsCommand = Command;
+
+TEST_F(PatternsCommand, ShowsTheTableOfPatterns) {
   const auto run = shell(fmt::format("{} patterns {} --mu 0.65", command, truss));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("27 sign patterns of wedged configurations"));
   EXPECT_THAT(run.output, HasSubstr("b13 t13 b23"));
 }
 
-TEST_F(Command, GivesTheSameResultByteForByteOnAnyNumberOfRanks) {
+TEST_F(PatternsCommand, WritesTheSameBytesOnAnyNumberOfRanks) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet --output ";
   const auto serial = in_folder("serial.json");
   ASSERT_EQ(shell(call + quoted(serial) + " --serial").exit_code, 0);
@@ -45,7 +47,7 @@ TEST_F(Command, GivesTheSameResultByteForByteOnAnyNumberOfRanks) {
   }
 }
 
-TEST_F(Command, WritesTheResultInFull) {
+TEST_F(PatternsCommand, WritesTheResultInFull) {
   const auto file = in_folder("result.json");
   ASSERT_EQ(shell(command + " patterns " + truss + " --mu 0.55 --output " + quoted(file)).exit_code,
             0);
@@ -68,13 +70,13 @@ TEST_F(Command, WritesTheResultInFull) {
   EXPECT_EQ(files(), std::vector<std::string>{"result.json"});
 }
 
-TEST_F(Command, AnswersNoneWithExitCodeZero) {
+TEST_F(PatternsCommand, ReportsAnEmptyListWithExitCodeZero) {
   const auto run = shell(command + " patterns " + truss + " --mu 0.3");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("0 sign patterns"));
 }
 
-TEST_F(Command, DecidesAtAnyFrictionThatItTakes) {
+TEST_F(PatternsCommand, DecidesAllNodesAtTheLargestFriction) {
   const auto file = in_folder("result.json");
   const auto run = shell(command + " patterns " + truss + " --mu 1e6 --output " + quoted(file));
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -87,7 +89,7 @@ TEST_F(Command, DecidesAtAnyFrictionThatItTakes) {
   EXPECT_THAT(beyond.output, HasSubstr("the friction coefficient at b13 is 1e+07; expected"));
 }
 
-TEST_F(Command, ListsAFlatConeOnceWithItsCandidatesAtRest) {
+TEST_F(PatternsCommand, ListsAFlatConeOnceWithItsInactiveCandidates) {
   std::ofstream(in_folder("rod.toml")) << rod_along_normal;
   const auto run = shell(command + " patterns " + argument("rod.toml") + " --mu 1.1 --output " +
                          argument("result.json"));
@@ -114,7 +116,7 @@ TEST_F(Command, ListsAFlatConeOnceWithItsCandidatesAtRest) {
   }
 }
 
-TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
+TEST_F(PatternsCommand, BranchesByTheRuleOfThePaperOnRequest) {
   const auto opened = [&](const std::string& rule) {
     const auto file = in_folder(rule + ".json");
     const auto run = shell(command + " patterns " + truss + " --mu 0.65 --branching " + rule +
@@ -128,8 +130,8 @@ TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
   opened("deepest");
 }
 
-// The numbers are those of the result file, whatever the order.
-TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
+// The numbers are those of the result file, in any order.
+TEST_F(PatternsCommand, ListsPatternsInTheRequestedOrder) {
   const auto patterns = [&](const std::string& more) {
     return shell(command + " patterns " + truss + " --mu 0.65" + more).output;
   };
@@ -151,8 +153,9 @@ TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
   EXPECT_THAT(patterns(" --sort contact --top 1"), HasSubstr("   27  "));
 }
 
-// At less than what the sentence says the configuration is no longer one; the pattern may live on.
-TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
+// Below the reported coefficient the configuration is not wedged; the pattern may still be
+// feasible.
+TEST_F(PatternsCommand, ReportsTheLeastFrictionOfTheLargestMargin) {
   const auto run =
       shell(command + " patterns " + truss + " --mu 0.65 --output " + argument("result.json"));
   const auto all = nlohmann::json::parse(content(in_folder("result.json")))["result"]["patterns"];
@@ -171,7 +174,7 @@ TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
 }
 
 // 233 candidates, all of which can be in contact at once: a tree takes long to find this pattern.
-TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
+TEST_F(PatternsCommand, FindsOnePatternOfManyCandidatesWithoutASearch) {
   const auto file =
       quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/c_lc6_o2.toml");  // tan 3 deg = 0.0524
   const auto run = shell(command + " patterns " + file + " --mu 0.1 --pattern-limit 1 --output " +
@@ -183,7 +186,7 @@ TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
   EXPECT_EQ(json["result"]["patterns"][0]["state"], "alive");
 }
 
-TEST_F(Command, DecidesTheExistenceOfAPattern) {
+TEST_F(PatternsCommand, DecidesTheExistenceOfAPattern) {
   const auto file = argument("long.toml");  // its critical coefficient is 0.54124
   shell(command + " example space-truss --rows 10 --depth 3 --output " + file);
   const auto ask = [&](const std::string& launcher, const std::string& mu) {
@@ -208,7 +211,7 @@ TEST_F(Command, DecidesTheExistenceOfAPattern) {
   EXPECT_THAT(both.output, HasSubstr("expected --certificate without --exists"));
 }
 
-TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
+TEST_F(PatternsCommand, FindsTheSamePatternsByPolyhedralFriction) {
   const auto patterns = [&](const std::string& method) {
     const auto file = in_folder("result.json");
     const auto run = shell(command + " patterns " + truss + " --mu 0.65 " + method + " --output " +
@@ -224,7 +227,7 @@ TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
 }
 
 // Algorithm 5.8.
-TEST_F(Command, ListsTheCandidatesOfPolyhedralFriction) {
+TEST_F(PatternsCommand, ListsTheCandidatesOfPolyhedralFriction) {
   const auto file = in_folder("result.json");
   const auto run =
       shell(ranks(2) + command + " patterns " + truss +
@@ -246,7 +249,7 @@ TEST_F(Command, ListsTheCandidatesOfPolyhedralFriction) {
   EXPECT_GT(kept.size(), 20U);
 }
 
-// The truss of examples/two-bars.toml so many times over, one not knowing of the other.
+// Disconnected copies of the truss of examples/two-bars.toml.
 std::string many_wedges(int count) {
   std::string nodes;
   std::string bars[2];
@@ -267,7 +270,7 @@ std::string many_wedges(int count) {
       nodes, bars[0], bars[1], supports, tips);
 }
 
-TEST_F(Command, SearchesAStructureThatComesApartPieceByPiece) {
+TEST_F(PatternsCommand, SearchesDecoupledBlocksSeparately) {
   constexpr int pieces = 14;
   std::ofstream(in_folder("many.toml")) << many_wedges(pieces);
   const auto run = shell(command + " patterns " + argument("many.toml") + " --mu 3 --output " +
@@ -283,7 +286,7 @@ TEST_F(Command, SearchesAStructureThatComesApartPieceByPiece) {
 }
 
 // By hand (docs/problem-files.md): these two bars wedge if and only if mu is at least 2.
-TEST_F(Command, MultipliesTheFrictionOfEachCandidate) {
+TEST_F(PatternsCommand, MultipliesTheFrictionOfEachCandidate) {
   const auto file = in_folder("bars.toml");
   std::ofstream(file) << content(std::string(KUSABI_SOURCE_DIR) + "/examples/two-bars.toml")
                       << "friction_factor = 4\n";

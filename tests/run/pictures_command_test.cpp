@@ -58,7 +58,7 @@ TEST_F(Pictures, AreTheSameOnTwoRanks) {
   EXPECT_EQ(content(in_folder("seen/pattern-05.vtu")), alone);
 }
 
-TEST_F(Pictures, GoIntoNoFile) {
+TEST_F(Pictures, RequireAFolderOrANewName) {
   std::ofstream(in_folder("seen")) << "mine";
   const auto run = called("patterns " + truss + " --mu 0.65 --vtu " + argument("seen"));
   EXPECT_EQ(run.exit_code, 2);
@@ -67,7 +67,7 @@ TEST_F(Pictures, GoIntoNoFile) {
   EXPECT_EQ(content(in_folder("seen")), "mine");
 }
 
-TEST_F(Pictures, LeaveNoEmptyFolderBehindAWrongCall) {
+TEST_F(Pictures, LeaveNoEmptyFolderAfterAnInvalidCall) {
   const auto run = called("critical " + truss + " --vtu " + argument("seen") + " --output " +
                           argument("seen/critical.pvd"));
   EXPECT_EQ(run.exit_code, 2);
@@ -82,7 +82,7 @@ TEST_F(Pictures, RequireAMethodThatFindsPatterns) {
   EXPECT_THAT(run.output, HasSubstr("expected --method auto, descent"));
 }
 
-TEST_F(Pictures, AreOfResultFiles) {
+TEST_F(Pictures, RequireAResultFile) {
   for (const std::string subcommand : {"draw", "report"}) {
     const auto run = called(subcommand + " " + argument("none.json"));
     EXPECT_EQ(run.exit_code, 2);

@@ -18,7 +18,7 @@ PAGE = SOURCES / "docs" / "python.md"
 
 
 class Page(KusabiCase):
-    def test_every_block_prints_what_is_shown(self):
+    def test_blocks_print_the_output_of_the_page(self):
         (self.folder / "examples").symlink_to(EXAMPLES)
         programs = self.folder / "programs"
         programs.mkdir()

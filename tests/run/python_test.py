@@ -60,7 +60,7 @@ class Python(KusabiCase):
             result = kusabi.run("critical", "-", input=(EXAMPLES / "two-bars.toml").read_text(), ranks=ranks)
             self.assertEqual(result["problem"]["name"], kusabi.run("critical", EXAMPLES / "two-bars.toml")["problem"]["name"])
 
-    def test_a_name_is_no_option(self):
+    def test_a_file_name_is_not_read_as_an_option(self):
         odd = self.folder / "--mu"
         odd.write_text((EXAMPLES / "two-bars.toml").read_text())
         before = os.getcwd()
@@ -69,7 +69,7 @@ class Python(KusabiCase):
             os.chdir(self.folder)
             self.assertEqual(kusabi.run("critical", "--mu")["problem"]["file"], "./--mu")
 
-    def test_what_is_wrong_is_one_line(self):
+    def test_wrong_input_raises_one_line(self):
         wrong = self.folder / "wrong.toml"
         wrong.write_text(TRUSS.read_text().replace("dimension", "dimensoin"))
         message = self.refused("patterns", wrong, "--mu", 1).rstrip("\n")
@@ -93,7 +93,7 @@ class Python(KusabiCase):
             kusabi.call("verify", certificate, problem=EXAMPLES / "two-bars.toml", ranks=2)
         self.assertEqual(caught.exception.returncode, 1)
 
-    def test_a_launcher_that_cannot_is_a_failure(self):
+    def test_a_failing_launcher_is_a_failure(self):
         launcher = self.folder / "launcher"
         dashes = "-" * 74
         launcher.write_text(f"#!/bin/sh\ncat >&2 <<END\n{dashes}\nThere are not enough slots\nto be had.\n{dashes}\nEND\nexit 213\n")
@@ -113,7 +113,7 @@ class Python(KusabiCase):
                 self.assertIn("node-limit", result.remarks[0])
                 self.assertTrue(kusabi.load(self.result).partial)
 
-    def test_what_is_open_is_partial(self):
+    def test_an_undecided_answer_is_partial(self):
         result = self.solve("patterns", "two-bars.toml", "--mu", 2)
         del result["verdict"]  # as version 0.1 writes it
         for key, value, partial in (("undecided", 0, False), ("undecided", 1, True)):
@@ -148,7 +148,7 @@ class Python(KusabiCase):
                 if command == "limit":
                     self.assertEqual(list(rows[0]), list(table[0]))
 
-    def test_rows_of_a_sweep(self):
+    def test_rows_of_a_sweep_are_patterns_points_or_steps(self):
         result = kusabi.run("sweep", EXAMPLES / "plane-truss.toml", mu="0.5:0.8:0.1")
         self.assertFalse(result.partial)
         births = result.rows()
@@ -167,7 +167,7 @@ class Python(KusabiCase):
         self.assertTrue(kusabi.run("sweep", EXAMPLES / "two-bars.toml", mu="1,2,3", output=self.result).partial)
         self.assertTrue(kusabi.load(self.result).partial)  # 2 is critical
 
-    def test_a_data_frame_if_pandas_is_there(self):
+    def test_a_data_frame_is_made_if_pandas_is_installed(self):
         result = kusabi.run("patterns", EXAMPLES / "plane-truss.toml", mu=0.8)
         with unittest.mock.patch.dict(sys.modules, {"pandas": None}):
             self.assertEqual(result.to_dataframe(), result.rows())
@@ -175,13 +175,13 @@ class Python(KusabiCase):
         with unittest.mock.patch.dict(sys.modules, {"pandas": frame}):
             self.assertEqual(result.to_dataframe(), ("frame", result.rows()))
 
-    def test_without_a_command(self):
+    def test_a_missing_command_is_reported(self):
         for variable in ("KUSABI", "KUSABI_MPIRUN"):
             with unittest.mock.patch.dict(os.environ, {variable: "/nowhere/at-all"}):
                 with self.assertRaisesRegex(kusabi.NotFound, "/nowhere/at-all.*" + variable):
                     kusabi.run("patterns", TRUSS, mu=1, ranks=2)
 
-    def test_what_is_no_result_is_refused(self):
+    def test_a_file_that_is_no_result_is_refused(self):
         for text, why in (("", "is no JSON"), ("[1]", "'command' is missing"), ('{"command": "mip"}', "'problem' is missing"),
                           ("[" * 100000, "is no JSON")):
             self.result.write_text(text)
@@ -190,7 +190,7 @@ class Python(KusabiCase):
         with self.assertRaises(OSError):
             kusabi.load(self.folder / "nowhere.json")
 
-    def test_it_is_python_3_9_and_needs_nothing_else(self):
+    def test_module_requires_only_python_3_9(self):
         tree = ast.parse(pathlib.Path(kusabi.__file__).read_text(), feature_version=(3, 9))
         needed = {name.name for node in tree.body if isinstance(node, ast.Import) for name in node.names}
         self.assertLessEqual(needed, {"json", "os", "pathlib", "shlex", "shutil", "subprocess", "tempfile"})

@@ -21,10 +21,12 @@ namespace {
 
 using testing::HasSubstr;
 
+using RaysCommand = Command;
+
 const std::string plane_truss =
     quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
 
-TEST_F(Command, RefusesRaysOfTooManyCandidates) {
+TEST_F(RaysCommand, RefusesTooManyCandidates) {
   const auto file = in_folder("tall.toml");
   ASSERT_EQ(shell(command + " example plane-truss --rows 65 --output " + quoted(file)).exit_code,
             0);
@@ -46,14 +48,14 @@ std::string rays_and_cones(const std::string& file) {
   return text.substr(from, to - from);
 }
 
-TEST_F(Command, ShowsTheTableOfRays) {
+TEST_F(RaysCommand, ShowsTheTableOfRays) {
   const auto run = shell(command + " rays " + plane_truss + " --mu 0.65");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("16 extremal rays in 1 maximal cone at friction"));
   EXPECT_THAT(run.output, HasSubstr("      1      16  r1…5 | -\n"));
 }
 
-TEST_F(Command, FindsTheSameRaysByBothMethodsOnAnyNumberOfRanks) {
+TEST_F(RaysCommand, FindsTheSameRaysByBothMethodsOnAnyNumberOfRanks) {
   const auto file = in_folder("truss.toml");
   ASSERT_EQ(shell(command + " example plane-truss --rows 8 --output " + quoted(file)).exit_code, 0);
   const std::string call = command + " rays " + quoted(file) + " --mu 0.8 --quiet --output ";
@@ -79,9 +81,9 @@ TEST_F(Command, FindsTheSameRaysByBothMethodsOnAnyNumberOfRanks) {
   for (const auto& ray : result["rays"]) EXPECT_EQ(ray["number"], ++number);
 }
 
-// The first is large enough for steps to be shared; of the second the tree is faster, as its trial
-// shows, so both ways come to an end there.
-TEST_F(Command, FindsTheSameRaysTheSameWayOnAnyNumberOfRanks) {
+// The first is large enough for steps to be shared; for the second the tree is faster, as its trial
+// shows, so both methods end there.
+TEST_F(RaysCommand, ChoosesTheSameMethodOnAnyNumberOfRanks) {
   const auto file = in_folder("truss.toml");
   const std::vector<std::pair<std::string, std::string>> trusses{
       {"--paper --rows 19", "double-description"}, {"--brace all --rows 13", "tree"}};
@@ -100,7 +102,7 @@ TEST_F(Command, FindsTheSameRaysTheSameWayOnAnyNumberOfRanks) {
   }
 }
 
-TEST_F(Command, GivesTheRaysOfEachConeAndWhatEachNodeDoes) {
+TEST_F(RaysCommand, WritesTheRaysOfEachConeAndTheStateOfEachNode) {
   const auto file = in_folder("rays.json");
   ASSERT_EQ(
       shell(command + " rays " + plane_truss + " --mu 0.7 --output " + quoted(file)).exit_code, 0);
@@ -131,7 +133,7 @@ TEST_F(Command, GivesTheRaysOfEachConeAndWhatEachNodeDoes) {
   }
 }
 
-TEST_F(Command, WritesRaysAsCsvAndTheirGraphForGraphviz) {
+TEST_F(RaysCommand, WritesRaysAsCsvAndTheirGraphForGraphviz) {
   const auto csv = in_folder("rays.csv");
   const auto dot = in_folder("rays.dot");
   const auto json = in_folder("rays.json");
@@ -161,7 +163,7 @@ TEST_F(Command, WritesRaysAsCsvAndTheirGraphForGraphviz) {
   EXPECT_EQ(edges, 16U);
 }
 
-TEST_F(Command, DrawsNoGraphThatNobodyCouldRead) {
+TEST_F(RaysCommand, OmitsAGraphOfTooManyRays) {
   const auto file = in_folder("many.toml");
   ASSERT_EQ(shell(command + " example plane-truss --rows 7 --output " + quoted(file)).exit_code, 0);
   const auto run = shell(command + " rays " + quoted(file) + " --mu 1 --dot " +
@@ -176,7 +178,7 @@ TEST_F(Command, DrawsNoGraphThatNobodyCouldRead) {
 }
 
 // By hand (docs/problem-files.md): r_t = 2 r_n, one ray from mu = 2 on.
-TEST_F(Command, FindsTheRayOfTheTwoBarsAtEachCandidatesOwnFriction) {
+TEST_F(RaysCommand, FindsTheRayOfTheTwoBarsAtEachCandidatesOwnFriction) {
   const auto file = in_folder("bars.toml");
   std::ofstream(file) << content(std::string(KUSABI_SOURCE_DIR) + "/examples/two-bars.toml")
                       << "friction_factor = 4\n";
@@ -189,7 +191,7 @@ TEST_F(Command, FindsTheRayOfTheTwoBarsAtEachCandidatesOwnFriction) {
   EXPECT_THAT(rays("0.51"), HasSubstr("x  r_n          1\n            r_t          2\n"));
 }
 
-TEST_F(Command, RefusesRaysInSpaceAndSaysWhatToUse) {
+TEST_F(RaysCommand, RefusesRaysInSpaceAndNamesAnotherSubcommand) {
   const auto run = shell(command + " rays " + truss + " --mu 0.65");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("dimension is 3; expected 2"));
@@ -199,7 +201,7 @@ TEST_F(Command, RefusesRaysInSpaceAndSaysWhatToUse) {
   EXPECT_THAT(on_two.output, HasSubstr("dimension is 3; expected 2"));
 }
 
-TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
+TEST_F(RaysCommand, StopsTheTreeAtALimitWithAPartialAnswer) {
   const auto file = in_folder("rays.json");
   const auto call =
       command + " rays " + plane_truss + " --mu 1 --node-limit 1 --output " + quoted(file);
@@ -217,7 +219,7 @@ TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
 
 // The tip of the two bars moves along the surface, orthogonal to the third bar up to 1e-12:
 // it is numerically undecided whether the displacement of the second candidate is zero.
-TEST_F(Command, SaysWhenSmallNumbersCannotBeDistinguishedFromZero) {
+TEST_F(RaysCommand, ReportsNumbersThatCannotBeDistinguishedFromZero) {
   const auto file = in_folder("almost.toml");
   std::ofstream(file) << R"(
 name = "almost idle"

@@ -133,11 +133,11 @@ class Schema(KusabiCase):
             else:
                 self.check(command, name, words[which])
 
-    def test_every_example_is_asked(self):
+    def test_every_example_has_a_call(self):
         found = {str(path.relative_to(EXAMPLES)) for path in EXAMPLES.rglob("*.toml")}
         self.assertEqual(found, WEDGED.keys() | HOLD.keys() | LIMIT.keys())
 
-    def test_patterns(self):
+    def test_accepts_results_of_patterns(self):
         self.check_wedged("patterns", 0)
         result = self.check("patterns", "../tests/cases/plane_truss_and_post.toml", ("--mu", 0.5))
         self.assertTrue(result["result"]["patterns"][0]["at_rest"])
@@ -145,7 +145,7 @@ class Schema(KusabiCase):
         self.assertEqual(result["options"]["probe"], 2)
         self.assertGreater(result["result"]["tree"]["probed"], 0)
 
-    def test_defaults_from_a_file(self):
+    def test_accepts_results_with_defaults_from_a_file(self):
         config = self.folder / "config.toml"
         config.write_text('[patterns]\nsort = "margin"\ngroup = 2\n[rays]\nmethod = "tree"\n')
         for command, words, options in (("patterns", ("--mu", 2), {"sort": "margin", "group": "2"}),
@@ -156,13 +156,13 @@ class Schema(KusabiCase):
         result["config"]["options"] = {}
         self.assertFalse(self.schema.is_valid(result))
 
-    def test_rays(self):
+    def test_accepts_results_of_rays(self):
         self.check_wedged("rays", 1)
 
-    def test_critical(self):
+    def test_accepts_results_of_critical(self):
         self.check_wedged("critical", 2)
 
-    def test_hold(self):
+    def test_accepts_results_of_hold(self):
         for name, calls in HOLD.items():
             for words in calls:
                 self.check("hold", name, words)
@@ -170,17 +170,17 @@ class Schema(KusabiCase):
         self.check_is_documented(self.solve("hold", "peg-under-load.toml", "--mu", 0.5))
         self.check_is_documented(self.solve("hold", "ladder.toml", "--mu", "0.3,0.4"))
 
-    def test_limit(self):
+    def test_accepts_results_of_limit(self):
         for name, calls in LIMIT.items():
             for words in calls:
                 self.check("limit", name, words)
         self.check("limit", "../tests/cases/lambda_zero_not_carried.toml", ("--alpha", 1))
 
-    def test_sweep(self):
+    def test_accepts_results_of_sweep(self):
         for name, words in SWEPT:
             self.check("sweep", name, words)
 
-    def test_mip(self):
+    def test_accepts_results_of_mip(self):
         for name, words in PROGRAMS:
             self.check("mip", f"../tests/programs/{name}", words)
 
@@ -208,13 +208,13 @@ class Schema(KusabiCase):
                     self.assertFalse(self.schema.is_valid(result))
             inner[key] = value
 
-    def test_wrong_patterns_are_found(self):
+    def test_refuses_wrong_results_of_patterns_and_rays(self):
         self.check_is_documented(self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--method", "polyhedral",
                                          "--pattern-limit", 2))
         self.check_is_documented(self.solve("rays", "two-bars.toml", "--mu", 2, "--whole"))
         self.check_is_documented(self.solve("rays", "wedge-in-groove.toml", "--mu", 0.27))
 
-    def test_other_errors_are_found(self):
+    def test_refuses_wrong_results_of_other_subcommands(self):
         self.check_is_documented(self.solve("critical", "two-bars.toml"))
         self.check_is_documented(self.solve("critical", "elastic-body.toml", "--method", "global"))
         self.check_is_documented(self.solve("limit", "gust.toml", *LIMIT["gust.toml"][1]))

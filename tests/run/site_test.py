@@ -33,7 +33,7 @@ class Page(html.parser.HTMLParser):
             self.loaded.append(values["src"])
 
 
-class TheSite(unittest.TestCase):
+class Site(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
@@ -50,13 +50,13 @@ class TheSite(unittest.TestCase):
         self.assertEqual(expected - made, set())
         self.assertGreaterEqual(len([path for path in made if path.parent.name == "gallery"]), 6)
 
-    def test_has_the_pictures_that_the_repository_has_not(self):
+    def test_has_pictures_that_are_not_in_the_repository(self):
         papers = next(page for path, page in self.pages.items() if path.relative_to(self.site) == pathlib.Path("docs/papers.html"))
         for name in ("wedged-table-1", "limit-figure-5", "limit-figure-10"):
             self.assertIn(f"images/{name}.svg", papers.loaded)
             self.assertTrue((self.site / "docs" / "images" / f"{name}.svg").exists())
 
-    def test_links_lead_somewhere(self):
+    def test_links_have_targets(self):
         for path, page in self.pages.items():
             for link in page.links:
                 target = urllib.parse.urlsplit(link)
@@ -69,7 +69,7 @@ class TheSite(unittest.TestCase):
                     names = next(other for name, other in self.pages.items() if name.resolve() == file).names
                     self.assertIn(urllib.parse.unquote(target.fragment), names, f"{path}: {link}")
 
-    def test_nothing_comes_from_the_net(self):
+    def test_nothing_is_loaded_from_the_internet(self):
         for path, page in self.pages.items():
             for link in page.loaded:
                 self.assertIn(urllib.parse.urlsplit(link).scheme, ("", "data"), f"{path}: {link}")

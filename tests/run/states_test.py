@@ -200,7 +200,7 @@ class States(KusabiCase):
             self.check_report(result)
             self.check_older(result)
 
-    def test_all_outputs_say_one_thing(self):
+    def test_all_outputs_agree(self):
         for state, code, *call in STATES:
             with self.subTest(state, call=" ".join(map(str, call))):
                 self.check(code, *call)
@@ -219,7 +219,7 @@ class States(KusabiCase):
         shown = self.kusabi("show", place).stdout
         self.assertIn("Warning: " + result["warnings"][0], shown)
 
-    def test_where_a_pattern_begins(self):
+    def test_critical_coefficients_of_patterns_agree(self):
         """The same coefficient in `patterns --sort critical`, in `sweep`, and by lists of
         `patterns` on either side of it."""
         for name in (CASES / "self_holding_corner.toml", EXAMPLES / "plane-truss.toml"):
@@ -236,7 +236,7 @@ class States(KusabiCase):
                         found = self.solve("patterns", name, "--mu", mu)["result"]["patterns"]
                         self.assertEqual(signs(pattern) in map(signs, found), there, (pattern["contact"], mu))
 
-    def test_a_corner_holds_itself_from_the_angle_of_its_walls_on(self):
+    def test_a_node_in_a_corner_wedges_from_the_coefficient_of_its_walls(self):
         bracket = self.solve("critical", CASES / "self_holding_corner.toml")["result"]["critical_friction"]
         self.assertLess(bracket["lower"], 0.44906607)  # tan of half of 180 - 131.6335 degrees, 0.449066066...
         self.assertGreater(bracket["upper"], 0.44906606)

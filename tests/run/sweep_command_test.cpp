@@ -46,7 +46,7 @@ class SweepCommand : public Command {
   }
 };
 
-TEST_F(SweepCommand, CountsWhatPatternsCountsAtEachPoint) {
+TEST_F(SweepCommand, AgreesWithPatternsAtEachPoint) {
   for (const auto* name : {"paper/space-truss-fit.toml", "wedge-in-groove.toml"}) {
     const auto result = document_of("sweep " + file_of(name) + " --mu 0.3:0.9:0.2")["result"];
     ASSERT_EQ(result["points"].size(), 4U);
@@ -85,7 +85,7 @@ TEST_F(SweepCommand, FindsTheSameWorstCasesOnTwoRanks) {
 }
 
 // By hand: the bar carries 3, and the wind may take a quarter of 1.
-TEST_F(SweepCommand, RangesOverTheLoadsThatTheFileLeavesOpen) {
+TEST_F(SweepCommand, VariesTheLoadsWithoutAHalfWidthInTheFile) {
   const std::string wind = "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"x\"]\nalpha = 0.25\n";
   const auto file = argument("open.toml");
   std::ofstream(in_folder("open.toml")) << limit::two_bars(wind) +
@@ -108,7 +108,7 @@ TEST_F(SweepCommand, RangesOverTheLoadsThatTheFileLeavesOpen) {
               HasSubstr("expected uncertain loads without alpha"));
 }
 
-TEST_F(SweepCommand, FindsTheWorstCaseThatLimitFindsAtEachPoint) {
+TEST_F(SweepCommand, AgreesWithLimitAtEachPoint) {
   const auto file = file_of("paper/limit-3x3.toml");
   const auto result = document_of("sweep " + file + " --alpha 0:40:10")["result"];
   ASSERT_EQ(result["points"].size(), 5U);
@@ -126,7 +126,7 @@ TEST_F(SweepCommand, FindsTheWorstCaseThatLimitFindsAtEachPoint) {
   }
 }
 
-TEST_F(SweepCommand, WritesPointsAndStepsAsTextAndAsAPicture) {
+TEST_F(SweepCommand, WritesPointsAndStepsAsCsvAndSvg) {
   const auto run = shell(command + " sweep " + file_of("two-bars.toml") + " --mu 1,2,3 --csv " +
                          argument("c.csv") + " --svg " + argument("c.svg"));
   EXPECT_EQ(run.exit_code, 3) << run.output;  // 2 is critical
@@ -140,7 +140,7 @@ TEST_F(SweepCommand, WritesPointsAndStepsAsTextAndAsAPicture) {
   EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
 }
 
-TEST_F(SweepCommand, SaysWhatItDoesNotKnowIfItIsStopped) {
+TEST_F(SweepCommand, HasNoUnknownPointsIfStopped) {
   const auto document =
       document_of("sweep " + file_of("space-truss.toml") +
                       " --mu 0.5,0.8 --node-limit 3 --quiet --svg " + argument("c.svg"),
@@ -149,7 +149,7 @@ TEST_F(SweepCommand, SaysWhatItDoesNotKnowIfItIsStopped) {
   EXPECT_TRUE(document["result"]["points"].empty());
 }
 
-TEST_F(SweepCommand, RefusesPointsInALine) {
+TEST_F(SweepCommand, RefusesInvalidPoints) {
   const auto file = file_of("two-bars.toml");
   EXPECT_THAT(refusal(file), HasSubstr("expected --mu, --mu-max or --alpha"));
   EXPECT_THAT(refusal(file + " --mu 1 --alpha 1"), HasSubstr("expected --mu or --alpha"));

@@ -53,7 +53,7 @@ class Table(KusabiCase):
                 self.same(row.pop(key), pattern[key])
             self.assertEqual(row, {})  # there are no other columns
 
-    def test_patterns(self):
+    def test_has_the_numbers_of_patterns(self):
         for name, mu, least in (("space-truss.toml", 0.65, 2), ("plane-truss.toml", 0.8, 2), ("two-bars.toml", 0.5, 0),
                                 ("../tests/cases/two_pieces.toml", 1, 0),
                                 ("../tests/cases/plane_truss_and_post.toml", 0.5, 1)):
@@ -62,14 +62,14 @@ class Table(KusabiCase):
                 self.assertGreaterEqual(len(rows), least)
                 self.check_patterns(result, rows, "margin", "margin_upper")
 
-    def test_critical(self):
+    def test_has_the_numbers_of_critical(self):
         for words in ((), ("--method", "newton", "--mu-max", 0.6)):
             with self.subTest(words):
                 result, rows = self.table("critical", "plane-truss.toml", *words)
                 self.assertGreater(len(rows), 0)
                 self.check_patterns(result, rows, "lower", "upper")
 
-    def test_rays(self):
+    def test_has_the_numbers_of_rays(self):
         letters = {"sticks": "x", "slides +": "+", "slides -": "-", "separates": "o", "idle": "."}
         result, rows = self.table("rays", "plane-truss.toml", "--mu", 0.6)
         rays = result["result"]["rays"]
@@ -93,18 +93,18 @@ class Table(KusabiCase):
                 self.assertEqual(row.pop(key), yielding.get(tuple(ends), ""))
             self.assertEqual(row, {})
 
-    def test_limit(self):
+    def test_has_the_numbers_of_limit(self):
         for words in ((), ("--alpha", 0.5)):
             with self.subTest(words):
                 self.check_members(*self.table("limit", "gust.toml", *words))
 
-    def test_mip(self):
+    def test_has_the_numbers_of_mip(self):
         result, rows = self.table("mip", "../tests/programs/knapsack.lp")
         self.assertEqual({row["column"]: float(row["value"]) for row in rows}, result["result"]["columns"])
         result, rows = self.table("mip", "../tests/programs/parity.lp")
         self.assertEqual((result["result"]["answer"], rows), ("infeasible", []))
 
-    def test_names_may_be_anything(self):
+    def test_names_are_quoted(self):
         truss = self.folder / "odd.toml"
         name = self.solve("patterns", "two-bars.toml", "--mu", 2)["problem"]["contact"][0]["node"]
         source = (EXAMPLES / "two-bars.toml").read_text()
@@ -115,13 +115,13 @@ class Table(KusabiCase):
         self.assertEqual(rows[0]["contact"], ODD)
         self.assertIn(f"r_n {ODD}", rows[0])
 
-    def test_standard_output_has_the_table_alone(self):
+    def test_standard_output_has_only_the_table(self):
         place = self.folder / "table.csv"
         result = self.solve("critical", "plane-truss.toml", "--csv", place)
         run = self.kusabi("critical", result["problem"]["file"], "--csv", "-")
         self.assertEqual((run.returncode, run.stdout, run.stderr), (0, place.read_text(), ""))
 
-    def test_one_file_for_two_is_refused(self):
+    def test_one_file_for_two_outputs_is_refused(self):
         place = self.folder / "one"
         message = self.refused("patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--csv", place, "--output", place)
         self.assertIn("--output", message)

@@ -60,7 +60,7 @@ class VerifyCommand : public kusabi::test::Command {
   }
 };
 
-TEST_F(VerifyCommand, GenuineCertificatesAreProvedOfTheProblemFile) {
+TEST_F(VerifyCommand, ProvesGenuineCertificatesForTheProblemFile) {
   struct Row {
     const char* example;
     double mu;
@@ -136,7 +136,7 @@ TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {
       HasSubstr("contact candidate 1 of the certificate is tip, that of the structure end"));
 }
 
-TEST_F(VerifyCommand, AFileThatIsNoProblemGetsItsLine) {
+TEST_F(VerifyCommand, RefusesAnInvalidProblemFile) {
   const auto certificate = certificate_of(example_file("two-bars.toml"), 3);
   const auto none = verify(certificate, path("none.toml"));
   EXPECT_EQ(none.exit_code, 2);
@@ -156,7 +156,7 @@ TEST_F(VerifyCommand, ReportsMarginalNodesAsNotProved) {
   EXPECT_EQ(quiet.exit_code, 3);
 }
 
-TEST_F(VerifyCommand, BoundsAreProvedBeforeTheNodesThatNeedThem) {
+TEST_F(VerifyCommand, ProvesBoundsBeforeNodesThatRequireThem) {
   const auto run = shell(command + " verify " + given_certificate("bounds.cert"));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, AllOf(HasSubstr("bounds: 3 proved\ncannot stick: 2 proved\n"),
@@ -170,13 +170,13 @@ TEST_F(VerifyCommand, BoundsAreProvedBeforeTheNodesThatNeedThem) {
                                     HasSubstr("bounds: 1 proved\n"), HasSubstr("NOT PROVED")));
 }
 
-TEST_F(VerifyCommand, AnUpperEndBeyondAllNumbersIsRefused) {
+TEST_F(VerifyCommand, RefusesAnUpperBoundBeyondAllDoubles) {
   const auto run = shell(command + " verify " + given_certificate("limit-beyond-doubles.cert"));
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.output, HasSubstr("the upper bound exceeds the range of double precision"));
 }
 
-TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
+TEST_F(VerifyCommand, ProvesLimitLoadsForTheProblemFile) {
   const auto certificate = quoted(path("grid.cert"));
   const auto file = example_file("paper/limit-3x3.toml");
   const auto run = shell(fmt::format("{} limit {} --alpha 40 --quiet --certificate {}", command,
@@ -199,7 +199,7 @@ TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
 
 // 80 nodes on the face of a mesh: sets of candidates of two words, in messages between ranks, in
 // the certificate and in the proof.
-TEST_F(VerifyCommand, ProvesTheFaceOfABodyWithEightyNodes) {
+TEST_F(VerifyCommand, ProvesPatternsOfEightyCandidates) {
   std::ofstream(path("body.toml")) << R"(name = "body"
 dimension = 2
 units = { length = "m", force = "kN" }

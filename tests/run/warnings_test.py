@@ -75,7 +75,7 @@ class Surfaces(Problems):
 class Shown(Problems):
     """Output of `kusabi show`, which solves nothing."""
 
-    def test_the_surfaces_that_touch(self):
+    def test_touching_surfaces_are_listed(self):
         text = self.said("show", EXAMPLES / "peg-in-hole.toml").stdout
         self.assertRegex(text, r"body \d against body \d: 7 candidates, one normal \(0.9701, 0.2425\)\n")
         self.assertIn("coincident  none that are not joined", text)
@@ -93,7 +93,7 @@ class Shown(Problems):
         self.assertIn("the list of all patterns may not end", text)
         self.assertIn("every = 7", text)
 
-    def test_a_page(self):
+    def test_a_page_is_written(self):
         page = self.folder / "page.html"
         self.said("show", EXAMPLES / "morse-taper.toml", "--html", page)
         text = page.read_text()
@@ -103,7 +103,7 @@ class Shown(Problems):
 
 
 class Warnings(Problems):
-    def test_nodes_at_one_place_that_nothing_joins(self):
+    def test_unconnected_coincident_nodes_have_a_warning(self):
         message = self.said("critical", CASES / "dup.toml").stderr
         self.assertIn("kusabi: warning: ", message)
         self.assertIn("5 nodes are at the place of another node without connection", message)
@@ -112,33 +112,33 @@ class Warnings(Problems):
         self.assertIn("2, not connected with each other", shown)
         self.assertEqual(shown.count("unconstrained, can move along x and y and turn"), 2)
 
-    def test_quiet_runs_have_them_in_the_result_file_only(self):
+    def test_quiet_runs_have_warnings_in_the_result_file_only(self):
         file = self.folder / "quiet.json"
         run = self.said("critical", CASES / "dup.toml", "--quiet", "--output", file)
         self.assertEqual(run.stderr, "")
         self.assertIn("at the place of another node", json.loads(file.read_text())["warnings"][0])
 
-    def test_loads_that_have_no_part_in_it(self):
+    def test_ignored_loads_have_a_warning(self):
         file = self.groove('\n[[loads]]\nkind = "dead"\nnodes = ["w.20"]\nforce = [0, -100]\n')
         for words in (("critical",), ("patterns", "--mu", 0.1), ("sweep", "--mu", "0.1,0.2")):
             message = self.said(words[0], file, *words[1:]).stderr
             self.assertIn(f"kusabi {words[0]} ignores 1 load of the file", message)
             self.assertIn("problem.toml:21:", message)
 
-    def test_candidates_that_are_not_on_the_cone(self):
+    def test_candidates_off_the_cone_have_a_warning(self):
         message = self.said("critical", self.plug(CONE.format(6)), "--time-limit", 20).stderr
         self.assertIn("candidates are not on one cone with this axis and half_angle", message)
         self.assertIn("wrong for all candidates", message)
         self.assertNotIn("candidates are not", self.said("show", self.plug(CONE.format(3))).stderr)
         self.assertNotIn("candidates are not", self.said("show", EXAMPLES / "morse-taper.toml").stderr)
 
-    def test_candidates_that_are_not_on_the_plane(self):
+    def test_candidates_off_the_plane_have_a_warning(self):
         head = HEAD.format(name="groove", dimension=2, mesh="vg_o1_msh22.msh") + STEEL
         for normal, is_right in (("[1, 0.26794919243112270]", True), ("[1, 0]", False)):  # of the left wall: 15 degrees
             file = self.problem(head + f'\n[[contact]]\nnodes = ["w.left wall"]\nnormal = {{ plane = {normal} }}\n', "vg_o1_msh22.msh")
             self.assertEqual("not on one plane with this normal" in self.said("show", file).stderr, not is_right)
 
-    def test_facets_that_differ_by_more_than_the_friction_angle(self):
+    def test_facets_that_differ_by_more_than_the_friction_angle_have_a_warning(self):
         message = self.said("critical", self.plug('"surface"')).stderr
         self.assertIn('normal = "surface" is the mean of faces that differ by up to', message)
         self.assertIn("the coefficient may be off by up to", message)
@@ -146,19 +146,19 @@ class Warnings(Problems):
         # At a coefficient of 5 they differ by less than the friction angle.
         self.assertNotIn("faces that differ", self.said("patterns", self.plug('"surface"'), "--mu", 5, "--node-limit", 1).stderr)
 
-    def test_hold_says_it_as_well(self):
+    def test_hold_has_the_same_warning(self):
         file = self.plug('"surface"\ninterference = 0.001')
         for mu, is_doubted in ((0.05, True), (5, False)):
             message = self.said("hold", file, "--mu", mu, "--node-limit", 1).stderr
             self.assertEqual("is the mean of faces that differ by up to" in message, is_doubted)
 
-    def test_a_factor_that_was_meant_as_the_coefficient(self):
+    def test_a_factor_that_may_be_meant_as_the_coefficient_has_a_warning(self):
         message = self.said("critical", self.groove("friction = 0.15\n")).stderr
         self.assertIn("friction = 0.15 is the former name of friction_factor", message)
         self.assertEqual(self.said("critical", self.groove("friction_factor = 0.15\n")).stderr.count("factor"), 0)
         self.assertIn("expected friction_factor only", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
 
-    def test_right_files_are_not_doubted(self):
+    def test_correct_files_have_no_warnings(self):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
             if file.name not in ("dup.toml", "long_lever_critical.toml", "lever_1e12.toml"):
                 message = self.kusabi("show", file).stderr
@@ -169,12 +169,12 @@ class Warnings(Problems):
 class Messages(Problems):
     """Each message names the cause and the remedy, in one line."""
 
-    def test_a_group_that_is_spelt_otherwise(self):
+    def test_a_misspelt_group_has_a_suggestion(self):
         message = self.refused("show", self.groove(material='[[material]]\ngroups = ["w.Steel"]\n' + STEEL))
         self.assertIn('problem.toml:9:11: no mesh has a group "w.Steel"', message)
         self.assertIn('did you mean "w.steel"?', message)
 
-    def test_meshes_that_gmsh_saves_without_what_is_meant(self):
+    def test_incomplete_meshes_of_gmsh_have_a_remedy(self):
         for mesh, *words in (("nosurf.msh", "no elements of dimension 2", "Physical Surface", "Mesh.SaveAll = 1"),
                              ("nophys.msh", '"w.left wall" does not exist', "its mesh has no groups", "Physical Curve"),
                              ("q9.msh", "a quadrilateral of 9 nodes", "Mesh.SecondOrderIncomplete = 1")):
@@ -182,12 +182,12 @@ class Messages(Problems):
             for word in words:
                 self.assertIn(word, message)
 
-    def test_a_body_that_is_almost_incompressible(self):
+    def test_an_almost_incompressible_body_is_reported(self):
         message = self.refused("critical", self.groove(material='[[material]]\ngroups = ["w.steel"]\n' + STEEL.replace("0.3", "0.4999999")))
         self.assertIn("nu is 0.4999999", message)
         self.assertNotIn("axial", message)
 
-    def test_abaqus_files_in_parts_and_with_contact(self):
+    def test_abaqus_files_in_parts_and_with_contact_are_read(self):
         for mesh, walls, warning in (("parts.inp", ("w.left", "w.right"), "*PREPRINT is left out"),
                                      ("contact.inp", ("w.SL", "w.SR"), "kusabi import writes a problem file")):
             contact = "".join(f'\n[[contact]]\nnodes = ["{wall}"]\nnormal = "surface"\n' for wall in walls)
@@ -200,7 +200,7 @@ class Messages(Problems):
             text = " ".join(self.said(command, "--help").stdout.split())
             self.assertNotIn(". .", text, command)
 
-    def test_one_pattern_is_one(self):
+    def test_one_pattern_is_in_the_singular(self):
         said = self.said("sweep", EXAMPLES / "two-bars.toml", "--mu", "2.5").stdout
         self.assertIn("there is 1 sign pattern ", said)
 

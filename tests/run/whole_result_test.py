@@ -78,7 +78,7 @@ class WholeResult(KusabiCase):
             length = math.hypot(*edge)
             yield sum(a * b for a, b in zip(edge, moved)) / length, length
 
-    def test_a_structure_with_all_there_is(self):
+    def test_a_structure_of_all_parts_is_in_the_file(self):
         problem = self.folder / "all.toml"
         problem.write_text(PROBLEM)
         result = self.solve("patterns", problem, "--mu", 3)
@@ -107,7 +107,7 @@ class WholeResult(KusabiCase):
                                                               structure["axial_stiffnesses"], pattern["axial_forces"]):
                 self.assertAlmostEqual(stiffness * elongation / length, force, delta=1e-12)
 
-    def test_uncertain_loads_make_the_critical_one(self):
+    def test_uncertain_loads_add_up_to_the_critical_load(self):
         result = self.solve("limit", "gust.toml", "--alpha", 0.5, "--curve")
         self.check_schema(result)
         answer, problem = result["result"], result["problem"]

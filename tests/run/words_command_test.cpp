@@ -69,7 +69,7 @@ std::size_t longest_line(const std::string& text) {
   return maximum;
 }
 
-class Words : public Command {
+class TableText : public Command {
  protected:
   // Standard output only; the result is in r.json.
   std::string answer(const std::string& call, int code = 0) const {
@@ -88,7 +88,7 @@ class Words : public Command {
 };
 
 // The first sentence of the last line of the table is that of the page.
-TEST_F(Words, TableAndPageSayTheSame) {
+TEST_F(TableText, AgreesWithTheReport) {
   for (const std::string& call :
        {"patterns " + truss + " --mu 0.65", "patterns " + truss + " --mu 0.3", "critical " + truss,
         "critical " + truss + " --mu-max 0.4", "rays " + example("plane-truss.toml") + " --mu 0.65",
@@ -101,14 +101,14 @@ TEST_F(Words, TableAndPageSayTheSame) {
   }
 }
 
-TEST_F(Words, TheHeadingIsAboveTheTable) {
+TEST_F(TableText, BeginsWithItsHeading) {
   EXPECT_TRUE(answer("patterns " + truss + " --mu 0.65").starts_with("kusabi ")) << "a heading";
   EXPECT_THAT(answer("patterns " + truss + " --mu 0.65"), HasSubstr("space truss: in space, "));
 }
 
 // From the reactions in the file: the least mu r_n - |r_t| of candidates in contact, the least gap
 // of the others, and the candidate with the largest |r_t| / r_n.
-TEST_F(Words, TheMarginIsOfTheInequalityNearestToFailing) {
+TEST_F(TableText, HasTheMarginOfTheInequalityNearestToFailing) {
   const auto said = answer("patterns " + truss + " --mu 0.65");
   const auto all = result()["result"]["patterns"];
   const auto best = *std::ranges::max_element(
@@ -143,7 +143,7 @@ TEST_F(Words, TheMarginIsOfTheInequalityNearestToFailing) {
                                     steepest, slips)));
 }
 
-TEST_F(Words, AFlatPatternHasNoMargin) {
+TEST_F(TableText, ReportsThatAFlatPatternHasNoMargin) {
   const auto file = quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/critical_flat_grid.toml");
   EXPECT_THAT(
       answer("patterns " + file + " --mu 3"),
@@ -151,7 +151,7 @@ TEST_F(Words, AFlatPatternHasNoMargin) {
                 "some inequality is an equality.\n"));
 }
 
-TEST_F(Words, SortsByTheCriticalFrictionOfEachPattern) {
+TEST_F(TableText, IsSortedByCriticalFrictionOnRequest) {
   const auto table = answer("patterns " + truss + " --mu 0.65 --sort critical");
   const auto patterns = result()["result"]["patterns"];
   answer("critical " + truss + " --method bisection --width 1e-4 --mu-max 0.65");
@@ -188,7 +188,7 @@ TEST_F(Words, SortsByTheCriticalFrictionOfEachPattern) {
             Json::parse(content(in_folder("2.json")))["result"]);
 }
 
-TEST_F(Words, GroupsPatternsThatDifferInFewCandidates) {
+TEST_F(TableText, GroupsPatternsThatDifferInFewCandidates) {
   const auto table = answer("patterns " + truss + " --mu 0.6 --group 1");
   const auto all = result()["result"];
   std::size_t members = 0;
@@ -212,7 +212,7 @@ TEST_F(Words, GroupsPatternsThatDifferInFewCandidates) {
   EXPECT_FALSE(result()["result"].contains("groups")) << "only if asked for";
 }
 
-TEST_F(Words, ALongListIsShownInGroupsOnATerminal) {
+TEST_F(TableText, ShowsALongListInGroupsOnATerminal) {
   const auto long_call = command + " patterns " + truss + " --mu 0.8";
   answer("patterns " + truss + " --mu 0.8");
   const auto patterns = result()["result"]["patterns"];
@@ -249,7 +249,7 @@ TEST_F(Words, ALongListIsShownInGroupsOnATerminal) {
       << "27 are no long list";
 }
 
-TEST_F(Words, OfACollapseTheFullestMembersAreSaidFirst) {
+TEST_F(TableText, NamesTheMostUtilisedMembersOfACollapseFirst) {
   const auto table = answer("limit " + example("gust.toml") + " --alpha 0.5");
   const auto json = result();
   EXPECT_THAT(table, HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust: 0.5 times\n"));
@@ -271,7 +271,7 @@ TEST_F(Words, OfACollapseTheFullestMembersAreSaidFirst) {
   }
 }
 
-TEST_F(Words, FoldsListsAndSentencesForTheTerminal) {
+TEST_F(TableText, FoldsListsAndSentencesForTheTerminal) {
   for (const std::string& call :
        {"patterns " + truss + " --mu 0.65 --sort critical", "critical " + truss,
         "rays " + example("plane-truss.toml") + " --mu 0.65",
@@ -289,7 +289,7 @@ TEST_F(Words, FoldsListsAndSentencesForTheTerminal) {
   }
 }
 
-TEST_F(Words, ColumnsSaysHowWideATerminalIsAndNothingOfPipes) {
+TEST_F(TableText, HasTheWidthOfTheVariableColumnsOnTerminalsOnly) {
   const auto call = command + " patterns " + truss + " --mu 0.65";
   EXPECT_LE(longest_line(without_colours(on_terminal("COLUMNS=50 " + call, 80))), 50U);
   EXPECT_GT(longest_line(without_colours(on_terminal("COLUMNS=200 " + call, 80))), 100U);
@@ -298,7 +298,7 @@ TEST_F(Words, ColumnsSaysHowWideATerminalIsAndNothingOfPipes) {
   EXPECT_GT(longest_line(shell("COLUMNS=50 " + call).output), 100U);
 }
 
-TEST_F(Words, ColoursAreForTerminalsAlone) {
+TEST_F(TableText, HasColoursOnTerminalsOnly) {
   const auto call = command + " patterns " + truss + " --mu 0.65";
   EXPECT_THAT(on_terminal(call, 80), HasSubstr("\033[1mIt can stick in 27 ways"));
   EXPECT_THAT(on_terminal("NO_COLOR=1 " + call, 80), Not(HasSubstr("\033[1m")));
@@ -310,7 +310,7 @@ TEST_F(Words, ColoursAreForTerminalsAlone) {
   EXPECT_THAT(shell("TERM=xterm " + ranks(2) + call).output, Not(HasSubstr("\033")));
 }
 
-TEST_F(Words, ReservationsAreYellow) {
+TEST_F(TableText, ShowsReservationsInYellow) {
   const auto call = command + " patterns " + truss + " --mu 0.65 --node-limit 20; true";
   const auto shown = on_terminal(call, 80);
   EXPECT_THAT(shown, HasSubstr("\033[33mStopped early (node-limit)"));
@@ -318,7 +318,7 @@ TEST_F(Words, ReservationsAreYellow) {
 }
 
 // A line of the log is explained below its heading.
-TEST_F(Words, HelpExplainsALineOfTheLog) {
+TEST_F(TableText, OfTheLogIsExplainedByTheHelp) {
   const std::string found = "     time   nodes   per s    open   found      idle    done      left";
   const std::string best =
       "     time   nodes   per s    open    objective        bound     gap      idle\n";

@@ -13,11 +13,13 @@ namespace {
 
 using testing::HasSubstr;
 
+using WorstCaseCommand = Command;
+
 std::string example_file(const std::string& name) {
   return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
 }
 
-TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
+TEST_F(WorstCaseCommand, FindsTheSameOnOneAndTwoRanks) {
   // One that the root closes, with enough columns for ranks to share, and one for the tree; the
   // same of loads that act on several nodes at once.
   for (const std::string& call :
@@ -43,7 +45,7 @@ TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
   }
 }
 
-TEST_F(Command, StopsAWorstCaseAtALimitWithItsBracket) {
+TEST_F(WorstCaseCommand, StopsAtALimitWithItsBracket) {
   const auto run =
       shell(command + " limit " + example_file("paper/limit-3x3.toml") +
             " --alpha 40 --cuts none --node-limit 50 --output " + argument("out.json"));
@@ -53,11 +55,11 @@ TEST_F(Command, StopsAWorstCaseAtALimitWithItsBracket) {
   EXPECT_EQ(json["status"], "node-limit");
   const auto& bracket = json["result"]["worst_case"];
   EXPECT_LT(json["result"]["zero_one"]["lower"], 37.0120);  // tests/reference/limit.json
-  EXPECT_NEAR(bracket["lower"], 37.0120, 1e-4);             // static cuts know it
+  EXPECT_NEAR(bracket["lower"], 37.0120, 1e-4);             // by static cuts
   EXPECT_GE(bracket["upper"], 37.0120);
 }
 
-TEST_F(Command, RefusesACertificateThatClaimsTooMuch) {
+TEST_F(WorstCaseCommand, CertificateIsRefusedIfItClaimsTooMuch) {
   shell(command + " limit " + example_file("paper/limit-3x3.toml") +
         " --alpha 40 --quiet --certificate " + argument("cert"));
   auto text = content(in_folder("cert"));
@@ -84,14 +86,14 @@ TEST_F(Command, RefusesACertificateThatClaimsTooMuch) {
   EXPECT_THAT(outside.output, HasSubstr("outside of its bounds"));
 }
 
-TEST_F(Command, SaysWhenALoadIsCarriedAtNoFactor) {
+TEST_F(WorstCaseCommand, ReportsALoadCarriedAtNoFactor) {
   const auto run =
       shell(command + " limit " + example_file("paper/limit-3x3.toml") + " --alpha 4000");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("some admissible dead load is not carried at any load factor"));
 }
 
-TEST_F(Command, NamesTheSectionThatLimitAnalysisMisses) {
+TEST_F(WorstCaseCommand, NamesTheMissingSectionOfTheFile) {
   const auto run = shell(command + " limit " + truss);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("a [[members]] group has no yield"));

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(Command, AWrongFileGetsOneLineAndExitCodeTwo) {
+TEST_F(Command, ReportsAnInvalidFileInOneLineWithExitCodeTwo) {
   const auto file = in_folder("typo.toml");
   std::ofstream(file) << "name = \"x\"\ndimensions = 3\n";
   const auto run = shell(command + " patterns " + quoted(file) + " --mu 0.5");
@@ -27,7 +27,7 @@ TEST_F(Command, AWrongFileGetsOneLineAndExitCodeTwo) {
   EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
 }
 
-TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
+TEST_F(Command, ReportsAnInvalidFileOnceForAllRanks) {
   const auto run =
       shell(fmt::format("{} {} patterns {} --mu 1", ranks(3), command, argument("none.toml")));
   EXPECT_EQ(run.exit_code, 2);
@@ -36,8 +36,8 @@ TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
   EXPECT_EQ(run.output.find("none.toml: the file cannot be read", first + 1), std::string::npos);
 }
 
-// One line each, which says what is wrong and what was expected.
-TEST_F(Command, RefusesWrongCalls) {
+// One line each, with the fault and the expectation.
+TEST_F(Command, RefusesInvalidCallsInOneLine) {
   const std::string good = "patterns " + truss + " --mu 0.5";
   const std::string above_0 = "expected a number above 0";
   const std::string all =
@@ -132,7 +132,7 @@ TEST_F(Command, RefusesWrongCalls) {
   }
 }
 
-TEST_F(Command, TakesLettersForWhatIsTypedMost) {
+TEST_F(Command, AcceptsLettersForFrequentOptions) {
   const auto short_call =
       shell(command + " patterns " + truss + " --mu 0.65 -q -o " + argument("short.json"));
   EXPECT_EQ(short_call.exit_code, 0);
@@ -151,7 +151,7 @@ TEST_F(Command, PrintsHelpAndItsVersion) {
   EXPECT_THAT(help.output, HasSubstr("--mu"));
   EXPECT_EQ(shell(command + " --help").exit_code, 0);
   EXPECT_THAT(shell(command + " --version").output, HasSubstr("kusabi "));
-  // The manual has what help has.
+  // The manual has the text of the help.
   const auto manual = shell(command + " --manual");
   EXPECT_EQ(manual.exit_code, 0);
   EXPECT_TRUE(manual.output.starts_with(".TH KUSABI 1")) << manual.output;
@@ -159,8 +159,8 @@ TEST_F(Command, PrintsHelpAndItsVersion) {
               HasSubstr("\\fB\\-\\-checkpoint\\-interval\\fR"));
 }
 
-TEST_F(Command, NeverCallsMpiWhenSerial) {
-  // Under a launcher, with Open MPI set to use a component that does not exist: whoever calls
+TEST_F(Command, NeverCallsMpiIfSerial) {
+  // Under a launcher, with Open MPI set to use a component that does not exist: a call of
   // MPI_Init fails.
   const auto call = "env OMPI_COMM_WORLD_SIZE=1 OMPI_MCA_pml=none_such timeout 60 " + command +
                     " patterns " + truss + " --mu 0.55";
@@ -173,7 +173,7 @@ TEST_F(Command, NeverCallsMpiWhenSerial) {
   EXPECT_THAT(run.output, HasSubstr("1 sign pattern "));
 }
 
-TEST_F(Command, RefusesToDoTheSerialSearchOnEveryRank) {
+TEST_F(Command, RefusesASerialSearchUnderMpirun) {
   const auto run = shell("env OMPI_COMM_WORLD_SIZE=2 OMPI_MCA_pml=none_such timeout 60 " + command +
                          " patterns " + truss + " --mu 0.55 --serial");
   EXPECT_EQ(run.exit_code, 2) << run.output;

@@ -15,7 +15,7 @@ ExactCount power(std::uint64_t base, std::size_t exponent) {
   return ExactCount::product(std::vector<std::uint64_t>(exponent, base));
 }
 
-TEST(ExactCount, DoesNotWrap) {
+TEST(ExactCount, DoesNotOverflow) {
   EXPECT_EQ(power(4, 32).digits(), "18446744073709551616");
   EXPECT_EQ(power(2, 128).digits(), "340282366920938463463374607431768211456");
   EXPECT_EQ(power(10, 400).digits(), '1' + std::string(400, '0'));
@@ -23,7 +23,7 @@ TEST(ExactCount, DoesNotWrap) {
   EXPECT_EQ(power(0, 3), 0U);
 }
 
-TEST(ExactCount, IsANumberAsLongAsEveryReaderHasItExactly) {
+TEST(ExactCount, IsANumberUpTo2ToThe53) {
   EXPECT_EQ(power(2, 53).number(), std::uint64_t{1} << 53U);
   EXPECT_FALSE(ExactCount((std::uint64_t{1} << 53U) + 1).number());
   EXPECT_FALSE(power(4, 32).number());
@@ -37,7 +37,7 @@ TEST(ExactCount, HasALogarithmOfAnySize) {
 }
 
 // 4^600 = 1.72226...e361, from its logarithm: 600 log10(4) = 361.2359...
-TEST(ExactCount, IsShortenedWhereNobodyReadsIt) {
+TEST(ExactCount, IsShortenedInTextBeyondTheRangeOfDoubles) {
   EXPECT_EQ(power(4, 32).text(), "18446744073709551616");
   const double mantissa = std::pow(10, 600 * std::log10(4.0) - 361);
   const auto text = power(4, 600).text();

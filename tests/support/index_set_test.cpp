@@ -54,7 +54,7 @@ Numbers combined(Algorithm algorithm, const Numbers& a, const Numbers& b) {
   return result;
 }
 
-TEST(IndexSet, DoesWhatASetDoes) {
+TEST(IndexSet, AgreesWithStdSet) {
   Dice dice;
   for (int round = 0; round < 20000; ++round) {
     const Numbers a = dice.numbers(), b = dice.numbers();
@@ -83,7 +83,7 @@ TEST(IndexSet, DoesWhatASetDoes) {
   }
 }
 
-TEST(IndexSet, HasAnOrderThatMapsCanUse) {
+TEST(IndexSet, HasAStrictOrder) {
   Dice dice;
   for (int round = 0; round < 5000; ++round) {
     const auto a = made(dice.numbers()), b = made(dice.numbers()), c = made(dice.numbers());
@@ -101,7 +101,7 @@ TEST(IndexSet, OfOneWordHasTheOrderOfItsNumber) {
   }
 }
 
-TEST(IndexSet, BelowIsAllThatIsLess) {
+TEST(IndexSet, BelowContainsAllSmallerNumbers) {
   for (const int count : {0, 1, 63, 64, 65, 127, 128, 129, 200}) {
     const auto set = IndexSet::below(count);
     EXPECT_EQ(set.size(), count);
@@ -112,7 +112,7 @@ TEST(IndexSet, BelowIsAllThatIsLess) {
   }
 }
 
-TEST(IndexSet, OfOneNumberHoldsIt) {
+TEST(IndexSet, SingleContainsItsNumber) {
   for (const int number : borders) EXPECT_EQ(listed(IndexSet::single(number)), Numbers{number});
 }
 
@@ -125,7 +125,7 @@ TEST(IndexSet, IsAHexadecimalNumber) {
   EXPECT_EQ(hexadecimal(IndexSet::single(128) | 0xabU), "1000000000000000000000000000000ab");
 }
 
-TEST(IndexSet, TakesItsWordsInAnyOrderAndForgetsTheEmptyOnes) {
+TEST(IndexSet, IsMadeOfWordsInAnyOrderWithoutEmptyOnes) {
   IndexSet set;
   set.set_word(2, 1);
   set.set_word(0, 2);
@@ -138,7 +138,7 @@ TEST(IndexSet, TakesItsWordsInAnyOrderAndForgetsTheEmptyOnes) {
   EXPECT_EQ(set.word(5), 0U);
 }
 
-TEST(IndexSet, SurvivesTheWire) {
+TEST(IndexSet, IsUnchangedBySerialisation) {
   Dice dice;
   for (int round = 0; round < 200; ++round) {
     const auto sent = made(dice.numbers());

@@ -1,4 +1,4 @@
-// InputError tests: the message is one line, whatever it quotes.
+// InputError tests: the message is one line for any quoted text.
 #include "support/input_error.hpp"
 
 #include <string>
@@ -17,7 +17,7 @@ TEST(InputError, WithoutAPositionSaysTheFileOnly) {
   EXPECT_STREQ(InputError("a.toml", {}, "wrong").what(), "a.toml: wrong");
 }
 
-TEST(InputError, IsOneLineWhateverItHolds) {
+TEST(InputError, IsOneLineForAnyText) {
   EXPECT_STREQ(InputError("a\nb", {1, 1}, "two\r\nlines").what(),
                "a\\x0Ab:1:1: two\\x0D\\x0Alines");
 }

@@ -8,13 +8,13 @@ namespace {
 using kusabi::support::did_you_mean;
 using kusabi::support::nearest;
 
-TEST(Nearest, IsTheOneWithTheFewestSlips) {
+TEST(Nearest, IsTheWordWithTheFewestChanges) {
   EXPECT_EQ(nearest("patern", {"rays", "patterns"}), "patterns");
   EXPECT_EQ(nearest("menbers", {"number", "members"}), "members");
   EXPECT_EQ(nearest("rays", {"ray", "rays"}), "rays");
 }
 
-TEST(Nearest, CountsNeighboursThatHaveChangedPlacesOnce) {
+TEST(Nearest, CountsATranspositionOnce) {
   EXPECT_EQ(nearest("gird", {"grid", "give"}), "grid");
   EXPECT_EQ(nearest("ylimti", {"limits"}), "");
 }
@@ -26,7 +26,7 @@ TEST(Nearest, IsNoneIfHalfOfTheWordIsWrong) {
   EXPECT_EQ(nearest("nothing", {"patterns", "limit"}), "");
 }
 
-TEST(Nearest, EndsAMessage) {
+TEST(Nearest, IsSuggestedAtTheEndOfAMessage) {
   EXPECT_EQ(did_you_mean("patern", {"rays", "patterns"}), "; did you mean \"patterns\"?");
   EXPECT_EQ(did_you_mean("x", {"y"}), "");
 }

@@ -101,7 +101,7 @@ TEST(BoundLines, ReportsFaultAndExpectation) {
 }
 
 // Bounds of an unconstrained body have coefficients of its rigid-body modes, too.
-TEST(BoundLines, AreOfTheirOwnBlock) {
+TEST(BoundLines, ReferToTheirOwnBlock) {
   const std::vector<std::string> header = {"kusabi certificate 4\n",
                                            "dimension 2\n",
                                            "candidates 2\n",
@@ -138,7 +138,7 @@ TEST(BoundLines, AreOfTheirOwnBlock) {
               HasSubstr("expected 3 multipliers and parts of motions"));
 }
 
-TEST(BoundLines, DeadIsInfeasibleWithCutsOrWithout) {
+TEST(BoundLines, AgreeOnInfeasibilityWithAndWithoutCuts) {
   auto draft = two_candidates(2);
   draft.nodes.push_back("cut 1 0 3" + numbers({0, 0, 0, 0}));
   EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());

@@ -53,7 +53,7 @@ TEST(Certificate, IsReadAsItWasWritten) {
   EXPECT_EQ(certificate.names_of(0), "{}");
 }
 
-TEST(Certificate, ANameMayHoldAnything) {
+TEST(Certificate, NamesMayContainAnyCharacter) {
   auto problem = random_problem(2, 2, 1);
   problem.contact_names = {"a b  c", "line\nbreak"};
   const auto certificate = read_certificate(searched(problem, 1.0).text(), "cert");

@@ -64,12 +64,12 @@ Structure chain(double near, double far, double upright) {
   return structure;
 }
 
-TEST(Condensation, HoldsTheClosedFormOfTheTwoBars) {
+TEST(Condensation, ContainsTheClosedFormOfTwoBars) {
   const auto structure = evidence::verified_structure(example_structure("two-bars.toml"));
   expect_holds(condensed(structure), {2, 1, 1, 2});
 }
 
-TEST(Condensation, HoldsBarsInARowHoweverDifferent) {
+TEST(Condensation, ContainsTheStiffnessOfBarsInARowAtAnyContrast) {
   for (const double contrast : {1.0, 3.0, 1e3, 1e6, 1e9, 1e12}) {
     for (const bool stiff_at_the_tip : {false, true}) {
       const double near = stiff_at_the_tip ? contrast : 1;
@@ -92,7 +92,7 @@ TEST(Condensation, DoesNotDependOnTheUnits) {
 }
 
 // A vertex of a square whose other vertices are fixed: the entries have closed forms.
-TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
+TEST(Condensation, ContainsTheClosedFormOfASquareElement) {
   Structure structure;
   structure.dimension = 2;
   structure.names = {"a", "b", "c", "d"};
@@ -122,7 +122,7 @@ TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
 }
 
 // Compared with the solver's own K in double precision: other code, other formulas.
-TEST(Condensation, IsNearWhatTheSolverComputes) {
+TEST(Condensation, IsNearTheStiffnessOfTheSolver) {
   for (const auto* name : {"space-truss.toml", "plane-truss.toml", "elastic-body.toml"}) {
     const auto problem = example(name);
     const auto matrix = condensed(evidence::verified_structure(example_structure(name)));

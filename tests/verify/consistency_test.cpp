@@ -24,7 +24,7 @@ Structure structure_of(const std::string& name) {
   return evidence::verified_structure(example_structure(name));
 }
 
-TEST(Consistency, GenuineCertificatesAreProvedOfTheirStructures) {
+TEST(Consistency, GenuineCertificatesAreProvedForTheirStructures) {
   for (const auto* name :
        {"two-bars.toml", "plane-truss.toml", "space-truss.toml", "elastic-body.toml"}) {
     const auto structure = structure_of(name);
@@ -144,7 +144,7 @@ TEST(Consistency, BlocksMustBeUnconnectedInTheStructure) {
 }
 
 // Stiffnesses from 1 to 1e9: K in double precision has few correct digits, and t* = 0 is near.
-TEST(Consistency, HoldsForStiffnessesNineOrdersApart) {
+TEST(Consistency, IsShownForStiffnessesNineOrdersApart) {
   const auto file = problems::read_structure(R"(
 name = "contrast"
 dimension = 2
@@ -176,7 +176,7 @@ normal = [0.99, -0.1]
   }
 }
 
-TEST(Consistency, ANameIsComparedAsTheFileHoldsIt) {
+TEST(Consistency, NamesAreComparedAsWrittenInTheFile) {
   EXPECT_EQ(on_one_line("a b"), "a b");
   EXPECT_EQ(on_one_line("a\nb\x7f"), "a\\x0ab\\x7f");
 }

@@ -39,7 +39,7 @@ std::string flaw(const Certificate& certificate) {
   return flaw_of_cover(certificate).value_or("");
 }
 
-TEST(Cover, TheRootAloneCoversEverything) {
+TEST(Cover, IsCompleteWithTheRootAlone) {
   auto certificate = of(3);
   EXPECT_THAT(flaw(certificate), HasSubstr("no node covers contact {} separated {}"));
   add(certificate, 0, 0);
@@ -63,7 +63,7 @@ TEST(Cover, ReportsAPatternCoveredTwice) {
   EXPECT_THAT(flaw(certificate), HasSubstr("line 1 and line 3 both cover patterns below"));
 }
 
-TEST(Cover, NamesAContradiction) {
+TEST(Cover, ReportsContradictoryClaims) {
   auto certificate = of(1);
   add(certificate, 1, 0);
   add(certificate, 0, 1);
@@ -73,7 +73,7 @@ TEST(Cover, NamesAContradiction) {
 
 // Three nodes that cover six of eight patterns, two by two, without a common candidate for the
 // root.
-TEST(Cover, RefusesWhatNoTreeHas) {
+TEST(Cover, RefusesNodesThatFormNoTree) {
   auto certificate = of(3);
   add(certificate, 0b001, 0b010);
   add(certificate, 0b010, 0b100);
@@ -82,7 +82,7 @@ TEST(Cover, RefusesWhatNoTreeHas) {
 }
 
 // Random trees over 64 candidates: complete, with a node missing, repeated or with exchanged sides.
-TEST(Cover, HoldsForRandomTreesAndForNothingElse) {
+TEST(Cover, AcceptsRandomTreesAndRefusesAlteredOnes) {
   std::mt19937_64 generator(7);
   for (int round = 0; round < 200; ++round) {
     auto certificate = of(64);

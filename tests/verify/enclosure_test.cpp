@@ -17,7 +17,7 @@ bool within(const Enclosure& x, const mpq_class& value) {
   return x.lower().rational() <= value && value <= x.upper().rational();
 }
 
-TEST(Enclosure, OfADoubleIsTheDouble) {
+TEST(Enclosure, OfADoubleIsExact) {
   for (const double value : {0.0, 1.0, -0.1, 1e308, 0x1p-1074}) {
     EXPECT_EQ(width(Enclosure(value)).sign(), 0);
     EXPECT_TRUE(within(Enclosure(value), Dyadic(value).rational()));
@@ -26,7 +26,7 @@ TEST(Enclosure, OfADoubleIsTheDouble) {
   EXPECT_FALSE((Enclosure(1.0) - Enclosure(0x1p-200)).is_zero());
 }
 
-TEST(Enclosure, HoldsAThirdAndARoot) {
+TEST(Enclosure, ContainsAThirdAndARoot) {
   const auto third = Enclosure(1) / Enclosure(3);
   EXPECT_TRUE(within(third, mpq_class(1, 3)));
   EXPECT_LT(width(third).nearest(), 0x1p-310);
@@ -37,7 +37,7 @@ TEST(Enclosure, HoldsAThirdAndARoot) {
   EXPECT_LT(width(root).nearest(), 0x1p-310);
 }
 
-TEST(Enclosure, WhatHasNoResultIsNotFinite) {
+TEST(Enclosure, IsNotFiniteForUndefinedOperations) {
   EXPECT_FALSE((Enclosure(1) / Enclosure(0)).finite());
   EXPECT_FALSE(
       (Enclosure(1) / (Enclosure(1) / Enclosure(3) - Enclosure(1) / Enclosure(3))).finite());
@@ -52,7 +52,7 @@ TEST(Enclosure, WhatHasNoResultIsNotFinite) {
 
 // Intervals around random thirds, with signs of all kinds, compared with rational arithmetic at and
 // between their bounds.
-TEST(Enclosure, OperationsHoldEveryResultOfTheirArguments) {
+TEST(Enclosure, ContainsAllResultsOfOperations) {
   std::mt19937_64 generator(3);
   std::uniform_int_distribution<int> number(-4, 4);
   const auto interval = [&] {

@@ -21,7 +21,7 @@ std::vector<Sparse> upright(const std::vector<std::size_t>& at) {
   return columns;
 }
 
-TEST(ForcesAgainstDefects, CarryOffWhatMembersHaveSlackFor) {
+TEST(ForcesAgainstDefects, BalanceDefectsWithinTheSlackOfMembers) {
   const auto columns = upright({0, 1});
   const MemberColumns members{2, columns, {}};
   const auto found = forces_against_defects(members, {1, 1}, {1e-9, 2e-9});

@@ -26,7 +26,7 @@ TEST(Dyadic, KeepsEveryDouble) {
   }
 }
 
-TEST(Dyadic, LosesNothing) {
+TEST(Dyadic, AddsAndMultipliesExactly) {
   const Dyadic huge(1e300);
   const Dyadic tiny(1e-300);
   EXPECT_TRUE(same(huge + tiny - huge, tiny));
@@ -59,7 +59,7 @@ TEST(Dyadic, AddsProductsExactly) {
   EXPECT_THROW(Dyadic().add_product(Dyadic(1.0), Limits::infinity()), std::domain_error);
 }
 
-TEST(Dyadic, ARootIsNotBelowAndHardlyAbove) {
+TEST(Dyadic, RootIsATightUpperBound) {
   std::mt19937_64 generator(1);
   std::uniform_real_distribution<double> exponent(-1000, 1000);
   const Dyadic a_little_more(1 + 0x1p-50);
@@ -74,14 +74,14 @@ TEST(Dyadic, ARootIsNotBelowAndHardlyAbove) {
   EXPECT_EQ(sqrt_above(Dyadic{}).sign(), 0);
 }
 
-TEST(DyadicList, HoldsWhatItWasGiven) {
+TEST(DyadicList, KeepsItsValues) {
   const std::vector<double> values{0, 1e-300, -3, 1e300, Limits::denorm_min()};
   const DyadicList list(values);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_TRUE(same(list[i], Dyadic(values[i])));
   EXPECT_EQ(DyadicList(std::vector<double>(3, 0.0))[2].sign(), 0);
 }
 
-TEST(DyadicList, CutsOffWhatIsTooFarBelow) {
+TEST(DyadicList, TruncatesNegligibleValues) {
   const std::vector<double> values{1, 1e-300, -1e-300, -3};
   const DyadicList list(values, 64);
   EXPECT_TRUE(same(list[0], Dyadic(1.0)));

@@ -37,7 +37,7 @@ problems::Structure with_an_own_unknown(problems::Structure structure) {
   return structure;
 }
 
-TEST(GivenStiffness, IsEnclosedAsTheSolverComputesIt) {
+TEST(GivenStiffness, IsEnclosedNearTheStiffnessOfTheSolver) {
   std::mt19937 bits(8);
   for (int draw = 0; draw < 10; ++draw) {
     SCOPED_TRACE(draw);

@@ -64,7 +64,7 @@ LimitTruss agreed(const LimitCertificate& certificate, const Structure& structur
   return std::get<LimitTruss>(found);
 }
 
-TEST(LimitConsistency, TheEndsAreProvedOfTheTruss) {
+TEST(LimitConsistency, ProvesBothBoundsForTheTruss) {
   const auto certificate = evidence();
   const auto meant = agreed(certificate, truss());
   ASSERT_EQ(meant.columns.size(), 2U);
@@ -85,7 +85,7 @@ TEST(LimitConsistency, TheEndsAreProvedOfTheTruss) {
 }
 
 // The proof includes the errors: with larger ones the same evidence proves less.
-TEST(LimitConsistency, ErrorsMoveTheUpperEndAndForbidTheLower) {
+TEST(LimitConsistency, ErrorsRaiseTheUpperBoundAndPreventTheLower) {
   const auto certificate = evidence();
   const Dyadic error(0x1p-20);
   auto coarse = agreed(certificate, truss());
@@ -118,7 +118,8 @@ TEST(LimitConsistency, AnotherTrussIsRefused) {
     return why == nullptr ? std::string() : *why;
   };
   EXPECT_EQ(refusal([](Structure&) {}), "");
-  EXPECT_EQ(refusal([](Structure& s) { s.bars[0].axial_stiffness = 7; }), "");  // not in its laws
+  EXPECT_EQ(refusal([](Structure& s) { s.bars[0].axial_stiffness = 7; }),
+            "");  // not used by limit analysis
   EXPECT_THAT(refusal([](Structure& s) { s.coordinates[1][1] += 1e-12; }),
               HasSubstr("the recorded direction of member high-tip is not that of the truss"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars[0].tension = 1 + 1e-15; }),
@@ -137,7 +138,7 @@ TEST(LimitConsistency, AnotherTrussIsRefused) {
   EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
 }
 
-TEST(LimitConsistency, AnEntryMayBeThereOnceOnly) {
+TEST(LimitConsistency, RefusesRepeatedAndMissingEntries) {
   auto certificate = evidence();
   certificate.columns[0] = {{0, 0.5}, {0, 0.5}};
   EXPECT_TRUE(std::holds_alternative<std::string>(limit_consistency(certificate, truss())));
@@ -164,7 +165,7 @@ std::string complaint(const std::string& text) {
   }
 }
 
-TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
+TEST(LimitCertificate, AllocatesNoMoreThanItsFileCanContain) {
   const auto text = text_of(evidence());
   ASSERT_EQ(complaint(text), "");
   struct Wrong {
@@ -198,7 +199,7 @@ TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
 }
 
 // More columns of T than displacements are harmless; nodes without signs for them would not be.
-TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
+TEST(LimitCertificate, AllocatesNoSignsThatNoLineContains) {
   auto certificate = evidence();
   certificate.uncertain.assign(5000, {{0, 1.0}});
   certificate.load.assign(5000, 0.5);
@@ -209,7 +210,7 @@ TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
 }
 
 // A motion with work 2^-1060 of the reference load: the upper bound is beyond all doubles.
-TEST(LimitCertificate, AnEndBeyondAllDoublesIsRoundedToInfinity) {
+TEST(LimitCertificate, RoundsABoundBeyondAllDoublesToInfinity) {
   const mpq_class far = Dyadic(mpz_class(3), 1060).rational();
   const double largest = std::numeric_limits<double>::max();
   EXPECT_EQ(rounded_up(far), std::numeric_limits<double>::infinity());

@@ -53,7 +53,7 @@ const Draft& seventy() {
   return draft;
 }
 
-TEST(CertificateOfManyCandidates, IsProvedAsItsBlocksAre) {
+TEST(CertificateOfManyCandidates, IsProvedBlockByBlock) {
   const auto certificate = read_certificate(seventy().text(), "cert");
   ASSERT_EQ(certificate.names.size(), 70U);
   EXPECT_EQ(certificate.blocks[1], support::IndexSet::below(70) - support::IndexSet::below(60));
@@ -69,7 +69,7 @@ TEST(CertificateOfManyCandidates, IsProvedAsItsBlocksAre) {
   EXPECT_EQ(said.feasible, expected);
 }
 
-TEST(CertificateOfManyCandidates, SaysWhatIsWrongWithASet) {
+TEST(CertificateOfManyCandidates, ReportsAnInvalidSet) {
   const auto text = seventy().text();
   const auto* const first = "block fffffffffffffff\n";
   const auto* const second = "block 3ff000000000000000\n";

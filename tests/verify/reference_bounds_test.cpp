@@ -105,7 +105,7 @@ class Changed {
   Proof proof_;
 };
 
-TEST(ReferenceBounds, AreProvedAndTrue) {
+TEST(ReferenceBounds, AreProvedAndValid) {
   ASSERT_EQ(cases().size(), 6U);
   for (const auto& problem : cases()) {
     Proof proof(problem.certificate);
@@ -123,7 +123,7 @@ TEST(ReferenceBounds, AreProvedAndTrue) {
   }
 }
 
-TEST(ReferenceBounds, BelowTheTruthAreRefused) {
+TEST(ReferenceBounds, BelowTheExactValueAreRefused) {
   int tried = 0;
   for (const auto& problem : cases()) {
     Changed(problem).at_each([&](const CandidateBound& bound, std::size_t, const auto& refused) {
@@ -144,7 +144,7 @@ TEST(ReferenceBounds, BelowTheTruthAreRefused) {
   EXPECT_GT(tried, 50);
 }
 
-TEST(ReferenceBounds, OfTheOtherSideAreRefusedUnlessTrue) {
+TEST(ReferenceBounds, OfTheOtherSideAreRefusedUnlessValid) {
   int tried = 0;
   for (const auto& problem : cases()) {
     Changed(problem).at_each([&](const CandidateBound& bound, std::size_t, const auto& refused) {
@@ -200,7 +200,7 @@ TEST(ReferenceBounds, ThatNeedOthersAreRefusedBeforeThem) {
   EXPECT_GT(tried, 10);
 }
 
-TEST(ReferenceBounds, NodesThatNeedCutsAreRefusedWithoutBounds) {
+TEST(ReferenceBounds, AreRequiredToProveNodesByCuts) {
   for (const auto& problem : cases()) {
     ASSERT_FALSE(problem.certificate.records.empty());
     const Proof none(problem.certificate);

@@ -102,7 +102,7 @@ normal = "surface"
   return problems::read_structure(text, "test");
 }
 
-TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
+TEST(RoundedNormals, OfWedgesOfEveryElementShapeAdmitAProof) {
   std::size_t far = 0;
   for (const double degrees : {5.0, 15.0, 30.0}) {
     const double critical = std::tan(degrees * std::numbers::pi / 180);
@@ -126,7 +126,7 @@ TEST(RoundedNormals, OfWedgesOfEveryElementLeaveNothingUnproved) {
 
 // Evidence for the infeasibility of other nodes does not prove it for a wedged one or for its
 // ancestors.
-TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
+TEST(RoundedNormals, AdmitNoProofOfInfeasibilityOfAWedgedNode) {
   const auto body = wedge(shapes()[3], 15);
   const auto text = written(problems::wedged_problem(checked(body)), 0.35);
   const auto certificate = read_certificate(text, "test");
@@ -153,7 +153,7 @@ TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
 }
 
 // A round plug: its rotation about its axis is along its whole surface up to rounding.
-TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
+TEST(RoundedNormals, OfAConeAdmitAProofThatAPlugWedges) {
   const auto plug = example_structure("morse-taper.toml");
   const auto own = evidence::verified_structure(plug);
   const auto text = written(problems::wedged_problem(checked(plug)), 0.03);

@@ -37,7 +37,7 @@ void expect_same_stiffness(const problems::Structure& structure) {
   EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
 }
 
-TEST(Corner, HasTheStiffnessThatTheSolverComputes) {
+TEST(SeveralNormals, HaveTheStiffnessOfTheSolver) {
   std::mt19937 bits(6);
   for (int draw = 0; draw < 20; ++draw) {
     SCOPED_TRACE(draw);
@@ -47,7 +47,7 @@ TEST(Corner, HasTheStiffnessThatTheSolverComputes) {
   }
 }
 
-TEST(Corner, HasCertificatesThatAreProved) {
+TEST(SeveralNormals, HaveCertificatesThatAreProved) {
   std::mt19937 bits(7);
   for (int draw = 0; draw < 3; ++draw) {
     SCOPED_TRACE(draw);
@@ -82,7 +82,7 @@ problems::Structure hanging(const std::string& wall, const std::string& corner) 
 
 // A node that wedges by itself makes degenerate nodes, which have no claims; other feasible leaves
 // have.
-TEST(Corner, HasPatternsThatAreProved) {
+TEST(SeveralNormals, HavePatternsThatAreProved) {
   for (const std::string wall : {"1, 1", "4, -1"}) {
     for (const std::string corner : {"1, 4", "1, 1"}) {
       const auto structure = hanging(wall, corner);
@@ -95,7 +95,7 @@ TEST(Corner, HasPatternsThatAreProved) {
   }
 }
 
-TEST(Corner, IsNotTakenForAnother) {
+TEST(SeveralNormals, AreDistinguishedFromOthers) {
   std::mt19937 bits(8);
   const auto structure = problems::test::random_corners(2, bits);
   const auto text = written(problems::wedged_problem(checked(structure)), 0.6);
@@ -114,7 +114,7 @@ TEST(Corner, IsNotTakenForAnother) {
 
 // An infeasible node claimed feasible, a feasible leaf claimed infeasible, and a leaf with an
 // opposite tangential reaction.
-TEST(Corner, HasCertificatesThatAreRefusedWhenTheyAreSpoilt) {
+TEST(SeveralNormals, HaveCertificatesThatAreRefusedIfFalsified) {
   std::size_t leaves = 0;
   std::size_t infeasible_nodes = 0;
   for (const std::string wall : {"1, 1", "4, -1"}) {
@@ -162,7 +162,7 @@ problems::Structure in_groove(const std::string& corners, const std::string& con
 
 // A square that stands on its vertex in a groove, on a wall and the floor, and a brick in a corner
 // of three walls: none has other supports.
-TEST(Corner, OfAnUnconstrainedBodyIsProved) {
+TEST(SeveralNormals, OfAnUnconstrainedBodyAreProved) {
   const auto diamond = in_groove("[[0, 0], [1, 1], [0, 2], [-1, 1]]",
                                  "[[contact]]\nname = \"right\"\nnodes = [\"b.bottom\"]\n"
                                  "normal = [-1, 1]\n[[contact]]\nname = \"left\"\n"

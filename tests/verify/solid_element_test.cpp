@@ -24,7 +24,7 @@ mpq_class exactly(const numbers::Precise& number) {
 }
 
 // Also far from the origin, flat, and almost incompressible: the bound remains valid.
-TEST_P(SolidElement, HoldsWhatIsComputedInOtherWays) {
+TEST_P(SolidElement, ContainsTheStiffnessOfTheSolver) {
   std::mt19937 bits(3);
   for (const double flat : {1.0, 1e-3}) {
     for (const bool strain : {false, true}) {

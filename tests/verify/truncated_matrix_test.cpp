@@ -50,7 +50,7 @@ DyadicList difference(DyadicList a, DyadicList b) {
   return a;
 }
 
-TEST(TruncatedMatrix, IsNoFartherOffThanItSays) {
+TEST(TruncatedMatrix, SatisfiesItsErrorBound) {
   Draw draw(7);
   for (int trial = 0; trial < 300; ++trial) {
     const auto size = std::size_t{1} + draw.below(20);
@@ -65,7 +65,7 @@ TEST(TruncatedMatrix, IsNoFartherOffThanItSays) {
 }
 
 // The largest possible sums.
-TEST(TruncatedMatrix, ItsSumsHaveRoom) {
+TEST(TruncatedMatrix, SumsDoNotOverflow) {
   constexpr std::size_t size = 1024;
   const auto largest = [](unsigned bits) -> mpz_class { return (mpz_class(1) << bits) - 1; };
   for (const int sign : {-1, 1}) {
@@ -83,7 +83,7 @@ TEST(TruncatedMatrix, ItsSumsHaveRoom) {
   }
 }
 
-TEST(TruncatedMatrix, RefusesWhatDoesNotFit) {
+TEST(TruncatedMatrix, RefusesTooLargeNumbersAndSizes) {
   Draw draw(3);
   const TruncatedMatrix coarse(random_matrix(draw, 3, 60));
   auto x = random_vector(draw, 3, 62);
@@ -95,7 +95,7 @@ TEST(TruncatedMatrix, RefusesWhatDoesNotFit) {
 }
 
 // K = diag(1, 2^-30) + 2^-200: the coarse matrix has lost the last term.
-TEST(RegularisedStiffness, ChecksExactlyWhatACoarseMatrixLeavesOpen) {
+TEST(RegularisedStiffness, UsesTheExactMatrixIfTheTruncatedOneIsUndecided) {
   DyadicMatrix middle{.size = 2, .entries = DyadicList(std::size_t{4})};
   middle.entries.exponent = -200;
   middle.entries.mantissas[0] = (mpz_class(1) << 200U) + 1;

@@ -16,7 +16,7 @@
 namespace kusabi::verify {
 namespace {
 
-TEST(TwoBodies, HaveTheStiffnessThatTheSolverComputes) {
+TEST(TwoBodies, HaveTheStiffnessOfTheSolver) {
   std::mt19937 bits(6);
   for (int draw = 0; draw < 20; ++draw) {
     SCOPED_TRACE(draw);
@@ -52,7 +52,7 @@ TEST(TwoBodies, HaveCertificatesThatAreProved) {
 
 // An unconstrained peg, tapered by 1 in 4, between two elastic walls, and its nodes between theirs:
 // it wedges from 1/4 on. Either body may be the unconstrained one.
-TEST(TwoBodies, MayBeUnconstrained) {
+TEST(TwoBodies, AreProvedIfOneIsUnconstrained) {
   const auto mesh = [](const std::string& name, const std::string& corners, int rows) {
     return "[[mesh]]\nname = \"" + name + "\"\ncorners = " + corners + "\ndivisions = [2, " +
            std::to_string(rows) +
@@ -84,7 +84,7 @@ TEST(TwoBodies, MayBeUnconstrained) {
 }
 
 // Another pair, weight or direction has another K.
-TEST(TwoBodies, AreNotTakenForOthers) {
+TEST(TwoBodies, AreDistinguishedFromOthers) {
   std::mt19937 bits(8);
   const auto structure = problems::test::random_bodies(2, bits);
   const auto text = searched(problems::wedged_problem(checked(structure)), 1).text();

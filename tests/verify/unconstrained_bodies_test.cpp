@@ -114,7 +114,7 @@ TEST(UnconstrainedBar, WedgesInAGrooveAboveTheTangentOfItsHalfAngle) {
   expect_refused(groove.draft(1.333, wedged_nodes()), groove.structure(), "slips");
 }
 
-TEST(UnconstrainedBar, IsFreeBelowIt) {
+TEST(UnconstrainedBar, DoesNotWedgeInAGrooveBelowTheTangentOfItsHalfAngle) {
   const auto up = std::vector{node("dead 1 0 0", {0, 0, 0, -1, 0})};
   expect_proved(groove.draft(1.333, up), groove.structure(), 0);
   expect_refused(groove.draft(1.334, up), groove.structure(), "do not rule out");
@@ -123,7 +123,7 @@ TEST(UnconstrainedBar, IsFreeBelowIt) {
 }
 
 // The directions given in a file have irrational lengths; sliding modes are exact all the same.
-TEST(UnconstrainedBar, MayStandAskew) {
+TEST(UnconstrainedBar, IsProvedForNormalsOfIrrationalLength) {
   for (const auto& [c, s] : {std::pair(1.0, 0.3), {3.0, 4.0}, {0.1, 0.7}}) {
     const double length = std::hypot(c, s);
     const BarBetweenWalls bar{c / length, s / length};
@@ -160,7 +160,7 @@ TEST(UnconstrainedBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
 
 // Between walls that are parallel up to 1e-9 the bar is wedged only in configurations that slide a
 // billion times farther than it strains. Up to 1e-5 it need not move that far.
-TEST(UnconstrainedBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
+TEST(UnconstrainedBar, BetweenNearlyParallelWallsIsInfeasibleExceptForLargeDisplacements) {
   const auto said = [](double lean, const std::string& first) {
     const auto structure = BarBetweenWalls{1, lean}.structure();
     const std::vector nodes{first, node("dead 1 0 1", {0, 0, 1, 0, 0}),
@@ -174,7 +174,7 @@ TEST(UnconstrainedBar, BetweenNearlyParallelWallsIsInfeasibleButForFarMotion) {
   EXPECT_THAT(said(1e-5, node("alive 1 3 0", {1e-5, -1e-5, 0, 0, 0})).refusals, IsEmpty());
 }
 
-TEST(UnconstrainedBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
+TEST(UnconstrainedBar, IsNotProvedByAlteredForcesOrModes) {
   const auto structure = groove.structure();
   auto pulled = wedged_nodes();
   pulled[0] = node("alive 1 3 0", {0.8, 0.8, 0, 0, 0});
@@ -194,7 +194,7 @@ TEST(UnconstrainedBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
   EXPECT_THAT(verdict(fewer.text()).refusals, ElementsAre("K"));
 }
 
-TEST(UnconstrainedBar, HasMotionsThatAreCounted) {
+TEST(UnconstrainedBar, RequiresTheRightNumberOfModes) {
   EXPECT_THROW(verdict(groove.draft(1, {node("dead 1 0 0", {0, 0, 0, -1})}).text()),
                CertificateError);
   EXPECT_THROW(verdict(groove.draft(1, {node("alive 1 3 0", {0, 0})}).text()), CertificateError);
@@ -276,7 +276,7 @@ problems::Structure random_truss(int dimension, int nodes, std::mt19937& bits) {
   return read(text);
 }
 
-TEST(UnconstrainedTrusses, AreProvedAsTheyAreSearched) {
+TEST(UnconstrainedTrusses, HaveSearchResultsThatAreProved) {
   std::mt19937 bits(7);
   std::size_t feasible = 0;
   std::size_t infeasible = 0;
@@ -335,7 +335,7 @@ TEST(UnconstrainedTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
 
 // Two ends of a bar in a groove, and a third point on the floor, whose reaction must be zero: only
 // friction could direct it to the line between the two.
-TEST(UnconstrainedTrusses, HaveContactsThatEquilibriumLeavesUnloaded) {
+TEST(UnconstrainedTrusses, HaveContactsThatAreUnloadedByEquilibrium) {
   const auto body = read(R"(
 name = "tripod"
 dimension = 3

@@ -45,7 +45,7 @@ TEST(RecordedTree, IsTheTreeThatWasSearched) {
   EXPECT_EQ(engine::search(recorded).fingerprint(), searched.fingerprint());
 }
 
-TEST(RecordedTree, TakesItsTimeInASimulation) {
+TEST(RecordedTree, TakesItsRecordedTimeInASimulation) {
   const auto tree = read("# a comment\n0 1000\n1 2000\n2 500.5\n1 4000\n");
   EXPECT_EQ(tree.size(), 4U);
   EXPECT_DOUBLE_EQ(tree.total_seconds(), 7500.5e-9);
@@ -57,7 +57,7 @@ TEST(RecordedTree, TakesItsTimeInASimulation) {
   EXPECT_LT(alone.seconds, 1.5 * tree.total_seconds());
 }
 
-TEST(RecordedTree, OfAnotherFormIsRefusedWithTheLine) {
+TEST(RecordedTree, IsRefusedWithTheNumberOfAnInvalidLine) {
   EXPECT_EQ(refusal(""), "tree: has no nodes; expected a recorded tree");
   EXPECT_EQ(refusal("1 5\n"), "tree, line 1: expected the root first, with depth 0");
   EXPECT_EQ(refusal("0 5\n2 5\n"), "tree, line 2: expected a depth from 1 to 1");

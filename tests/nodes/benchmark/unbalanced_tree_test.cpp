@@ -36,7 +36,7 @@ TEST(Sha1, GivesTheDigestsOfTheStandard) {
             (support::Sha1Digest{0x34AA973C, 0xD4C4DAA4, 0xF61EEB2B, 0xDBAD2731, 0x6534016F}));
 }
 
-TEST(Sha1, PiecesAreAsGoodAsTheWhole) {
+TEST(Sha1, PiecesHaveTheDigestOfTheWhole) {
   std::string message;
   for (int i = 0; i < 300; ++i) message += static_cast<char>('a' + i % 23);
   for (std::size_t first = 0; first <= 130; ++first) {
@@ -51,15 +51,15 @@ TEST(Sha1, PiecesAreAsGoodAsTheWhole) {
   EXPECT_EQ(support::hexadecimal(support::sha1("abc")), "a9993e364706816aba3e25717850c26c9cd0d89d");
 }
 
-TEST(Sha1, WordsAreTheirBytesWithTheUpperOneFirst) {
+TEST(Sha1, WordsAreHashedInBigEndianOrder) {
   EXPECT_EQ(support::sha1(std::array<std::uint32_t, 2>{0x61626364, 0x65666768}),
             support::sha1("abcdefgh"));
   EXPECT_EQ(support::sha1(std::array<std::uint32_t, 0>{}), support::sha1(""));
 }
 
-class Standard : public testing::TestWithParam<const char*> {};
+class PublishedTree : public testing::TestWithParam<const char*> {};
 
-TEST_P(Standard, TreeHasItsPublishedCounts) {
+TEST_P(PublishedTree, HasItsPublishedCounts) {
   const auto& standard = standard_tree(GetParam());
   UnbalancedTree tree(standard.parameters);
   const auto outcome = engine::search(tree);
@@ -67,7 +67,7 @@ TEST_P(Standard, TreeHasItsPublishedCounts) {
   EXPECT_EQ(outcome.opened(), standard.counts.nodes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Uts, Standard,
+INSTANTIATE_TEST_SUITE_P(Uts, PublishedTree,
                          testing::Values("T1-4", "T1-6", "T1-7", "T1", "T2", "T3", "T4", "T5"),
                          [](const auto& instance) {
                            std::string name = instance.param;
@@ -79,13 +79,13 @@ TEST(StandardTrees, AnUnknownNameIsRefused) {
   EXPECT_THROW(standard_tree("T9"), std::out_of_range);
 }
 
-TEST(UnbalancedTree, MoreWorkGrowsTheSameTree) {
+TEST(UnbalancedTree, HasTheSameCountsWithMoreWorkPerNode) {
   const auto& standard = standard_tree("T1-4");
   UnbalancedTree tree(standard.parameters, 3);
   EXPECT_EQ(engine::search(tree).tally(), standard.counts);
 }
 
-TEST(UnbalancedTree, SimulatedRanksCountWhatOneDoes) {
+TEST(UnbalancedTree, HasTheSameCountsOnAnyNumberOfRanks) {
   const auto& standard = standard_tree("T1-6");
   const UnbalancedTree tree(standard.parameters);
   for (const int ranks : {1, 2, 4, 7, 32}) {

@@ -72,7 +72,7 @@ double min_factor_by_box(const Structure& truss, const std::string& load_case) {
   return answer.worst->ends.upper;
 }
 
-TEST(Actions, TheBoxOfALeadingActionIsAllItsCombinations) {
+TEST(Actions, BoxOfALeadingActionCoversAllItsCombinations) {
   const auto truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/roof-truss.toml");
   ASSERT_THAT(problems::load_cases(truss),
               testing::ElementsAre("6.10 snow leads", "6.10 imposed leads", "6.10 wind leads"));

@@ -58,7 +58,7 @@ void expect_points(const LoadCurve& curve, const Json& expected, double unit, do
 }
 
 // The figure is not available, except the letters in the text and the numbers of Figures 2 to 4.
-TEST(Figure5, IsAsPrintedAndAsTheReferenceSays) {
+TEST(FactorCurves, AgreeWithFigure5AndTheReference) {
   const auto truss = truss_in("examples/paper/limit-3x3.toml");
   const auto problem = problems::limit_problem(checked(truss));
   const auto twenty = answer(truss, {.alpha = 20});
@@ -87,7 +87,7 @@ TEST(Figure5, IsAsPrintedAndAsTheReferenceSays) {
   EXPECT_NEAR(first.from.factor + 0.5 * first.from.slope, 44.3662, printed);
 }
 
-TEST(WorstCurve, BreaksWhereTheReferenceSays) {
+TEST(WorstCurve, HasTheBreakpointsOfTheReference) {
   const Json all = reference().at("worst_case_of_alpha");
   for (const char* const name : {"3x3", "4x4"}) {
     const Json& expected = all.at(name);
@@ -103,7 +103,7 @@ TEST(WorstCurve, BreaksWhereTheReferenceSays) {
 
 // By hand: two bars at 45 degrees and a transverse pull of alpha: sqrt(2) - alpha, until both yield
 // under the pull alone.
-TEST(WorstCurve, EndsWhereNothingIsCarried) {
+TEST(WorstCurve, EndsWhereNoFactorIsCarried) {
   const auto found =
       answer(truss_in("tests/cases/tie.toml"), {.alpha = 0.1, .curve = true, .curve_to = 1e4});
   for (const auto* curve : {&*found.curve, &*found.worst_curve}) {
@@ -190,7 +190,7 @@ void expect_same(double said, double truth, double near, double beta) {
   }
 }
 
-TEST(FactorCurves, AreThoseOfEachPlaceByItself) {
+TEST(FactorCurves, AgreeWithASeparateAnalysisAtEachPlace) {
   std::mt19937 bits(11);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   int compared = 0;
   int ended = 0;

@@ -17,7 +17,7 @@ LimitWorstCase worst_case(double lower, double upper, bool lower_proved, bool up
 }
 
 // The factors of the opposite reference load are those of the original one with opposite signs.
-TEST(GuaranteedInterval, TurnsTheSignsOfTheReversedLoad) {
+TEST(GuaranteedInterval, NegatesTheFactorsOfTheReversedLoad) {
   LimitAnswer answer;
   answer.worst = worst_case(1.4, 1.5, true, false);
   answer.reversed = worst_case(-0.6, -0.5, false, true);
@@ -30,7 +30,7 @@ TEST(GuaranteedInterval, TurnsTheSignsOfTheReversedLoad) {
   EXPECT_FALSE(interval.decided());  // from 0.6 on is not proved
 }
 
-TEST(GuaranteedInterval, IsEmptyOnlyByTheBoundsThatShowIt) {
+TEST(GuaranteedInterval, IsProvedEmptyByProvedBoundsOnly) {
   LimitAnswer answer;
   answer.worst = worst_case(0.4, 0.5, false, true);
   answer.reversed = worst_case(-1.6, -1.5, false, true);
@@ -45,7 +45,7 @@ TEST(GuaranteedInterval, IsEmptyOnlyByTheBoundsThatShowIt) {
 }
 
 // Result of a stopped search: the least factors of the known loads.
-TEST(GuaranteedInterval, UsesTheLoadsThatWereExamined) {
+TEST(GuaranteedInterval, IsBoundedByTheExaminedLoads) {
   LimitAnswer answer;
   answer.worst = worst_case(1, 2, true, true);
   answer.nominal = LimitCollapse{3, -4, {}, {}};

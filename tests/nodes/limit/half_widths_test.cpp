@@ -34,7 +34,7 @@ std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
 }
 
 // Every other parameter has a half-width in the file, the rest has the requested one.
-TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
+TEST(HalfWidths, OfTheFileApplyToTheirParameters) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -77,7 +77,7 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
 
 // Half-widths by the name of a load or of a group: the same answer as with one alpha where they are
 // equal, and as with weights.
-TEST(HalfWidths, OfGroupsAreWhatWeightsWouldSay) {
+TEST(HalfWidths, OfGroupsAreEquivalentToWeights) {
   const auto read = [](const std::string& weight, const std::string& group) {
     return problems::read_structure(two_bars(R"([[uncertainty]]
 name = "across"
@@ -118,7 +118,7 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
 }
 
 // [lower, upper] is the middle and a half-width, for any alpha of the others.
-TEST(HalfWidths, OfAnIntervalAreFromEndToEnd) {
+TEST(HalfWidths, OfAnIntervalAreHalfItsLength) {
   const auto truss = problems::read_structure(R"(name = "one bar"
 dimension = 2
 units = { length = "m", force = "kN" }

@@ -156,7 +156,7 @@ unsigned from_environment(const char* name, unsigned otherwise) {
   return text == nullptr ? otherwise : static_cast<unsigned>(std::stoul(text));
 }
 
-TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
+TEST(LimitLoads, AreProvedAtTheWorstVertexOfRandomTrusses) {
   engine::SingleProcess alone;
   const unsigned first = from_environment("KUSABI_SEED", 1);
   const unsigned count = from_environment("KUSABI_TRUSSES", 120);
@@ -223,7 +223,7 @@ double value_of(const LoadCurve& curve, double beta) {
   return -infinity;
 }
 
-TEST(LimitLoads, ProvesTheCurveOfTheWorstCornersOfRandomTrusses) {
+TEST(LimitLoads, CurvesAreProvedAtTheWorstVerticesOfRandomTrusses) {
   engine::SingleProcess alone;
   const unsigned first = from_environment("KUSABI_SEED", 1);
   const unsigned count = from_environment("KUSABI_TRUSSES", 80);

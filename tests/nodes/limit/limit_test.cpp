@@ -209,7 +209,7 @@ std::optional<LimitProblem> random_truss(std::mt19937& bits) {
   }
 }
 
-TEST(RandomTrusses, HaveTheLeastFactorOfAllCorners) {
+TEST(RandomTrusses, HaveTheLeastFactorOfAllVertices) {
   std::mt19937 bits(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   int compared = 0;
   int not_carried = 0;
@@ -248,7 +248,7 @@ TEST(StaticCuts, LeaveAGapThatTheTreeCloses) {
   expect_proved(solved, alpha);
 }
 
-TEST(StaticAndKinematicPrinciple, HaveOneOptimum) {
+TEST(StaticAndKinematicProgram, HaveTheSameOptimum) {
   const LimitModel model = limit_model(example("paper/limit-4x4.toml"));
   linear::Simplex below(static_program(model, model.dead));
   linear::Simplex above(kinematic_program(model, model.dead));

@@ -72,7 +72,7 @@ TEST(ConcaveCurve, HasAllBreakpoints) {
   }
 }
 
-TEST(ConcaveCurve, EndsBetweenTwoPlacesNearToEachOther) {
+TEST(ConcaveCurve, BracketsItsEnd) {
   std::mt19937 bits(2);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   for (const double hint : {1.0, nowhere, 0.3, 1.0 + 1e-9, -1.0}) {
     for (int trial = 0; trial < 100; ++trial) {
@@ -94,7 +94,7 @@ TEST(ConcaveCurve, EndsBetweenTwoPlacesNearToEachOther) {
   }
 }
 
-TEST(ConcaveCurve, IsNotGivenIfAPlaceIsNotKnown) {
+TEST(ConcaveCurve, IsAbsentIfASampleIsUnknown) {
   std::mt19937 bits(3);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   const Broken known(bits);
   for (int unknown = 0; unknown < 3; ++unknown) {

@@ -92,7 +92,7 @@ void expect_least_factors(const Structure& truss, double alpha, const LimitAnswe
   EXPECT_TRUE(interval.decided());
 }
 
-TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
+TEST(LoadModel, ProvesTheWorstVertexForColumnsOfAnyDirection) {
   const unsigned first = from_environment("KUSABI_SEED", 1);
   const unsigned count = from_environment("KUSABI_TRUSSES", 150);
   unsigned compared = 0;

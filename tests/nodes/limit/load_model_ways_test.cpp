@@ -20,7 +20,7 @@ using test::near;
 using test::PlainTruss;
 using test::problem_of;
 
-TEST(LoadModel, OfTheExampleIsThatOfAllCorners) {
+TEST(LoadModel, WorstCaseOfTheExampleIsThatOfAllVertices) {
   const auto truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/gust.toml");
   const PlainTruss plain(truss);
   for (const double alpha : {0.1, 0.5, 1.0, 2.0}) {
@@ -37,7 +37,7 @@ TEST(LoadModel, OfTheExampleIsThatOfAllCorners) {
 
 // With all signs decided static cuts are exact: the least of 2^m linear programs is that of 2^m
 // vertices, and their duals prove it.
-TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
+TEST(LoadModel, IsProvedByTheLinearProgramsOfAllSigns) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -79,7 +79,7 @@ TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
   EXPECT_GE(compared, 5U);
 }
 
-TEST(LoadModel, TheZeroOneProgramFindsTheSame) {
+TEST(LoadModel, AgreesWithTheZeroOneProgram) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -107,7 +107,7 @@ double factor_at(const LoadCurve& curve, double beta) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-TEST(LoadModel, CurvesAndSamplesAreOfTheSameLoads) {
+TEST(LoadModel, IsThatOfCurvesAndSamples) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 15; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -131,7 +131,7 @@ TEST(LoadModel, CurvesAndSamplesAreOfTheSameLoads) {
 }
 
 // A parameter that occurs twice counts twice, with either sign: T need not have full rank.
-TEST(LoadModel, ParametersThatAreOneAddUp) {
+TEST(LoadModel, AddsUpEqualParameters) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     auto [truss, alpha] = test::correlated_truss(seed);
@@ -179,7 +179,7 @@ TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
 
 // A parameter of c f_R decreases the least factor by alpha |c| for any other uncertain loads; a
 // parameter on a component with reference load is like any other.
-TEST(LoadModel, MayActAlongTheReferenceLoad) {
+TEST(LoadModel, AdmitsParametersAlongTheReferenceLoad) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 25; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

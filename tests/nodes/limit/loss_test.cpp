@@ -339,7 +339,7 @@ Structure symmetric_truss() {
   return truss;
 }
 
-TEST(Loss, ProvesStatesThatOnlyBalanceOnAMechanism) {
+TEST(Loss, ProvesStatesOfEquilibriumOnAMechanism) {
   const auto truss = symmetric_truss();
   // After the loss of d and e the rafters a-b, b-c carry it; after that of a and c the hangers do.
   for (const int maximum : {1, 2}) {
@@ -368,7 +368,7 @@ bool covers_all(const std::vector<support::IndexSet>& supports, const support::I
   return true;
 }
 
-TEST(Loss, CoversAllLossesOrNamesOneThatItDoesNot) {
+TEST(LossCover, ContainsAllLossesOrNamesAMissingOne) {
   std::mt19937 bits(7);
   constexpr int members = 9;
   int covered = 0;
@@ -400,7 +400,7 @@ TEST(Loss, CoversAllLossesOrNamesOneThatItDoesNot) {
   EXPECT_GT(covered, 200);
 }
 
-TEST(Loss, HasACertificateThatForgeriesDoNotPass) {
+TEST(Loss, CertificateIsRefusedIfForged) {
   const auto truss = grid(3);
   const auto found = answer_of(truss, {.maximum = 2, .kept = at_loads(truss)});
   ASSERT_TRUE(found.statement && found.proved);

@@ -73,7 +73,7 @@ void expect_nothing_of_static_cuts(const LimitWorstCase& worst) {
   EXPECT_EQ(worst.tree_programs, 0U);
 }
 
-TEST(AsPrinted, FindsTheWorstCornerByItself) {
+TEST(PrintedMethod, FindsTheWorstVertexWithoutStaticCuts) {
   for (const auto& [truss, alpha, big_m] : small_cases()) {
     const double expected = worst_corner(problems::limit_problem(checked(truss)), alpha);
     const double near = 1e-7 * std::max(1.0, std::abs(expected));
@@ -96,7 +96,7 @@ TEST(AsPrinted, FindsTheWorstCornerByItself) {
   }
 }
 
-TEST(AsPrinted, IsProvedAfterwardsIfThatIsWanted) {
+TEST(PrintedMethod, IsProvedAfterwardsOnRequest) {
   for (const auto& [truss, alpha, big_m] : small_cases()) {
     const auto found = answered(
         truss,
@@ -110,7 +110,7 @@ TEST(AsPrinted, IsProvedAfterwardsIfThatIsWanted) {
 }
 
 // With a very small M motions are almost zero, and (29) is above the worst case.
-TEST(AsPrinted, IsNotBelievedWithAnMThatIsTooSmall) {
+TEST(PrintedMethod, IsCorrectedByTheProofIfMIsTooSmall) {
   const auto truss = example("static-gap.toml");
   const double expected = worst_corner(problems::limit_problem(checked(truss)), 0.35);
   const auto found = answered(
@@ -120,7 +120,7 @@ TEST(AsPrinted, IsNotBelievedWithAnMThatIsTooSmall) {
   EXPECT_GT(found.worst->zero_one->lower, expected + 0.01);
 }
 
-TEST(AsPrinted, StoppedHasTheEndsOfItsTreeAlone) {
+TEST(PrintedMethod, HasOnlyTheBoundsOfItsTreeIfStopped) {
   // tests/reference/limit.json; with M = 5 this tree takes far more nodes.
   const double truth = 37.0120;
   const auto found = answered(
@@ -135,7 +135,7 @@ TEST(AsPrinted, StoppedHasTheEndsOfItsTreeAlone) {
   EXPECT_FALSE(found.whole());
 }
 
-TEST(AsPrinted, StartsFromTheBestSample) {
+TEST(PrintedMethod, StartsFromTheBestSample) {
   for (const auto& [truss, alpha, big_m] : small_cases()) {
     const LimitParameters parameters{
         .alpha = alpha, .method = LimitMethod::fixed, .big_m = big_m, .samples = 50};

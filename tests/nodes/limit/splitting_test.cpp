@@ -275,7 +275,7 @@ TEST(Splitting, MakesTheSameStepsOnAnyNumberOfRanks) {
 }
 
 // Four differences determine the fixed point of a linear map with four eigenvalues.
-TEST(Acceleration, EndsOnLinearMaps) {
+TEST(Acceleration, FindsTheFixedPointOfALinearMap) {
   std::mt19937 bits(5);
   const Sharing alone;
   const MixedPoint fixed{random_blocks(3, bits, alone), Eigen::Vector2d(1, -2)};
@@ -318,7 +318,7 @@ std::optional<double> greatest_least_factor(problems::Structure truss, double al
   return opposite ? std::optional(-*opposite) : std::nullopt;
 }
 
-TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
+TEST(Splitting, AgreesWithAllVerticesOnRandomTrusses) {
   int compared = 0;
   int empty = 0;
   for (std::uint32_t seed = 5001; seed < 5061; ++seed) {
@@ -353,7 +353,7 @@ TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
   EXPECT_GE(empty, 1);  // ended once the interval was known to be empty
 }
 
-TEST(Splitting, LeavesTrueGapsToTheTree) {
+TEST(Splitting, LeavesGapsOfStaticCutsToTheTree) {
   for (const std::uint32_t seed : {1807U, 2041U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto [truss, alpha] = test::correlated_truss(seed);

@@ -40,7 +40,7 @@ PatternFindings found(const Instance& instance) {
 
 // On each face the best of the rules takes a tenth of the nodes of the worst; the best rules
 // differ.
-TEST(BranchingTrial, IsNeverFarFromTheBestRule) {
+TEST(BranchingTrial, OpensAtMostSixTimesTheNodesOfTheBestRule) {
   for (const Instance& instance : {Instance{"cantilever", cantilever_face(70), 5.2},
                                    Instance{"leaning", leaning_face(60), 0.8}}) {
     std::vector<std::uint64_t> opened;
@@ -53,7 +53,7 @@ TEST(BranchingTrial, IsNeverFarFromTheBestRule) {
   }
 }
 
-TEST(BranchingTrial, LeavesSmallBlocksAndRulesThatWereAskedForAlone) {
+TEST(BranchingTrial, SkipsSmallBlocksAndRequestedRules) {
   const Instance small{"small", cantilever_face(39), 5.2};
   const auto findings = found(small);
   EXPECT_EQ(findings.blocks.front().branching, Branching::relative);

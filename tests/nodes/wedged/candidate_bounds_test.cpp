@@ -184,7 +184,7 @@ void expect_something(const Compared& compared) {
 
 class CandidateBoundsIn : public ::testing::TestWithParam<int> {};
 
-TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomMatrices) {
+TEST_P(CandidateBoundsIn, AreSatisfiedInEveryConeOfRandomMatrices) {
   Compared compared;
   for (int m = 5; m <= max_candidates; ++m)
     for (const double mu : {0.6, 1.2, 3.0})
@@ -192,7 +192,7 @@ TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomMatrices) {
   expect_something(compared);
 }
 
-TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomTrusses) {
+TEST_P(CandidateBoundsIn, AreSatisfiedInEveryConeOfRandomTrusses) {
   std::mt19937_64 generator(5);
   Compared compared;
   for (int m = 5; m <= max_candidates; ++m)
@@ -207,7 +207,7 @@ TEST_P(CandidateBoundsIn, HoldInEveryConeOfRandomTrusses) {
 INSTANTIATE_TEST_SUITE_P(Dimension, CandidateBoundsIn, ::testing::Values(2, 3));
 
 // In the plane a number is largest at a ray, and rays are found without cone programs.
-TEST(CandidateBounds, AreNotBelowTheRaysOfAnyPatternInThePlane) {
+TEST(CandidateBounds, AreSatisfiedByTheRaysOfEveryPatternInThePlane) {
   Compared compared;
   for (int m = 5; m <= max_candidates; ++m)
     for (const double mu : {0.6, 1.2, 3.0}) {
@@ -244,7 +244,7 @@ bool same(const ProvedBound& first, const ProvedBound& second) {
 
 // The ranks of a search: each has its own bounds, solves some of the programs of a group in its own
 // order, and adds all bounds found.
-TEST(CandidateBounds, AreTheSameToTheBitHoweverManyRanksShareThePrograms) {
+TEST(CandidateBounds, AreBitwiseEqualOnAnyNumberOfRanks) {
   for (const int d : {2, 3}) {
     const int m = 8;
     const auto problem = random_problem(d, m, 9);

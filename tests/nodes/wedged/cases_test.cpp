@@ -53,7 +53,7 @@ Leaves leaves(const problems::WedgedProblem& problem, double mu, double truth,
   return result;
 }
 
-TEST(Stalled, MarginsAreRightToThreeDigits) {
+TEST(ContactSolverCases, HaveMarginsRightToThreeDigits) {
   const struct {
     const char* name;
     double mu, margin, digits;
@@ -70,7 +70,7 @@ TEST(Stalled, MarginsAreRightToThreeDigits) {
 }
 
 // The last digit of the true value is known; coefficients beyond it on either side are decided.
-TEST(Stalled, ACriticalCoefficientIsHeldFromBothSides) {
+TEST(ContactSolverCases, AreDecidedOnBothSidesOfACriticalCoefficient) {
   const struct {
     const char* name;
     double infeasible, feasible;
@@ -85,14 +85,14 @@ TEST(Stalled, ACriticalCoefficientIsHeldFromBothSides) {
   }
 }
 
-TEST(Stalled, NothingIsUndecidedAtATightTolerance) {
+TEST(ContactSolverCases, AreDecidedAtATightTolerance) {
   const auto problem = problem_of("tolerance_undecided");
   for (const double tolerance : {1e-10, 1e-12})
     EXPECT_EQ(leaves(problem, 0.51200526, 0, tolerance).undecided, 0);
 }
 
 // From infeasible to feasible coefficients, through the critical one.
-TEST(Stalled, NothingIsUndecidedNearACriticalCoefficient) {
+TEST(ContactSolverCases, AreDecidedNearACriticalCoefficient) {
   for (const char* name : {"undecided_lowcond_88", "false_lower_62"}) {
     SCOPED_TRACE(name);
     const auto problem = problem_of(name);

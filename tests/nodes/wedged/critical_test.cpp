@@ -151,7 +151,7 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
 
 // At and between the starts of a descent, also where --mu-max limits it: scaling the friction of
 // all candidates divides the critical factor.
-TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
+TEST(CriticalFriction, IsTheSameByDescentAndGlobalSearch) {
   const auto structure =
       problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml");
   const auto found = [&](CriticalStrategy strategy, double factor, std::optional<double> maximum) {
@@ -243,7 +243,7 @@ TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
 }
 
 // A resumed run continues as the original run decided, even if it would decide otherwise itself.
-TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
+TEST(CriticalFriction, ResumesWithTheStrategyOfItsTrial) {
   std::string folder = (std::filesystem::temp_directory_path() / "kusabi trial-XXXXXX").string();
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
   const auto structure = checked(problems::space_truss({.rows = 4, .depth = 2}));
@@ -275,7 +275,7 @@ TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
 }
 
 // Compared with decimals: k and the power of ten, converted by the library.
-TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
+TEST(FrictionGrid, HasTheDecimalsOfItsWidth) {
   const std::vector<std::tuple<double, std::int64_t, int>> widths = {
       {1e-8, 1, 8}, {1e-6, 1, 6}, {2.5e-7, 25, 8}, {0.01048576, 1048576, 8}, {1e-22, 1, 22}};
   for (const auto& [step, digits, places] : widths) {
@@ -297,7 +297,7 @@ TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
   }
 }
 
-TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
+TEST(CriticalFriction, UsesADescentAfterTheTrialOfALargerTruss) {
   const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
   const auto up = found_of(structure, {.strategy = CriticalStrategy::global, .list = true});
   const auto either = found_of(structure, {.list = true});
@@ -309,7 +309,7 @@ TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
 }
 
 // The claim of one pattern: the bracket is that of the whole list, which contains the pattern.
-TEST(CriticalFriction, OnePatternIsEnoughForTheUpperEnd) {
+TEST(CriticalFriction, HasTheBracketOfTheListWithoutListingPatterns) {
   for (const char* name : {"space-truss.toml", "plane-truss.toml", "doorstop.toml"}) {
     SCOPED_TRACE(name);
     const auto structure =
@@ -327,7 +327,7 @@ TEST(CriticalFriction, OnePatternIsEnoughForTheUpperEnd) {
   }
 }
 
-TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
+TEST(CriticalFriction, BracketDoesNotDependOnTheNodeLimitOfTheList) {
   const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
   const auto all = found_of(structure, {.list = true});
   const auto part = found_of(structure, {.list = true, .list_nodes = 1});
@@ -340,7 +340,7 @@ TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
 
 // For every limit: nodes are counted over all searches, and each further node leaves the bracket
 // unchanged or narrower.
-TEST(CriticalFriction, MoreNodesNeverKnowLess) {
+TEST(CriticalFriction, BracketNarrowsAsTheNodeLimitGrows) {
   const auto structure = checked(problems::space_truss({.rows = 8, .depth = 2, .bays = 3}));
   const auto problem = problems::wedged_problem(structure);
   const auto whole = found_of(structure, {});
@@ -462,7 +462,7 @@ TEST(CriticalFriction, FeasibilityIsMonotoneInFriction) {
   }
 }
 
-TEST(CriticalFriction, IsTheFactorOfTheCandidatesOwn) {
+TEST(CriticalFriction, IsAFactorOfTheFrictionOfEachCandidate) {
   auto problem = example("space-truss.toml");
   const auto cell = minimum(problem, 1);
   for (double& own : problem.friction) own = 2;
@@ -471,7 +471,7 @@ TEST(CriticalFriction, IsTheFactorOfTheCandidatesOwn) {
 }
 
 // When ranks outnumber patterns, cells are divided into several at once.
-TEST(CriticalFriction, AnyNumberOfSectionsFindsTheSame) {
+TEST(CriticalFriction, IsTheSameByAnyNumberOfSections) {
   const auto problem = example("plane-truss.toml");
   const auto once = all_cells(problem, 0.7, CriticalMethod::bisection);
   for (const std::int64_t sections : {2, 3, 16}) {
@@ -520,7 +520,7 @@ TEST(CriticalFriction, RoundingProvesNoFlatConeInfeasible) {
 
 // About six programs for each pattern, also where a flat cone comes first, and where no feasible
 // coefficient is known: bisection takes 27.
-TEST(CriticalFriction, TakesFewProgramsAPattern) {
+TEST(CriticalFriction, SolvesFewProgramsPerPattern) {
   for (const auto& [rows, maximum] : {std::pair{13, 6.5}, {15, 7.7}}) {
     const auto problem = problems::wedged_problem(checked(problems::paper_plane_truss(rows)));
     const auto patterns = feasible(problem, 0.65);
@@ -540,7 +540,7 @@ TEST(CriticalFriction, TakesFewProgramsAPattern) {
 }
 
 // The grid has points below the least supported friction.
-TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
+TEST(CriticalFriction, IsSearchedDownToTheLeastFriction) {
   for (const double own : {1.0, 1e3, 2e5}) {
     auto problem = example("two-bars.toml");
     problem.friction.assign(problem.contact_names.size(), 2 * own);
@@ -555,7 +555,7 @@ TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
   }
 }
 
-TEST(CriticalFriction, NothingBelowABoundIsAnAnswer) {
+TEST(CriticalFriction, IsAbsentIfNoPatternIsFeasibleUpToTheMaximum) {
   EXPECT_EQ(minimum(example("space-truss.toml"), 0.47), CriticalCell{});
 }
 

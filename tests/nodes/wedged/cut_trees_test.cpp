@@ -90,7 +90,7 @@ struct Leaves {
 
 class CutTreesIn : public ::testing::TestWithParam<int> {};
 
-TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
+TEST_P(CutTreesIn, FindTheSamePatternsWithDegenerateNodesAndBlocks) {
   Leaves compared;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     problems::WedgedProblem problem;
@@ -124,7 +124,7 @@ std::vector<problems::Structure> unconstrained_bodies(int dimension, std::size_t
   return bodies;
 }
 
-TEST_P(CutTreesIn, FindTheSameOfUnconstrainedBodies) {
+TEST_P(CutTreesIn, FindTheSamePatternsOfUnconstrainedBodies) {
   Leaves compared;
   int number = 0;
   for (const auto& body : unconstrained_bodies(GetParam(), 40)) {
@@ -150,7 +150,7 @@ double missed_contact(const Configuration& leaf, int dimension) {
 
 // Coefficients at which forces along lines through candidates lie on the boundary of their cones,
 // and one so large that these are almost half-spaces.
-TEST_P(CutTreesIn, LeaveNothingOpenOfUnconstrainedBodies) {
+TEST_P(CutTreesIn, DecideAllLeavesOfUnconstrainedBodies) {
   std::size_t flat = 0;
   int number = 0;
   for (const auto& body : unconstrained_bodies(GetParam(), 60)) {
@@ -198,7 +198,7 @@ problems::Structure symmetric_grid(int columns, int rows, double lean) {
   return builder.structure();
 }
 
-TEST(CutTrees, FindTheSameOnSymmetricGrids) {
+TEST(CutTrees, FindTheSamePatternsOnSymmetricGrids) {
   Leaves compared;
   for (const int columns : {4, 5, 7, 8})
     for (const double lean : {-1.0, -0.5, 0.0, 0.5, 1.0})
@@ -208,7 +208,7 @@ TEST(CutTrees, FindTheSameOnSymmetricGrids) {
   EXPECT_GT(compared.all, 30U);
 }
 
-TEST(CutTrees, FindTheSameInSpace) {
+TEST(CutTrees, FindTheSamePatternsInSpace) {
   Leaves compared;
   for (const int rows : {3, 5})
     for (const double mu : {0.3, 0.55, 0.8, 3.0})
@@ -218,7 +218,7 @@ TEST(CutTrees, FindTheSameInSpace) {
 }
 
 // Thirty candidates, with a tree so large that bounds pay.
-TEST(CutTrees, HaveFarFewerNodes) {
+TEST(CutTrees, OpenAnEighthOfTheNodesOfATreeWithoutCuts) {
   const auto problem = problems::wedged_problem(checked(problems::space_truss({.rows = 15})));
   const auto without = searched(problem, 0.5, Tightening::never);
   const auto with = searched(problem, 0.5, Tightening::always);
@@ -229,7 +229,7 @@ TEST(CutTrees, HaveFarFewerNodes) {
   EXPECT_EQ(automatic.outcome.opened(), with.outcome.opened());
 }
 
-TEST(CutTrees, HaveFewerNodesWhereChildrenAreTriedFirst) {
+TEST(CutTrees, OpenFewerNodesIfChildrenAreProbed) {
   const auto problem =
       problems::wedged_problem(checked(problems::space_truss({.rows = 6, .depth = 5})));
   const auto plain = searched(problem, 0.5, Tightening::always);
@@ -297,7 +297,7 @@ std::vector<std::pair<problems::Structure, double>> structures() {
   return {{problems::space_truss({.rows = 5}), 0.65}, {problems::plane_truss({.rows = 8}), 0.8}};
 }
 
-TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
+TEST(CutTrees, HaveEvidenceThatTheVerifierAccepts) {
   for (const auto& [structure, mu] : structures())
     for (const int probes : {0, 4}) {
       const Searched own(structure, mu, probes);
@@ -360,7 +360,7 @@ verify::CandidateBound as_written(const ProvedBound& bound) {
 }
 
 // Each bound decreased below a known configuration, and an excluded side that contains one.
-TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
+TEST(CutTrees, HaveBoundsThatTheVerifierRefusesIfTheyAreLowered) {
   for (const auto& [structure, mu] : structures()) {
     const Searched own(structure, mu);
     ASSERT_EQ(own.findings.blocks.size(), 1U);
@@ -388,7 +388,7 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
 }
 
 // Unconstrained bodies with many degenerate nodes; undecided leaves have no claim.
-TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
+TEST_P(CutTreesIn, HaveEvidenceOfUnconstrainedBodiesThatTheVerifierAccepts) {
   std::size_t cut = 0, feasible = 0, bounds = 0, refused = 0;
   for (const auto& body : unconstrained_bodies(GetParam(), 25)) {
     for (const double mu : {0.4, 1.0}) {
@@ -424,7 +424,7 @@ TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
 }
 
 // Without the first bound that took a program, its consequences and later bounds are not proved.
-TEST(CutTrees, HaveEvidenceThatFallsWithItsBounds) {
+TEST(CutTrees, HaveEvidenceThatIsRefusedWithoutItsBounds) {
   for (const auto& [structure, mu] : structures()) {
     const Searched own(structure, mu);
     auto bounds = own.findings.bounds;

@@ -50,19 +50,19 @@ TEST(ScaleRatio, IsThatOfLeversAndCouplings) {
   EXPECT_LT(ratio("examples/wedge-in-groove.toml"), 1e3);
 }
 
-TEST(ExactList, NamesNoPatternThatALongLeverOnlySeemsToHave) {
+TEST(ExactList, ExcludesTheSpuriousPatternsOfALongLever) {
   const auto found = listed(structure_in("tests/cases/lever_3e11.toml"), 0.5);
   EXPECT_TRUE(found.exact.done);
   EXPECT_EQ(found.count(), 0U);
 }
 
-TEST(ExactList, HasThePatternsOfAWeakCouplingOrIsOpen) {
+TEST(ExactList, HasThePatternsOfAWeakCouplingOrIsUndecided) {
   const auto found = listed(structure_in("tests/cases/weak_coupling_1e-11.toml"), 1.83834805972901);
   EXPECT_TRUE(found.exact.done);
   EXPECT_TRUE(found.unresolved() > 0 || found.count() == 2) << found.count();
 }
 
-TEST(ExactList, AgreesForWellScaledStructures) {
+TEST(ExactList, AgreesWithTheSearchForWellScaledStructures) {
   const auto structure = structure_in("examples/plane-truss.toml");
   const auto plain = listed(structure, 0.8);
   const auto proved = listed(structure, 0.8, Proving::always);
@@ -72,7 +72,7 @@ TEST(ExactList, AgreesForWellScaledStructures) {
   EXPECT_EQ(plain.count(), proved.count());
 }
 
-TEST(ExactList, HoldsCountsOfASweepAgainstIt) {
+TEST(ExactList, RefusesWrongCountsOfASweep) {
   engine::SingleProcess transport;
   engine::Analysis analysis(transport, {});
   const auto structure = structure_in("examples/plane-truss.toml");

@@ -69,7 +69,7 @@ std::optional<problems::WedgedProblem> problem_of(const problems::Structure& str
 // The two candidates are decoupled, but the problem does not have the blocks. The first can stick
 // by itself, with r_t = 2 r_n; the second is then inactive.
 // The margin is 1.24e-13, by the oracle of bench/hostile.
-TEST(FlatCones, AreNotThoseOfAMarginBelowTheTolerance) {
+TEST(FlatCones, ExcludeConesWithAMarginBelowTheTolerance) {
   const std::string path =
       KUSABI_SOURCE_DIR "/tests/nodes/wedged/cases/margin_below_tolerance.toml";
   const auto problem =
@@ -83,7 +83,7 @@ TEST(FlatCones, AreNotThoseOfAMarginBelowTheTolerance) {
   EXPECT_NEAR(findings.leaves.front().lower, 1.24e-13, 0.01e-13);
 }
 
-TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
+TEST(FlatCones, AreFoundOnceWithTheirInactiveCandidates) {
   problems::WedgedProblem problem;
   problem.dimension = 2;
   problem.contact_names = {"sticks", "rests"};
@@ -104,7 +104,7 @@ TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
 // gaps add up to 2 e r_n, below the rounding of the terms of u_n, 1e-12 of 0.9 r_n + 0.45 |r_t|. As
 // long as one of both is not decided, equilibrium leaves it no reaction, and t* = 0, although there
 // is a configuration in which both have a gap of e r_n.
-TEST(FlatCones, HaveNoCandidateAtRestThatHasASmallGap) {
+TEST(FlatCones, HaveNoInactiveCandidateThatHasASmallGap) {
   constexpr double e = 2e-12;
   problems::WedgedProblem problem;
   problem.dimension = 2;
@@ -129,8 +129,8 @@ TEST(FlatCones, HaveNoCandidateAtRestThatHasASmallGap) {
   EXPECT_EQ(tree.tally().flat, 0U);
 }
 
-// With k inactive candidates each pattern has 2^k names.
-TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
+// With k inactive candidates 2^k leaves have the same cone.
+TEST(FlatCones, OpenAtMostTwoNodesPerCandidate) {
   constexpr int candidates = 24;
   problems::WedgedProblem problem;
   problem.dimension = 2;
@@ -190,7 +190,7 @@ TEST(FlatCones, InThePlaneAreTheMaximalCliquesOfTheRays) {
 
 // All 3^m states of candidates with a reaction, with a gap or inactive: the relative interior of
 // each cone D(Y), leaf by leaf, and of these the maximal ones.
-TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
+TEST(FlatCones, InSpaceAgreeWithAnEnumerationOfAllLeaves) {
   std::size_t cones = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto problem = problem_of(random_structure(3, seed));

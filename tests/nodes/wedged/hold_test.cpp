@@ -188,7 +188,7 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
              proved, bounded, empty, several);
 }
 
-TEST(HoldingFriction, IsThatFromWhichOnSomePatternHoldsTheDeadLoad) {
+TEST(HoldingFriction, IsTheLeastAtWhichSomePatternHoldsTheDeadLoad) {
   int compared = 0, inside = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     const auto loaded = loaded_body(seed);
@@ -217,7 +217,7 @@ TEST(HoldingFriction, IsThatFromWhichOnSomePatternHoldsTheDeadLoad) {
   EXPECT_GT(inside, 10);
 }
 
-TEST(HalfPlanes, HaveTheVerticesOfAPolygonAndTheDirectionsOfACone) {
+TEST(HalfPlanes, IntersectInAPolygonOrACone) {
   const auto planes_of = [](const std::vector<Eigen::Vector2d>& normals) {
     std::vector<HalfPlane> planes;
     for (const auto& normal : normals) planes.push_back({normal.normalized(), 1});
@@ -256,7 +256,7 @@ bool is_within(const Polygon& hull, const Eigen::Vector2d& point, double slack) 
   return true;
 }
 
-TEST(HalfPlanes, TheCommonPartOfTwoHullsHasThePointsOfBoth) {
+TEST(HalfPlanes, IntersectionOfTwoHullsHasThePointsOfBoth) {
   std::mt19937_64 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto random_point = [&] { return Eigen::Vector2d(uniform(generator), uniform(generator)); };
@@ -295,7 +295,7 @@ TEST(HalfPlanes, TheCommonPartOfTwoHullsHasThePointsOfBoth) {
   EXPECT_GT(std::min({empty, bounded, endless, lines}), 4);
 }
 
-TEST(HalfPlanes, OnlyCornersAreVertices) {
+TEST(HalfPlanes, PointsOnEdgesAreNoVertices) {
   const Polygon square{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, -1 + 1e-6}}, {}};
   EXPECT_EQ(with_corners_only(square, {0.1, 0.2}, 1e-4, 1e-5).vertices.size(), 4U);
   // A vertex before the last one lies on the ray of that one.

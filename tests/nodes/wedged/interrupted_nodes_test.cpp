@@ -48,7 +48,7 @@ constexpr std::uint64_t never = UINT64_MAX;
 /// Fewer polls belong to the search around one node.
 constexpr std::uint64_t many_questions = 10;
 
-/// @param plant makes a tree of one node
+/// @param plant returns a tree of one node
 template <class Plant>
 void expect_one_node_left_open(Plant plant) {
   auto whole = plant();
@@ -76,7 +76,7 @@ TEST(InterruptedNodes, NewtonsMethodLeavesItsPatternOpen) {
   });
 }
 
-TEST(InterruptedNodes, TheHistoryOfALeafIsBegunAnew) {
+TEST(InterruptedNodes, OfASweepBeginTheHistoryOfTheirLeafAnew) {
   const auto problem = truss(8);
   const std::vector<SweepTree::Leaf> leaves{
       {.place = all_in_contact(8), .stage = {LeafStage::Kind::solid, {}, {}}}};

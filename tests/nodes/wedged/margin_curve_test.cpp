@@ -41,7 +41,7 @@ TEST(MarginCurve, FindsTheZeroFromBelowInAFewPoints) {
   ADD_FAILURE() << "four points do not settle it";
 }
 
-TEST(MarginCurve, TakesTheTangentFromAboveAsLongAsThereIsNothingBelow) {
+TEST(MarginCurve, UsesTheTangentFromAboveUntilAPointBelowIsKnown) {
   MarginCurve curve(1e-8);
   curve.add(0.8, 0.1, 0.7);
   const auto estimate = curve.next(0.5, 0.8);
@@ -52,7 +52,7 @@ TEST(MarginCurve, TakesTheTangentFromAboveAsLongAsThereIsNothingBelow) {
   EXPECT_LT(curve.next(0.75, 0.8).factor, 0.8);
 }
 
-TEST(MarginCurve, SettlesAfterAStepAsShortAsTheRootOfTheWidth) {
+TEST(MarginCurve, EndsAfterAStepBelowTheRootOfTheWidth) {
   for (const double step : {1e-4, 1e-6}) {
     MarginCurve curve(1e-8);
     curve.add(0.6, step, 0.6 - step);
@@ -60,7 +60,7 @@ TEST(MarginCurve, SettlesAfterAStepAsShortAsTheRootOfTheWidth) {
   }
 }
 
-TEST(MarginCurve, GoesDownFromATie) {
+TEST(MarginCurve, StepsDownFromADegeneratePoint) {
   MarginCurve curve(1e-8);
   curve.add(0.8, 0.1, 0.7);
   curve.add_degenerate(0.7);
@@ -71,7 +71,7 @@ TEST(MarginCurve, GoesDownFromATie) {
 }
 
 // For arbitrary points the estimate stays within the interval of the zero.
-TEST(MarginCurve, StaysWithinWhatIsOpen) {
+TEST(MarginCurve, StaysWithinTheIntervalOfTheZero) {
   MarginCurve curve(1e-8);
   for (const double newton : {-5.0, 0.2, 0.9, infinity, std::nan("")}) {
     for (const double margin : {-1.0, -1e-12, 0.0, 1.0}) {

@@ -112,7 +112,7 @@ Count expect_all_decided(double contrast, double minimum, double maximum, double
   return count;
 }
 
-TEST(Ladder, DecidesEveryNodeInThePlaneWhateverTheContrast) {
+TEST(PrecisionLevels, DecideEveryNodeInThePlaneAtAnyContrast) {
   unsigned seed = 1;
   for (const double contrast : {1.0, 1e2, 1e4, 1e6, 1e9}) {
     const Count count = expect_all_decided<2>(contrast, 0.1, 10, 1e-12, 20, seed++);
@@ -121,7 +121,7 @@ TEST(Ladder, DecidesEveryNodeInThePlaneWhateverTheContrast) {
   }
 }
 
-TEST(Ladder, DecidesEveryNodeInSpaceWhateverTheContrast) {
+TEST(PrecisionLevels, DecideEveryNodeInSpaceAtAnyContrast) {
   unsigned seed = 11;
   for (const double contrast : {1.0, 1e3, 1e6, 1e9}) {
     const Count count = expect_all_decided<3>(contrast, 0.1, 10, 1e-12, 12, seed++);
@@ -130,26 +130,26 @@ TEST(Ladder, DecidesEveryNodeInSpaceWhateverTheContrast) {
   }
 }
 
-TEST(Ladder, DoublesDoForNearlyAllNodes) {
+TEST(PrecisionLevels, EscalateAtMostTwoPercentOfNodes) {
   const Count count = expect_all_decided<2>(1e4, 0.1, 10, 1e-9, 30, 21);
   EXPECT_LT(count.escalated, count.nodes / 50);
 }
 
-TEST(Ladder, NeedlesAndHalfSpacesAreRight) {
+TEST(PrecisionLevels, DecideNodesAtVerySmallAndVeryLargeFriction) {
   EXPECT_GT(expect_all_decided<2>(1e2, 1e-6, 1e-3, 1e-12, 10, 31).infeasible, 50);
   EXPECT_GT(expect_all_decided<2>(1e2, 1e3, 1e6, 1e-12, 10, 32).feasible, 50);
   EXPECT_GT(expect_all_decided<3>(1e2, 1e-6, 1e-3, 1e-12, 8, 33).infeasible, 50);
   EXPECT_GT(expect_all_decided<3>(1e2, 1e3, 1e6, 1e-12, 8, 34).feasible, 50);
 }
 
-TEST(Ladder, EveryToleranceIsHonoured) {
+TEST(PrecisionLevels, DecideNodesAtEachTolerance) {
   for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
     const Count count = expect_all_decided<2>(1e3, 0.1, 10, tolerance, 8, 41);
     EXPECT_GT(count.infeasible, 20);
   }
 }
 
-TEST(Ladder, FrictionOutOfRangeIsRefused) {
+TEST(ContactSolver, RefusesFrictionOutOfRange) {
   const auto problem = exact_problem(Eigen::MatrixXd::Identity(4, 4), 2);
   for (const double mu : {-1.0, 1e-7, 1e7, std::nan("")})
     EXPECT_THROW(ContactSolver(problem, std::vector<double>{1, mu}, tight), std::invalid_argument);
@@ -158,7 +158,7 @@ TEST(Ladder, FrictionOutOfRangeIsRefused) {
 }
 
 // One candidate of F = [a b; b c]: u_n = 0 gives r_t = -a / b for r_n = 1, so t* = mu - a / |b|.
-TEST(ClosedForm, OneCandidateIsFeasibleFromItsOwnCoefficientOn) {
+TEST(ContactSolver, DecidesOneCandidateOnBothSidesOfItsCriticalCoefficient) {
   for (const double contrast : {1.0, 1e3, 1e6}) {
     // Dyadic: the quotient is exact.
     Eigen::Matrix2d compliance;
@@ -179,7 +179,7 @@ TEST(ClosedForm, OneCandidateIsFeasibleFromItsOwnCoefficientOn) {
   }
 }
 
-TEST(Frictionless, NothingWedgesWithoutFriction) {
+TEST(ContactSolver, IsInfeasibleEverywhereWithoutFriction) {
   std::mt19937_64 generator(51);
   for (const int dimension : {2, 3}) {
     const auto problem =
@@ -193,7 +193,7 @@ TEST(Frictionless, NothingWedgesWithoutFriction) {
 // Two candidates that do not interact, [1 1/2; 1/2 1] each, mu = 3 and 0. With r = (r_1, s) at the
 // first and 1 - r_1 at the second, t = min(r_1 + s / 2, 3 r_1 - s, 1 - r_1) is largest, 5/8, at
 // r_1 = 3/8, s = 1/2. In contact the second has u_n = r_n = 0.
-TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
+TEST(ContactSolver, HasTheClosedFormOfOneFrictionlessCandidate) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = compliance(2, 3) = compliance(3, 2) = 0.5;
   const auto problem = exact_problem(compliance, 2);
@@ -211,7 +211,7 @@ TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
 }
 
 // Ignored candidates have no influence.
-TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
+TEST(ContactSolver, IgnoredCandidatesHaveNeitherAReactionNorARow) {
   std::mt19937_64 generator(61);
   for (int repetition = 0; repetition < 10; ++repetition) {
     const auto problem =

@@ -71,7 +71,7 @@ double min_friction_by_simplex(const Eigen::MatrixXd& compliance, double mu,
   return simplex.objective();
 }
 
-TEST(WeightedRelaxation, IsTheLeastThatTheSimplexMethodFinds) {
+TEST(WeightedRelaxation, HasTheOptimumOfTheSimplexMethod) {
   constexpr int m = 8;
   constexpr double mu = 1.5;
   std::mt19937_64 generator(5);
@@ -118,7 +118,7 @@ bool any_sticks(CriticalFriction& critical, int m, double factor) {
   return false;
 }
 
-TEST(PrimalSearch, FindsThePatternThatBeginsFirstInMostSmallProblems) {
+TEST(PrimalSearch, FindsTheLeastCriticalPatternOfMostSmallProblems) {
   constexpr int m = 6;
   int met = 0, tried = 0;
   for (const int dimension : {2, 3})
@@ -136,7 +136,7 @@ TEST(PrimalSearch, FindsThePatternThatBeginsFirstInMostSmallProblems) {
   EXPECT_GE(met, tried - 2);
 }
 
-TEST(PrimalSearch, EndsWithTheFirstPatternThatIsEnough) {
+TEST(PrimalSearch, StopsAtTheFirstSufficientPattern) {
   const auto problem = random_problem(3, 6, 1);
   const auto best = found_in(problem);
   engine::SingleProcess alone;
@@ -149,7 +149,7 @@ TEST(PrimalSearch, EndsWithTheFirstPatternThatIsEnough) {
   EXPECT_LT(part.programs, whole.programs);
 }
 
-TEST(Clusters, AreThePartsOfAllCandidatesAndAsStiff) {
+TEST(Clusters, PartitionTheCandidatesAndHaveTheirMeanCompliance) {
   const auto problem = random_problem(3, 12, 3);
   const auto clusters = clusters_of(problem, 4);
   IndexSet all;

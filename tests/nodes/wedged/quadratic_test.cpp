@@ -49,7 +49,7 @@ bool sticks(const problems::WedgedProblem& problem, double factor) {
   return false;
 }
 
-TEST(QuadraticBound, IsBelowAllLeavesOfSmallProblems) {
+TEST(QuadraticBound, IsInfeasibleForAllLeavesOfSmallProblems) {
   constexpr int m = 5;
   for (const int dimension : {2, 3})
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -69,7 +69,7 @@ TEST(QuadraticBound, IsThatOfTheFirstMultipliersWithoutRounds) {
 }
 
 // A larger coefficient is not asked for, and this one is met exactly.
-TEST(QuadraticBound, EndsAtTheLargestCoefficientAskedFor) {
+TEST(QuadraticBound, IsAtMostTheRequestedMaximum) {
   const auto problem = small_problem(3, 7, 3);
   const double maximum = bound_of(problem).factor / 2;
   EXPECT_EQ(quadratic_bound(problem, {.enough = 0, .maximum = maximum}).factor, maximum);
@@ -106,7 +106,7 @@ problems::Structure between_parallel_walls(double a, double b) {
                      fmt::format("[1, {}]", -a), fmt::format("[-1, {}]", b));
 }
 
-TEST(QuadraticBound, IsBelowAllLeavesBetweenParallelWalls) {
+TEST(QuadraticBound, IsInfeasibleForAllLeavesBetweenParallelWalls) {
   for (const double a : {0.0, 0.5}) {
     const auto problem = problems::wedged_problem(problems::checked(between_parallel_walls(a, a)));
     ASSERT_EQ(problem.modes.matrix.cols(), 3);
@@ -116,7 +116,7 @@ TEST(QuadraticBound, IsBelowAllLeavesBetweenParallelWalls) {
   }
 }
 
-TEST(QuadraticBound, IsNoneForBodiesThatAMotionLiftsOff) {
+TEST(QuadraticBound, IsZeroForBodiesThatARigidBodyModeLiftsOff) {
   const auto wedge =
       loose_block("[[-0.5, 0], [0.5, 0], [0.8, 1], [-0.8, 1]]", 2, "[1, 0.3]", "[-1, 0.3]");
   EXPECT_EQ(bound_of(problems::wedged_problem(problems::checked(wedge))).factor, 0);
@@ -189,7 +189,7 @@ TEST(QuadraticForm, IsProvedForUnconstrainedBodies) {
 }
 
 // The sides slide along walls that are parallel up to the sixteenth digit.
-TEST(QuadraticForm, IsProvedButForLargeDisplacementsAlongInclinedWalls) {
+TEST(QuadraticForm, IsProvedExceptForLargeDisplacementsAlongInclinedWalls) {
   const LooseProof proof(between_parallel_walls(0.3, std::nextafter(0.3, 1)));
   EXPECT_TRUE(proof.holds(proof.bound.factor, proof.bound.numbers, LargeDisplacements::left_out));
   EXPECT_FALSE(proof.holds(proof.bound.factor, proof.bound.numbers, LargeDisplacements::counted));
@@ -238,7 +238,7 @@ QuadraticMultipliers spectral(const problems::WedgedProblem& problem) {
 
 // P = -I and S = F_nt: the form is negative definite below the least eigenvalue of F_nn over
 // sym|F_nt|.
-TEST(QuadraticProof, HoldsUpToTheSpectralCoefficient) {
+TEST(QuadraticProof, IsValidUpToTheSpectralCoefficient) {
   const auto problem = random_problem(3, 9, 5);
   const auto multipliers = spectral(problem);
   const auto m = multipliers.squares.size();

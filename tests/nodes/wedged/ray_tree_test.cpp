@@ -70,7 +70,7 @@ struct RayProblem {
 
 constexpr std::uint64_t no_end = std::uint64_t{1} << 40U;
 
-TEST(RayTrial, HasAllRaysIfItIsWorthAnything) {
+TEST(RayTrial, HasAllRaysIfItSucceeds) {
   for (const auto& truss : {problems::plane_truss({.rows = 9}), problems::paper_plane_truss(11)}) {
     const RayProblem given(truss);
     auto trial = given.trial();
@@ -82,7 +82,7 @@ TEST(RayTrial, HasAllRaysIfItIsWorthAnything) {
   }
 }
 
-TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
+TEST(RayTrial, SucceedsOnSmallTreesOnly) {
   // With almost all bars no pattern is feasible, and double description has many intermediate rays;
   // the paper's truss has many degenerate nodes, and few more intermediate rays than final ones.
   const auto outlasts = [](const problems::Structure& truss) {
@@ -120,7 +120,7 @@ struct Divided {
 };
 
 // Down to lists that are divided wherever possible.
-TEST(RayListTree, AreTheSameHoweverOftenTheListIsDivided) {
+TEST(RayListTree, FindsTheSameRaysForAnyDivisionOfTheList) {
   std::uint64_t opened = 0;  // by 24 searches, most of which divide the list
   for (const auto& truss :
        {problems::plane_truss({.rows = 9}), problems::plane_truss({.rows = 8, .bays = 1}),
@@ -141,13 +141,13 @@ TEST(RayListTree, AreTheSameHoweverOftenTheListIsDivided) {
   EXPECT_GE(opened, 60U);
 }
 
-TEST(RayListTree, TakeMemoryThatIsKnownBeforehand) {
+TEST(RayListTree, ListsHaveBoundedMemory) {
   EXPECT_LT(memory_of_lists(3), 1'000'000U);
   EXPECT_LT(memory_of_lists(5), memory_of_lists(10));
   EXPECT_LT(memory_of_lists(64), std::uint64_t{2} << 30U);
 }
 
-TEST(PatternRaysByTurns, AreThoseOfOneTurn) {
+TEST(PatternRaysByTurns, AreTheSameInAnyNumberOfTurns) {
   const RayProblem given(problems::plane_truss({.rows = 10}));
   const rays::Candidates all = given.cone.all();
   for (const rays::Candidates contact : {all, all & ~rays::bit(3), rays::Candidates{0b111}}) {

@@ -34,7 +34,7 @@ problems::Structure with_rod(problems::Structure structure, double angle) {
   return structure;
 }
 
-// Every pattern of the truss alone is degenerate with c inactive, under either name of c.
+// Every pattern of the truss alone is degenerate with c inactive, whether c is in U or in R.
 void expect_rest(double angle, unsigned seed) {
   std::mt19937_64 generator(seed);
   int ties = 0;
@@ -75,17 +75,17 @@ void expect_rest(double angle, unsigned seed) {
   EXPECT_GT(ties, 10);
 }
 
-TEST(RelativeInterior, OfExactTiesHasTheRestingCandidateAtRest) {
+TEST(RelativeInterior, OfExactlyDegenerateNodesHasTheInactiveCandidate) {
   expect_rest(0, 1);
 }
 
-TEST(RelativeInterior, OfTiesUpToTheSixteenthDigitHasItTooAtAnyAngle) {
+TEST(RelativeInterior, OfNodesDegenerateUpToRoundingHasTheInactiveCandidate) {
   expect_rest(0.3, 2);
   expect_rest(1.1, 3);
   expect_rest(2.9, 4);
 }
 
-TEST(RelativeInterior, OfSeveralRestingCandidatesIsTheSamePointWhateverTheyAreCalled) {
+TEST(RelativeInterior, IsTheSamePointForEitherSideOfInactiveCandidates) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(8, 8);
   compliance(0, 1) = compliance(1, 0) = 0.5;
   problems::WedgedProblem problem;
@@ -115,7 +115,7 @@ TEST(RelativeInterior, ExistsForDegenerateNodesOnly) {
 }
 
 // At its own coefficient, t* = mu - F_nn / |F_nt| = 0, a candidate slides with a reaction.
-TEST(RelativeInterior, AtTheCriticalCoefficientTheCandidateIsLoaded) {
+TEST(RelativeInterior, HasALoadedCandidateAtItsCriticalCoefficient) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;
   problems::WedgedProblem problem;

@@ -111,7 +111,7 @@ std::optional<double> margin(const Eigen::MatrixXd& f, const support::IndexSet& 
   return simplex.value(t);
 }
 
-TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
+TEST(SeveralNormals, HaveThePatternsOfALinearProgramForEachLeaf) {
   constexpr double accuracy = 1e-6;  // accuracy of the simplex method in doubles
   std::mt19937_64 bits(5);
   int open = 0;
@@ -170,7 +170,7 @@ problems::Structure tied_apart(problems::Structure structure, double stiffness) 
 
 // The stiff connection deforms by 1e-8, which lets inactive candidates move by that much. Patterns
 // with margins of this size are due to the connection and are not compared.
-TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
+TEST(SeveralNormals, AreEquivalentToTwoNodesInAStiffConnection) {
   constexpr double of_the_tie = 1e-6;
   int open = 0;
   int open_of_the_tie = 0;
@@ -200,7 +200,7 @@ RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod m
   return find_rays(analysis, problem, friction, cone, method);
 }
 
-TEST(Corner, HasRaysWhoseCliquesAreThePatterns) {
+TEST(SeveralNormals, HaveRaysWhoseCliquesAreThePatterns) {
   std::mt19937_64 bits(7);
   std::size_t cones = 0;
   for (int trial = 0; trial < 30; ++trial) {
@@ -261,7 +261,7 @@ CriticalFindings critical(const problems::Structure& structure) {
   return find_critical_friction(analysis, own, problems::wedged_problem(own), {.width = 1e-8});
 }
 
-TEST(Corner, OfAGrooveHoldsFromTheTangentOfItsHalfAngle) {
+TEST(SeveralNormals, OfAGrooveWedgeFromTheTangentOfItsHalfAngle) {
   for (const double degrees : {10.0, 30.0}) {
     const double theta = degrees * std::numbers::pi / 180;
     const auto found = critical(tip_in_groove(theta));
@@ -275,7 +275,7 @@ TEST(Corner, OfAGrooveHoldsFromTheTangentOfItsHalfAngle) {
 
 // The point touches the bottom, so the wedge cannot be squeezed: only its point is wedged, and the
 // other candidates are inactive.
-TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
+TEST(SeveralNormals, AtTheBottomOfAWedgeAreTheOnlyLoadedCandidates) {
   for (const double degrees : {10.0, 30.0}) {
     const double theta = degrees * std::numbers::pi / 180;
     const auto structure = wedge_in_groove(theta);
@@ -298,7 +298,7 @@ TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
 }
 
 // Exchange of left and right exchanges the patterns.
-TEST(Corner, OfASymmetricStructureHasSymmetricPatterns) {
+TEST(SeveralNormals, OfASymmetricStructureHaveSymmetricPatterns) {
   const auto structure = read(
       "[nodes]\ntip = [0, 0]\na = [-1, 1]\nb = [1, 1]\nc = [-1, 2]\nd = [1, 2]\n"
       "[[members]]\nEA = 1\nbetween = [[\"tip\", \"a\"], [\"tip\", \"b\"], [\"a\", \"b\"], [\"a\", "

@@ -73,7 +73,7 @@ TEST_P(SpaceTruss, HasThePatternsOfTheReference) {
 }
 
 // The tree prunes and branches; this test decides each of the 2^10 leaves by itself.
-TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
+TEST_P(SpaceTruss, HasThePatternsOfAnEnumerationOfAllLeaves) {
   const auto problem = named_example("space-truss.toml");
   const double mu = std::stod(GetParam());
   auto tree = tree_of(problem, mu);
@@ -138,7 +138,7 @@ TEST(SignPatternTree, EveryConfigurationSolvesTheWedgedProblem) {
 }
 
 // Both branching rules find the same; one of them takes a third fewer nodes here.
-TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) {
+TEST(SignPatternTree, FindsTheSamePatternsWithFewerNodesByTheRelativeRule) {
   const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8}) {
     const std::vector<double> friction(10, mu);
@@ -168,7 +168,7 @@ TEST(SignPatternTree, DeepestRuleOpensFewerNodesOnAFace) {
 }
 
 // In space, where they do not have fewer.
-TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
+TEST(SignPatternTree, FindsTheSamePatternsInSpaceByAllRules) {
   const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8, 1.0}) {
     const std::vector<double> friction(10, mu);
@@ -183,7 +183,7 @@ TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
 }
 
 // Compared with all leaves one by one, with different friction at every candidate.
-TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
+TEST(SignPatternTree, UsesTheFrictionOfEachCandidate) {
   const auto problem = named_example("space-truss.toml");
   double unit = 0;
   for (int i = 0; i < 10; ++i) unit += problem.compliance.matrix(3 * i, 3 * i) / 10;
@@ -242,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(AllFrictions, PlaneTruss,
 
 // Algorithm 5.8 compared with Algorithm 5.1: the same patterns from different numbers of
 // candidates, which do not grow with the number of facets if each polygon contains the next.
-TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
+TEST(PolyhedralFriction, HasThePatternsOfConesAndFewerCandidatesWithMoreFacets) {
   const auto problem = named_example("space-truss.toml");
   for (const double mu : {0.6, 0.65, 1.0}) {
     auto cones = tree_of(problem, mu);
@@ -262,7 +262,7 @@ TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
 }
 
 // Step 1 and step 2 of Algorithm 5.8, each on all 2^10 leaves one by one.
-TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
+TEST(PolyhedralFriction, ListsTheCandidatesWithTheirTestResults) {
   const auto problem = named_example("space-truss.toml");
   const std::vector<double> friction(10, 0.65);
   const int facets = 4;
@@ -308,7 +308,7 @@ struct Watched {
 };
 
 // Remark 5.2: the order is arbitrary.
-TEST(Order, BreadthFirstOpensTheSameNodesLevelByLevel) {
+TEST(SignPatternTree, OpensTheSameNodesInBreadthFirstOrder) {
   const auto problem = named_example("space-truss.toml");
   const auto depths = [&](engine::Order order) {
     Watched watched{tree_of(problem, 0.65)};
@@ -328,7 +328,7 @@ TEST(Order, BreadthFirstOpensTheSameNodesLevelByLevel) {
 }
 
 // Pruning and branching compared with all leaves one by one, in the plane and in space.
-TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
+TEST(SignPatternTree, HasThePatternsOfAnEnumerationOfAllLeaves) {
   std::size_t patterns = 0;
   for (std::uint64_t seed = 1; seed <= 48; ++seed) {
     const int m = 1 + static_cast<int>(seed % 8);
@@ -361,7 +361,7 @@ TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
 
 // One candidate in contact: the displacement of the tangents requires r_t along a direction between
 // two edges, where the polygon has the width mu, or along an edge, where it is mu / cos(pi / F).
-TEST(Polyhedral, ConeTouchesTheFrictionConeInTheMiddleOfAFacet) {
+TEST(PolyhedralFriction, TouchesTheFrictionConeInTheMiddleOfEachFacet) {
   const double mu = 0.5;
   const int facets = 8;
   const double edge = mu / std::cos(std::numbers::pi / facets);

@@ -83,7 +83,7 @@ TEST(FrictionSweep, CountsNoFlatConeThatLiesInAnother) {
   }
 }
 
-TEST(FrictionSweep, CountsWhatAnEnumerationFindsAtEachCoefficient) {
+TEST(FrictionSweep, AgreesWithAnEnumerationAtEachCoefficient) {
   for (const auto* name : {"plane-truss.toml", "space-truss.toml", "elastic-body.toml",
                            "wedge-in-groove.toml", "peg-in-hole.toml", "two-bars.toml"}) {
     SCOPED_TRACE(name);
@@ -97,7 +97,7 @@ TEST(FrictionSweep, CountsWhatAnEnumerationFindsAtEachCoefficient) {
 
 // Components, right angles and rods: cones with inactive candidates, some of which become part of
 // larger ones as friction grows.
-TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
+TEST(FrictionSweep, CountsFlatConesUntilALargerConeContainsThem) {
   std::size_t flat = 0;
   std::size_t absorbed = 0;
   for (const int dimension : {2, 3}) {
@@ -129,7 +129,7 @@ TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
 }
 
 // Two bars at 45 degrees, whose tip sticks from a decimal coefficient on.
-TEST(FrictionSweep, DoesNotRoundWhereAPatternBegins) {
+TEST(FrictionSweep, BracketsTheCoefficientAtWhichAPatternBecomesFeasible) {
   const auto findings = swept(example("two-bars.toml"), 3);
   ASSERT_EQ(findings.cones.size(), 1U);
   const auto& begins = findings.cones.front().begins;
@@ -181,7 +181,7 @@ LeafStage flat(std::initializer_list<int> loaded, std::initializer_list<int> mov
 
 // A cone of two leaves becomes feasible with the first of them, and ends when a third becomes
 // solid.
-TEST(FrictionSweep, PutsHistoriesTogether) {
+TEST(FrictionSweep, CombinesHistoriesOfLeaves) {
   const LeafStage solid{LeafStage::Kind::solid, {}, {}};
   SweepFindings findings;
   findings.enumerated = true;

@@ -89,7 +89,7 @@ TEST(UnconstrainedBodies, PlugStaysInAConeFromTheTangentOfItsHalfAngle) {
 }
 
 // Bodies supported from one side only are not wedged, however far they can move.
-TEST(UnconstrainedBodies, ThatRestOnAFloorDoNotWedge) {
+TEST(UnconstrainedBodies, OnAFloorDoNotWedge) {
   const auto structure = problems::read_structure(
       "name = \"floor\"\ndimension = 2\nunits = { length = \"mm\", force = \"N\" }\n"
       "[[mesh]]\nname = \"p\"\ncorners = [[0, 0], [1, 0], [1, 1], [0, 1]]\ndivisions = [3, 2]\n"

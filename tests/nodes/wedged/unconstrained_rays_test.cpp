@@ -49,7 +49,7 @@ problems::Structure unconstrained_truss(int candidates, std::mt19937_64& bits) {
   return truss;
 }
 
-TEST(UnconstrainedRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
+TEST(UnconstrainedRays, AreTheSameByBothMethodsAndTheirCliquesAreThePatterns) {
   std::mt19937_64 bits(3);
   std::size_t rays = 0;
   std::size_t cones = 0;

@@ -30,7 +30,7 @@ std::optional<double> min_of(linear::MixedProgram mixed, const std::vector<Linea
   return by_brute_force(mixed);
 }
 
-TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
+TEST(DisjunctiveCuts, AreSatisfiedByAllPointsAndCutOffTheOptimumOfTheRelaxation) {
   int cuts = 0;
   for (int kind = 0; kind < 4; ++kind) {
     for (unsigned seed = 0; seed < 6; ++seed) {
@@ -59,7 +59,7 @@ TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
   EXPECT_GT(cuts, 15);
 }
 
-TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
+TEST(DisjunctiveCuts, ReachTheHullOfBothSides) {
   // x <= tau, x <= 1 - tau with 0 <= x <= 1: both sides of the disjunction imply x = 0, the
   // relaxation allows x = 1/2 at tau = 1/2.
   linear::MixedProgram mixed;
@@ -77,7 +77,7 @@ TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
 }
 
 // Step 4 of Algorithm 5.1: after a cut that was not kept, J is without its binary, and no other.
-TEST(CutOrder, LeavesOutTheLastBinaryOnly) {
+TEST(CutOrder, OmitsTheLastRejectedBinaryOnly) {
   const std::vector<double> residual{0.1, 0.25, 0.2, 0};
   CutOrder order(4);
   EXPECT_EQ(order.next(residual), 1U);
@@ -112,7 +112,7 @@ TEST(CutOrder, TriesRejectedBinariesIfNoOthersAreLeft) {
   EXPECT_EQ(order.next({0}), std::nullopt);
 }
 
-TEST(DisjunctiveCuts, RaiseTheBoundAndStopInTime) {
+TEST(DisjunctiveCuts, RaiseTheBoundWithinTheLimitOfRounds) {
   int raised = 0;
   for (unsigned seed = 0; seed < 6; ++seed) {
     const auto mixed = random_mixed(seed, 0, 10);
@@ -131,7 +131,7 @@ TEST(DisjunctiveCuts, RaiseTheBoundAndStopInTime) {
   EXPECT_GE(raised, 4);
 }
 
-TEST(BoundTightening, RangesHoldAllPointsThatMatter) {
+TEST(BoundTightening, RangesContainAllPointsWithinTheCutoff) {
   int bounded = 0;
   for (int kind = 2; kind < 5; ++kind) {
     for (unsigned seed = 0; seed < 8; ++seed) {
@@ -169,7 +169,7 @@ TEST(BoundTightening, ReportsAnEmptyRange) {
   EXPECT_TRUE(range.proved);
 }
 
-TEST(BigMs, BecomeAsSmallAsTheyNeedToBe) {
+TEST(BigMs, AreReducedToTheLeastValidValues) {
   // gamma <= |u| with -3 <= u <= 4 and M = 100, as in (29): gamma - u <= M (1 - tau) needs
   // M = 6 where u = -3 (gamma = 3), gamma + u <= M tau needs 8.
   linear::MixedProgram mixed;
@@ -201,7 +201,7 @@ linear::MixedProgram with_an_m_for_nothing(double maximum) {
   return mixed;
 }
 
-TEST(BigMs, AreZeroWhereTheRowHoldsWithoutThem) {
+TEST(BigMs, AreZeroIfTheRowIsSatisfiedWithoutThem) {
   auto mixed = with_an_m_for_nothing(0);
   BigMs big_ms(mixed);
   const auto done = big_ms.tighten(mixed, 0);
@@ -213,7 +213,7 @@ TEST(BigMs, AreZeroWhereTheRowHoldsWithoutThem) {
   EXPECT_EQ(big_ms.smaller(), 1U);
 }
 
-TEST(BigMs, KeepAShareOfTheRowHoweverOftenTheyAreAskedFor) {
+TEST(BigMs, KeepAShareOfTheRowAfterRepeatedTightening) {
   // The row needs 1e-12, which is negligible beside t.
   auto mixed = with_an_m_for_nothing(1e-12);
   BigMs big_ms(mixed);
@@ -224,7 +224,7 @@ TEST(BigMs, KeepAShareOfTheRowHoweverOftenTheyAreAskedFor) {
   EXPECT_EQ(big_ms.smaller(), 1U);
 }
 
-TEST(BigMs, LoseNoOptimum) {
+TEST(BigMs, DoNotExcludeTheOptimum) {
   std::uint64_t shrunk = 0;
   for (int kind = 2; kind < 5; ++kind) {
     for (unsigned seed = 0; seed < 10; ++seed) {
@@ -242,7 +242,7 @@ TEST(BigMs, LoseNoOptimum) {
   EXPECT_GT(shrunk, 4U);
 }
 
-TEST(ImpliedBounds, FollowFromRowsAndLoseNothing) {
+TEST(ImpliedBounds, FollowFromRowsAndAreRoundedOutwards) {
   linear::LinearProgram program;
   const int x = program.add_column({.lower = -linear::infinity});
   const int y = program.add_column({.cost = 3});

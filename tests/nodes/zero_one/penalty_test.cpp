@@ -183,7 +183,7 @@ Said check(const MixedProgram& mixed, const tests::ExactOptimum& truth, const Wa
   return Said::optimal;
 }
 
-TEST(Penalties, NothingIsCalledOptimalOrInfeasibleWrongly) {
+TEST(ZeroOneTree, IsRightAboutProgramsWithLargePenalties) {
   const unsigned programs = from_environment("KUSABI_PENALTY_PROGRAMS", 120);
   const unsigned first = from_environment("KUSABI_PENALTY_SEED", 1);
   const auto all = ways();

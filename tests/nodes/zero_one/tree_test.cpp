@@ -77,7 +77,7 @@ TEST(ZeroOneTree, SolvesProgramsWithKnownOptima) {
 }
 
 // v^U of remark 4.5: a number above the objective of a known point.
-TEST(ZeroOneTree, GoesOnFromAnIncumbent) {
+TEST(ZeroOneTree, StartsFromAnIncumbent) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const auto mixed = random_mixed(seed, 2, 8);
     const auto without =
@@ -97,7 +97,7 @@ TEST(ZeroOneTree, GoesOnFromAnIncumbent) {
   }
 }
 
-TEST(ZeroOneTree, FindsWhatTryingAllBinariesFinds) {
+TEST(ZeroOneTree, AgreesWithAnEnumerationOfAllBinaries) {
   int with_points = 0;
   int without = 0;
   const std::vector<Way> ways{
@@ -132,7 +132,7 @@ TEST(ZeroOneTree, FindsWhatTryingAllBinariesFinds) {
   EXPECT_GT(without, 5);
 }
 
-TEST(ZeroOneTree, IsTheSameWhateverWasOpenedBefore) {
+TEST(ZeroOneTree, DoesNotDependOnNodesOpenedBefore) {
   const auto mixed = random_mixed(3, 0, 24);
   ZeroOneTree used(prepare_root(mixed, {.tighten = false, .dive = false}));
   const auto search = [](ZeroOneTree& tree) {
@@ -149,7 +149,7 @@ TEST(ZeroOneTree, IsTheSameWhateverWasOpenedBefore) {
   EXPECT_GT(first.opened(), 10U);
 }
 
-TEST(ZeroOneTree, SolvesAProgramWithoutRowsAndOneWithoutBinaries) {
+TEST(ZeroOneTree, SolvesProgramsWithoutRowsOrWithoutBinaries) {
   linear::MixedProgram free;
   free.binaries = {free.program.add_column({.cost = -2, .upper = 1}),
                    free.program.add_column({.cost = 3, .upper = 1})};
@@ -170,7 +170,7 @@ TEST(ZeroOneTree, RefusesInvalidBinaries) {
   EXPECT_THROW(Relaxation{mixed}, std::invalid_argument);
 }
 
-TEST(ProgramFile, ABadFileGetsTheLineThatItAsksFor) {
+TEST(ProgramFile, IsRefusedWithItsMessageIfMalformed) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(program_path("bad-programs"))) {
     ++files;

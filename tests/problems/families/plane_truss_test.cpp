@@ -18,7 +18,7 @@
 namespace kusabi::problems {
 namespace {
 
-TEST(PlaneTruss, OfTheUsualSizeIsTheExample) {
+TEST(PlaneTruss, OfDefaultSizeIsTheExample) {
   const auto truss = plane_truss({});
   const Structure example = load_structure(test::source_path("examples/plane-truss.toml"));
   // The coordinates of the example are typed with sixteen digits.
@@ -55,7 +55,7 @@ TEST(PlaneTruss, OfThePaperHasBarsOfOneStiffnessAndAMirroredNormal) {
   EXPECT_THROW((void)paper_plane_truss(1), std::invalid_argument);
 }
 
-TEST(PlaneTruss, OfAnySizeAndBraceStandsFirm) {
+TEST(PlaneTruss, OfAnySizeAndBracingIsNoMechanism) {
   for (const int rows : {2, 3, 7, 12}) {
     for (const int bays : {1, 2, 3, 4}) {
       for (const auto verticals : {Verticals::none, Verticals::inner, Verticals::all}) {
@@ -68,7 +68,7 @@ TEST(PlaneTruss, OfAnySizeAndBraceStandsFirm) {
   }
 }
 
-TEST(PlaneTruss, HasTheWidthAndTheLeanAskedFor) {
+TEST(PlaneTruss, HasTheRequestedWidthAndLean) {
   const auto truss = plane_truss({.rows = 3, .bays = 1, .width = 4, .lean = 45});
   EXPECT_EQ(truss.coordinates(0, 1), 4);
   EXPECT_NEAR(truss.coordinates(0, 5), 6, 1e-14);

@@ -35,11 +35,11 @@ void expect_alike(const Structure& a, const Structure& b) {
   }
 }
 
-TEST(SpaceTruss, OfTheUsualSizeIsTheExample) {
+TEST(SpaceTruss, OfDefaultSizeIsTheExample) {
   expect_alike(space_truss({}), load_structure(test::source_path("examples/space-truss.toml")));
 }
 
-TEST(SpaceTruss, OfAnySizeStandsFirm) {
+TEST(SpaceTruss, OfAnySizeIsNoMechanism) {
   for (const int rows : {2, 3, 6}) {
     for (const int depth : {2, 3, 5}) {
       for (int bays = 1; bays <= rows; ++bays) {

@@ -86,7 +86,7 @@ TEST(Actions, WithoutALeadingActionAllAreReduced) {
 }
 
 // The bounds of each range, as exact products, are within the nominal load and the half-width.
-TEST(Actions, RangesHoldBothFactors) {
+TEST(Actions, RangesContainBothFactors) {
   const auto structure = read_structure(one_bar(general), "hanger.toml");
   const auto expect_held = [&](const std::string& load_case, const std::string& action,
                                double lower, double upper, int axis, double force) {
@@ -111,7 +111,7 @@ TEST(Actions, RangesHoldBothFactors) {
   expect_held("6.10 wind leads", "wind", -1.6, 1.6, 0, 0.1 + 0.2);
 }
 
-TEST(Actions, ExclusiveOnesTakeTurns) {
+TEST(Actions, ExclusiveActionsAreNeverCombined) {
   const std::string tail = R"([[actions]]
 name = "crane left"
 variable = 1.35

@@ -88,7 +88,7 @@ TEST(Assembly, TurnsByAnyAngle) {
   EXPECT_LT((place(structure, "m.A.2") - Eigen::Vector2d(std::sqrt(0.75), -0.5)).norm(), 1e-15);
 }
 
-TEST(Assembly, NamesSetsOfInstancesAndOfItsOwn) {
+TEST(Assembly, NamesSetsOfInstancesAndOfTheAssembly) {
   const std::string more =
       "*Nset, nset=ends, instance=Low-1\n1, 3\n*Nset, nset=ends, instance=high-1\n1,\n"
       "*Nset, nset=from\nHigh-1.6, Low-1.All\n"
@@ -127,7 +127,7 @@ TEST(Assembly, ReadsTheMeshOfAnIndependentInstance) {
   EXPECT_THAT(structure.warnings, testing::Contains(HasSubstr("\"_Ref\" has no node")));
 }
 
-TEST(Assembly, RefusesWhatDoesNotEnd) {
+TEST(Assembly, RefusesUnterminatedAndInvalidBlocks) {
   const auto error = [](const std::string& deck) { return test::error_of(problem(deck)); };
   EXPECT_THAT(error("*Part, name=P\n*Node\n1, 0., 0.\n"), HasSubstr("expected *END PART"));
   EXPECT_THAT(error(deck("*Instance, name=A, part=Block\n")), HasSubstr("expected *END INSTANCE"));
@@ -141,7 +141,7 @@ TEST(Assembly, RefusesWhatDoesNotEnd) {
       HasSubstr("the two points of a rotation axis are equal"));
 }
 
-TEST(Assembly, WarnsOnceForEachThingThatIsLeftOut) {
+TEST(Assembly, WarnsOnceOfEachOmission) {
   const std::string more =
       "*Step, name=Step-1\n*Static\n1., 1.\n*Cload\nLow-1.All, 1, 5.\n*Cload\nHigh-1.All, 1, 5.\n"
       "*Boundary\nLow-1.All, 1, 1, 0.1\n*Equation\n2\n*End Step\n";
@@ -158,14 +158,14 @@ TEST(Assembly, WarnsOnceForEachThingThatIsLeftOut) {
                           "with them"));
 }
 
-TEST(Assembly, RefusesAKeywordThatIsAlmostOneOfItsOwn) {
+TEST(Assembly, RefusesAMisspeltKeyword) {
   EXPECT_THAT(
       test::error_of(problem(deck(two_blocks, "*Boundry\nLow-1.All, 1\n"))),
       StartsWith("a.inp:36:1: keyword \"*BOUNDRY\" is not understood; expected a keyword of "
                  "Abaqus; did you mean \"*BOUNDARY\"?"));
 }
 
-TEST(Assembly, LeavesOutElementsOfSingleNodes) {
+TEST(Assembly, OmitsSpringElements) {
   const std::string more =
       "*Element, type=SPRINGA, elset=springs\n90, Low-1.1, High-1.1\n91, Low-1.2, High-1.2\n"
       "*Elset, elset=some\n90,\n*Elset, elset=both\nsome, Low-1.All\n";
@@ -175,7 +175,7 @@ TEST(Assembly, LeavesOutElementsOfSingleNodes) {
               testing::Contains(StartsWith("a.inp:32: elements of type SPRINGA are left out")));
 }
 
-TEST(Assembly, RefusesElementsOfOtherBodies) {
+TEST(Assembly, RefusesAxisymmetricElements) {
   std::string other = deck(two_blocks);
   other.replace(other.find("CPE4R"), 5, "CAX4R");
   EXPECT_THAT(test::error_of(problem(other)),
@@ -191,7 +191,7 @@ TEST(Assembly, TakesTheSupportsOfTheLastStep) {
   EXPECT_THAT(structure.fixed[7], ElementsAre(true, false, false));
 }
 
-TEST(Assembly, LeavesOutSupportsAlongTurnedAxes) {
+TEST(Assembly, OmitsSupportsAlongRotatedAxes) {
   const auto structure =
       read(deck(two_blocks + "*Transform, nset=Low-1.All\n1., 1., 0., -1., 1., 0.\n",
                 "*Boundary\nLow-1.1, 1\nLow-1.2, 1, 3\nHigh-1.1, 1\n"));
@@ -202,7 +202,7 @@ TEST(Assembly, LeavesOutSupportsAlongTurnedAxes) {
 }
 
 // The material may come from the problem file instead.
-TEST(Assembly, SaysWhichMaterialIsNotElastic) {
+TEST(Assembly, NamesAMaterialWithoutElasticity) {
   std::string plastic = deck(two_blocks);
   plastic.replace(plastic.find("*Elastic\n210000., 0.3"), 21,
                   "*Elastic, type=ENGINEERING CONSTANTS\n1., 2.");

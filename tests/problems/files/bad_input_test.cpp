@@ -64,7 +64,7 @@ std::string error_of(const std::string& text, const std::string& file_name) {
 
 class BadInput : public testing::TestWithParam<std::filesystem::path> {};
 
-TEST_P(BadInput, IsRefusedWithOneLineThatSaysWhere) {
+TEST_P(BadInput, IsRefusedWithTheExpectedLine) {
   const std::string text = contents(GetParam());
   const std::string error = error_of(text, GetParam().filename().string());
   EXPECT_THAT(error, promised_error(text));
@@ -78,11 +78,11 @@ INSTANTIATE_TEST_SUITE_P(Files, BadInput, testing::ValuesIn(malformed_files()),
                            return name;
                          });
 
-TEST(BadInputFiles, AreNotFewerThanTheRules) {
+TEST(BadInputFiles, AreAtLeastAsManyAsTheRules) {
   EXPECT_GE(malformed_files().size(), min_files);
 }
 
-TEST(BadInputText, WithoutAnyByteIsRefused) {
+TEST(BadInputText, OfZeroBytesIsRefused) {
   EXPECT_EQ(error_of("", "empty.toml"),
             "empty.toml:1:1: the file is empty; expected a problem file in TOML");
 }
@@ -111,7 +111,7 @@ TEST(BadInputText, OfCommentsOnlyIsRefused) {
             "comments.toml:1:1: the file is empty; expected at least one entry");
 }
 
-TEST(BadInputText, CutAnywhereIsRefusedOrComplete) {
+TEST(BadInputText, TruncatedAnywhereIsRefusedOrComplete) {
   // Truncated files lead to an input error or to a complete problem.
   const std::string whole = contents(test::source_path("examples/two-bars.toml"));
   for (std::size_t length = 0; length < whole.size(); ++length) {

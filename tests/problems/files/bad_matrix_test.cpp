@@ -29,7 +29,7 @@ ProblemText problem_of(const std::string& name, const std::string& matrix) {
 
 class BadMatrix : public testing::TestWithParam<std::string> {};
 
-TEST_P(BadMatrix, IsRefusedWithOneLineThatSaysWhere) {
+TEST_P(BadMatrix, IsRefusedWithTheExpectedLine) {
   const std::string name = test::promised_file(GetParam());
   EXPECT_EQ(test::error_of(problem_of(name, test::content("tests/bad-matrices/" + name))),
             GetParam());
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BadMatrix, testing::ValuesIn(test::promises("tes
                            return name;
                          });
 
-TEST(BadMatrices, AreAllPromisedSomething) {
+TEST(BadMatrices, AllHaveAnExpectedLine) {
   std::set<std::string> promised{"expected.txt"};
   for (const auto& promise : test::promises("tests/bad-matrices"))
     promised.insert(test::promised_file(promise));
@@ -58,7 +58,7 @@ TEST(BadMatrices, AreAllPromisedSomething) {
   EXPECT_GT(files.size(), 50U);
 }
 
-TEST(BadMatrices, OfInvalidRowsAreRefused) {
+TEST(BadMatrices, WithInvalidRowsAreRefused) {
   const auto error = [](const std::string& rows) {
     auto problem = problem_of("stored.sti", "1 1 4.\n");
     problem.meshes["stored.dof"] = rows;
@@ -74,7 +74,7 @@ TEST(BadMatrices, OfInvalidRowsAreRefused) {
 }
 
 // Truncated files lead to an error of one line or to a complete matrix.
-TEST(BadMatrices, CutAnywhereAreRefusedOrComplete) {
+TEST(BadMatrices, TruncatedAnywhereAreRefusedOrComplete) {
   for (const std::string name : {"box-hex8-substructure.mtx", "box-hex8-stored.sti"}) {
     const std::string whole = test::content("tests/meshes/" + name);
     auto problem = test::with_meshes(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) +

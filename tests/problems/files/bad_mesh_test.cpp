@@ -18,7 +18,7 @@ namespace {
 
 class BadMesh : public testing::TestWithParam<std::string> {};
 
-TEST_P(BadMesh, IsRefusedWithOneLineThatSaysWhere) {
+TEST_P(BadMesh, IsRefusedWithTheExpectedLine) {
   const std::string name = test::promised_file(GetParam());
   // Materials missing in an Abaqus file are not defined elsewhere.
   const bool is_gmsh = name.ends_with(".msh");
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BadMesh, testing::ValuesIn(test::promises("tests
                            return name;
                          });
 
-TEST(BadMeshes, AreAllPromisedSomething) {
+TEST(BadMeshes, AllHaveAnExpectedLine) {
   std::set<std::string> promised{"expected.txt"};
   for (const auto& promise : test::promises("tests/bad-meshes"))
     promised.insert(test::promised_file(promise));
@@ -63,7 +63,7 @@ TEST(BadMeshes, AreAllPromisedSomething) {
 }
 
 // Truncated files lead to an error of one line or to a complete mesh.
-TEST(BadMeshes, CutAnywhereAreRefusedOrComplete) {
+TEST(BadMeshes, TruncatedAnywhereAreRefusedOrComplete) {
   for (const std::string name :
        {"quads-q4-22.msh", "quads-q4-41.msh", "box-hex20-41.msh", "box-tet4.inp"}) {
     const std::string whole = test::content("tests/meshes/" + name);

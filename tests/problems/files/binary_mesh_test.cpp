@@ -162,7 +162,7 @@ void expect_equal(const Structure& one, const Structure& other) {
     EXPECT_EQ(one.elements[i].nodes, other.elements[i].nodes);
 }
 
-TEST(BinaryMesh, OfGmshIsTheAsciiOne) {
+TEST(BinaryMesh, OfGmshEqualsTheAsciiMesh) {
   expect_equal(
       read_structure(problem("quads-binary.msh", test::content("tests/meshes/quads-binary.msh")),
                      "b"),
@@ -172,7 +172,7 @@ TEST(BinaryMesh, OfGmshIsTheAsciiOne) {
 
 class BinaryMeshes : public testing::TestWithParam<const char*> {};
 
-TEST_P(BinaryMeshes, AreTheAsciiOnesInEitherOrderOfBytes) {
+TEST_P(BinaryMeshes, EqualTheAsciiMeshesInEitherByteOrder) {
   const std::string name = GetParam();
   const std::string ascii = test::content("tests/meshes/" + name);
   const auto expected = read_structure(problem(name, ascii), "a");
@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BinaryMeshes,
                                          "quads-q8-41.msh", "box-tet10-22.msh", "box-tet4-41.msh",
                                          "box-hex20-41.msh", "box-hex8-22.msh"));
 
-TEST(BinaryMesh, CutAnywhereIsRefusedInOneLineWithoutALine) {
+TEST(BinaryMesh, TruncatedAnywhereIsRefusedWithoutALineNumber) {
   for (const std::string name : {"quads-q4-22.msh", "quads-q4-41.msh"}) {
     const std::string whole = Encoder(test::content("tests/meshes/" + name), false).bytes();
     for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
@@ -197,7 +197,7 @@ TEST(BinaryMesh, CutAnywhereIsRefusedInOneLineWithoutALine) {
 }
 
 // The length of its elements is not known, so the rest of the file is not read.
-TEST(BinaryMesh, OfOtherElementsIsRefusedByTheirNames) {
+TEST(BinaryMesh, WithUnknownElementsIsRefusedByTheirNames) {
   std::string ascii = test::content("tests/meshes/box-hex27.msh");
   EXPECT_THAT(test::error_of(problem("box-hex27.msh", Encoder(ascii, false).bytes())),
               testing::StartsWith("box-hex27.msh: an element that is a quadrilateral of 9 nodes"));

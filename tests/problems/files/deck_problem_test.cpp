@@ -131,7 +131,7 @@ TEST(DeckProblem, WarnsOnceOfGravityThatIsLeftOut) {
   }
 }
 
-TEST(DeckProblem, IsTheProblemOfTheSameStructureByHand) {
+TEST(DeckProblem, EqualsTheProblemFileWrittenByHand) {
   const auto problem = imported(blocks + contact);
   EXPECT_THAT(problem.warnings, IsEmpty());
   const auto found = structure_of(problem, blocks + contact);
@@ -161,14 +161,14 @@ TEST(DeckProblem, IsTheProblemOfTheSameStructureByHand) {
 }
 
 // The supports are those of the problem file, so that they can be edited there.
-TEST(DeckProblem, HasItsSupportsInItself) {
+TEST(DeckProblem, HasItsSupportsInTheProblemFile) {
   auto problem = imported(blocks + contact);
   problem.text.erase(problem.text.find("[[supports]]"),
                      std::string("[[supports]]\nnodes = [\"d.GROUND\"]\n").size());
   EXPECT_EQ(structure_of(problem, blocks + contact).fixed[6], (std::array{false, false, false}));
 }
 
-TEST(DeckProblem, LeavesOutNodesThatAreApart) {
+TEST(DeckProblem, OmitsNodesWithAGap) {
   std::string deck = blocks + contact;
   deck.replace(deck.find("1, 0, 0\n"), 8, "1, 0, 0.01\n");
   const auto problem = imported(deck);
@@ -184,7 +184,7 @@ TEST(DeckProblem, LeavesOutNodesThatAreApart) {
               ElementsAre("d.1", "d.2", "d.3"));
 }
 
-TEST(DeckProblem, HasAFactorWherePairsHaveOtherCoefficients) {
+TEST(DeckProblem, HasAFactorForPairsWithAnotherCoefficient) {
   const std::string more =
       "*NODE\n21, 2, 0\n22, 3, 0\n23, 3, 1\n24, 2, 1\n*ELEMENT, TYPE=CPE4, ELSET=SIDE\n21, 21, 22, "
       "23, 24\n"
@@ -199,7 +199,7 @@ TEST(DeckProblem, HasAFactorWherePairsHaveOtherCoefficients) {
   EXPECT_EQ(structure.contact[3].friction, 0.2);
 }
 
-TEST(DeckProblem, TiesSurfaces) {
+TEST(DeckProblem, HasMultiPointConstraintsForTiedSurfaces) {
   const auto text = imported(blocks + "*TIE, NAME=T\nFOOT, TABLE\n");
   EXPECT_THAT(text.text, HasSubstr("nodes = [\"d.FOOT\"]\nto = \"d.TABLE\"\n"));
   EXPECT_EQ(structure_of(text, blocks).ties.size(), 3U);
@@ -215,7 +215,7 @@ TEST(DeckProblem, TiesSurfaces) {
 }
 
 // Candidates that are held along their normal cannot touch anything.
-TEST(DeckProblem, LeavesOutCandidatesHeldAlongTheirNormal) {
+TEST(DeckProblem, OmitsCandidatesSupportedAlongTheirNormal) {
   const auto problem = imported(blocks + contact + "*BOUNDARY\n1, 2\n");
   EXPECT_THAT(problem.warnings,
               Contains(HasSubstr("1 of 3 nodes of FOOT are supported along their normal")));
@@ -265,7 +265,7 @@ TEST(DeckProblem, TakesAllNodesAgainstAnAnalyticalSurface) {
   EXPECT_THAT(problem.warnings, Contains(HasSubstr("all nodes of FOOT are taken as touching it")));
 }
 
-TEST(DeckProblem, LeavesOutAPairOfExchangedSurfacesAndOfOneWithItself) {
+TEST(DeckProblem, OmitsRepeatedPairsAndPairsOfOneSurface) {
   const auto problem =
       imported(blocks + contact + "*CONTACT PAIR, INTERACTION=DRY\nTABLE, FOOT\nFOOT,\n");
   EXPECT_THAT(candidates(structure_of(problem, blocks)), ElementsAre("d.1", "d.2", "d.3"));
@@ -273,7 +273,7 @@ TEST(DeckProblem, LeavesOutAPairOfExchangedSurfacesAndOfOneWithItself) {
   EXPECT_THAT(problem.warnings, Contains(HasSubstr("one surface with itself")));
 }
 
-TEST(DeckProblem, SaysWhichMaterialIsMissing) {
+TEST(DeckProblem, NamesAMissingMaterial) {
   std::string deck = blocks;
   deck.replace(deck.find("*ELASTIC"), 8, "*HYPERELASTIC");
   const auto problem = imported(deck);
@@ -285,7 +285,7 @@ TEST(DeckProblem, SaysWhichMaterialIsMissing) {
 }
 
 // A mesh of a problem file has no contact of its own.
-TEST(DeckProblem, IsMentionedWhereADeckIsAMesh) {
+TEST(DeckProblem, IsSuggestedIfADeckWithContactIsReadAsAMesh) {
   const std::string toml = test::head(2) + "[[mesh]]\nname = \"d\"\nfile = \"d.inp\"\n";
   const auto warnings = [&](const std::string& more) {
     return read_structure({toml + more, {{"d.inp", blocks + contact}}}, "p.toml")->warnings;

@@ -78,7 +78,7 @@ TEST_P(MeshFiles, OfAbaqusGiveTheSameStructure) {
 
 // In straight elements midpoint nodes are at midpoints up to Gmsh's error of 1e-12, which shows
 // that their order is right.
-TEST_P(MeshFiles, HaveTheNodesInTheMiddleOfSidesThere) {
+TEST_P(MeshFiles, HaveMidpointNodesAtTheMidpoints) {
   const auto& [name, dimension, nodes, shape, elements] = GetParam();
   const std::string file = name;
   if (file.starts_with("plate")) return;  // curved

@@ -56,7 +56,7 @@ std::vector<std::string> names(const Structure& structure) {
   return result;
 }
 
-TEST(MeshSection, JoinsNodesAtOnePlace) {
+TEST(MeshSection, JoinsCoincidentNodes) {
   const auto text = problem(mesh("a") + mesh("b") + "[[supports]]\nnodes = [\"b.3\"]\n",
                             {{"a.inp", row(2, 0, 1)}, {"b.inp", row(1, 2, 1)}});
   const Structure structure = read(text);
@@ -65,7 +65,7 @@ TEST(MeshSection, JoinsNodesAtOnePlace) {
   EXPECT_EQ(structure.elements[2].nodes[0], structure.elements[1].nodes[1]);
 }
 
-TEST(MeshSection, LeavesBodiesApartThatAreNotToBeJoined) {
+TEST(MeshSection, SeparatesTouchingBodiesOnRequest) {
   for (const bool first : {true, false}) {
     const std::string apart = "join = false\n";
     const auto text = problem(mesh("a", first ? apart : "") + mesh("b", first ? "" : apart),
@@ -88,7 +88,7 @@ TEST(MeshSection, RefusesMeshesThatTouchAndDoNotMatch) {
   EXPECT_EQ(test::error_of(text), "no error");
 }
 
-TEST(MeshSection, RefusesAMiddleNodeThatTheNeighbourHasNot) {
+TEST(MeshSection, RefusesAMidpointNodeThatTheNeighbourLacks) {
   const std::string mixed =
       "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n4, 1, 1\n5, 0.5, 0\n6, 0.5, 0.5\n7, 0, 0.5\n"
       "*ELEMENT, TYPE=CPS6\n1, 1, 2, 3, 5, 6, 7\n*ELEMENT, TYPE=CPS3\n2, 2, 4, 3\n";
@@ -109,7 +109,7 @@ TEST(MeshSection, RefusesTrianglesOnAQuadrilateral) {
   EXPECT_THAT(test::error_of(problem), StartsWith("a.inp:14:1: a face of this element lies on"));
 }
 
-TEST(MeshSection, SaysWhichGroupsTakeMaterials) {
+TEST(MeshSection, NamesTheGroupsThatAdmitMaterials) {
   const auto error_with = [](const std::string& group, const std::string& sets) {
     return test::error_of(problem(
         "[[mesh]]\nname = \"a\"\nfile = \"a.inp\"\nE = 1.0\nnu = 0.25\nthickness = 0.1\n"
@@ -174,7 +174,7 @@ TEST(MeshSection, MakesBarsOfLinesThatHaveAStiffness) {
             "mean \"a.1\"?");
 }
 
-TEST(MeshSection, SaysWhichGroupsThereAreIfOneIsNot) {
+TEST(MeshSection, NamesTheExistingGroupsIfOneDoesNotExist) {
   const std::string sets = "*NSET, NSET=SOLE\n1, 2\n*NSET, NSET=BACK\n3, 4\n";
   const auto error = [&](const std::string& name) {
     const auto toml = mesh("a") + "[[supports]]\nnodes = [\"" + name + "\"]\n";
@@ -189,7 +189,7 @@ TEST(MeshSection, SaysWhichGroupsThereAreIfOneIsNot) {
   EXPECT_EQ(error("b.UNDERSIDE"), start + "\"b.UNDERSIDE\"" + expected);
 }
 
-TEST(MeshSection, ReadsWhatAFileIncludes) {
+TEST(MeshSection, ReadsIncludedFiles) {
   const std::string whole = row(1, 0, 1);
   const auto cut = whole.find("*ELEMENT");
   auto text =
@@ -202,7 +202,7 @@ TEST(MeshSection, ReadsWhatAFileIncludes) {
             "parts/more.txt:2:1: node 3 is given twice, first on line 4; expected once");
 }
 
-TEST(NodeLists, LeaveOutNodesAndTakeEveryOther) {
+TEST(NodeLists, ApplyExceptAndEvery) {
   const std::string set = "*NSET, NSET=BOTTOM\n1, 3, 5, 7, 9, 11\n*NSET, NSET=ENDS\n1, 11\n";
   const auto list = [&](const std::string& keys) {
     return names(read(problem(mesh("a") +
@@ -220,7 +220,7 @@ TEST(NodeLists, LeaveOutNodesAndTakeEveryOther) {
 
 // Node sets, element sets and surfaces with the same name are one group, whose nodes are those of
 // the node set.
-TEST(NodeLists, KnowSurfacesAndElementSets) {
+TEST(NodeLists, ResolveSurfacesAndElementSets) {
   const std::string sets =
       "*ELSET, ELSET=RIGHT\n3\n*NSET, NSET=RIGHT\n7\n*SURFACE, NAME=TOP\n2, S3\nBODY, S3\n";
   const auto list = [&](const std::string& nodes) {
@@ -259,14 +259,14 @@ TEST(SurfaceNormals, AreThoseOfTheFacesOfTheGroup) {
   EXPECT_LT((at("nodes = [\"a.6\"]")[0] - Eigen::Vector2d(-half, -half)).norm(), 1e-15);
 }
 
-TEST(SurfaceNormals, OfAPlaneTakeTheSideOfTheBody) {
+TEST(SurfaceNormals, OfAPlanePointIntoTheBody) {
   for (const char* plane : {"[3.0, 0.0]", "[-3.0, 0.0]"}) {
     EXPECT_THAT(normals("nodes = [\"a.5\"]\nnormal = { plane = " + std::string(plane) + " }\n"),
                 ElementsAre(Eigen::Vector2d(-1, 0)));
   }
 }
 
-TEST(SurfaceNormals, OfACircleComeFromItsMiddle) {
+TEST(SurfaceNormals, OfACircleAreRadial) {
   const auto found =
       normals("nodes = [\"a.5\", \"a.6\"]\nnormal = { point = [-1.0, 0.0], body = \"inside\" }\n");
   EXPECT_LT((found[0] - Eigen::Vector2d(-1, 0)).norm(), 1e-15);

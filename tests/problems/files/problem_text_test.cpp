@@ -42,7 +42,7 @@ const std::string square =
     "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*INCLUDE, INPUT=elements.txt\n";
 
 // The path of an included file is relative to the including file.
-TEST_F(ProblemTexts, HaveAllFilesThatAreNamedAndIncluded) {
+TEST_F(ProblemTexts, HaveAllNamedAndIncludedFiles) {
   write("p.toml", test::head(2) + test::mesh_of("parts/a.inp", 2));
   write("parts/a.inp", square);
   write("parts/elements.txt", "*ELEMENT, TYPE=CPS4\n1, 1, 2, 3, 4\n");
@@ -53,7 +53,7 @@ TEST_F(ProblemTexts, HaveAllFilesThatAreNamedAndIncluded) {
   EXPECT_EQ(load_structure(folder_ / "p.toml")->elements.size(), 1U);
 }
 
-TEST_F(ProblemTexts, SayWhoNamesAFileThatIsMissing) {
+TEST_F(ProblemTexts, ReportTheFileThatRefersToAMissingFile) {
   write("p.toml", test::head(2) + test::mesh_of("parts/a.inp", 2));
   EXPECT_THAT(error(), testing::StartsWith((folder_ / "p.toml").string() +
                                            ":6:8: the file \"parts/a.inp\" cannot be read"));
@@ -63,7 +63,7 @@ TEST_F(ProblemTexts, SayWhoNamesAFileThatIsMissing) {
 }
 
 // Faults of the file are reported by the reader.
-TEST_F(ProblemTexts, HaveNoMeshesIfTheyAreNoProblemFile) {
+TEST_F(ProblemTexts, HaveNoMeshesIfTheProblemFileIsInvalid) {
   write("p.toml", "[[mesh]\nfile = 1");
   EXPECT_EQ(error(), "no error");
   EXPECT_TRUE(problem_text(folder_ / "p.toml").meshes.empty());

@@ -54,7 +54,7 @@ WedgedProblem own_brick_held_but_for_6_and_7() {
       "[[supports]]\nnodes = [\"m.box\"]\nexcept = [\"m.6\", \"m.7\"]\n" + touches_right)));
 }
 
-TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
+TEST(StiffnessFile, OfCalculiXEqualsTheStiffnessOfTheMesh) {
   for (const char* name : {"box-hex8-substructure.mtx", "box-hex8-stored.sti"}) {
     const Structure structure = read_structure(
         with_rows(brick(fmt::format("[[stiffness]]\nmesh = \"m\"\nfile = \"{}\"\n", name))),
@@ -74,7 +74,7 @@ TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
   }
 }
 
-TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
+TEST(StiffnessFile, WithUnknownNodesIsCondensedToTheKnownOnes) {
   // Only the places of the two candidates of the brick are given.
   const auto toml = test::head(3) +
                     "[nodes]\n6 = [2, 0, 1]\n7 = [2, 1, 1]\n[[stiffness]]\nfile = "
@@ -85,7 +85,7 @@ TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
 }
 
 // The claim of the first lines of the example.
-TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
+TEST(StiffnessFile, OfTheExampleEqualsTheStiffnessOfItsMesh) {
   const auto name = test::source_path("examples/brick-by-calculix.toml");
   const Structure given = load_structure(name);
   EXPECT_TRUE(given.elements.empty());
@@ -138,7 +138,7 @@ Structure with_matrix(const std::string& keys, const std::string& matrix,
   return read_structure(problem, "test.toml");
 }
 
-TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
+TEST(StiffnessFile, IsReadInEveryFormOfMatrixMarket) {
   const auto expected = own_brick();
   const Eigen::MatrixXd k = unconstrained_stiffness();
   const auto all = [](auto, auto) { return true; };
@@ -158,7 +158,7 @@ TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
   }
 }
 
-TEST(StiffnessFile, TakesItsNodesAsListedAndRowsAsSaid) {
+TEST(StiffnessFile, HasItsListedNodesAndRows) {
   // Two nodes with a free rotation, and a fixed one.
   const std::string matrix =
       "%%MatrixMarket matrix array integer symmetric\n8 8\n"
@@ -203,7 +203,7 @@ std::string error_with(const std::string& keys, const std::string& more = "") {
   return test::error_of(problem);
 }
 
-TEST(StiffnessFile, RefusesNodesThatDoNotFit) {
+TEST(StiffnessFile, RefusesNodesThatDoNotMatchItsRows) {
   EXPECT_THAT(error_with(""), HasSubstr("test.toml:9:1: a [[stiffness]] group has no nodes"));
   EXPECT_THAT(error_with("nodes = [\"m.1\"]\n"),
               HasSubstr("k.mtx:4:1: the matrix has 36 rows; expected 3: 1 nodes with 3 each"));
@@ -230,7 +230,7 @@ TEST(StiffnessFile, RefusesACandidateWithoutARow) {
               HasSubstr("contact candidate \"m.5\" has no row in a [[stiffness]]"));
 }
 
-TEST(StiffnessFile, OfAnUnconstrainedBodyIsRefusedByItsNodes) {
+TEST(StiffnessFile, OfAnUnconstrainedBodyIsRefusedWithTheNamesOfItsNodes) {
   const auto all = [](auto, auto) { return true; };
   const auto structure =
       with_matrix("", lines(unconstrained_stiffness(), "array real general", all, false));

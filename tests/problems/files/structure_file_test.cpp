@@ -100,7 +100,7 @@ between = [["a", "b"]]
 }
 
 // All of these products are exact.
-TEST(StructureFile, TakesModulusAreaAndYieldStressForTheirForces) {
+TEST(StructureFile, ComputesForcesFromModulusAreaAndYieldStress) {
   const Structure in_stresses =
       read_structure(steel_truss("E = 210e6\nA = 0.0625\nfy = 355e3",
                                  "fy = { compression = 240e3, tension = 355e3 }\nA = 0.125",
@@ -118,7 +118,7 @@ TEST(StructureFile, TakesModulusAreaAndYieldStressForTheirForces) {
   EXPECT_EQ(structure_text(in_stresses), structure_text(in_forces));
 }
 
-TEST(StructureFile, WritesTheForcesThatStressesComeTo) {
+TEST(StructureFile, WritesTheForcesComputedFromStresses) {
   const Structure structure = read_structure(
       steel_truss("E = 2.1e8\nA = 1.1e-3\nfy = 0.3", "fy = 1e5\nA = 0.7e-3", "yield = 1"), "steel");
   const Structure again = read_structure(structure_text(structure), "again");

@@ -52,7 +52,7 @@ double difference(const Structure& structure) {
   return (problem.compliance.matrix - expected).norm() / expected.norm();
 }
 
-TEST(PegInHole, IsAsSoftAsBothTogether) {
+TEST(PegInHole, HasTheSumOfBothCompliances) {
   const Structure structure =
       read_structure(peg_in_hole(2, "\"right.left\"", "[\"left.right\"]"), "peg");
   ASSERT_EQ(structure.contact.size(), 4U);
@@ -78,7 +78,7 @@ TEST(PegInHole, MayHaveItsNodesBetweenThoseOfTheHole) {
   EXPECT_LE(difference(structure), 1e-11);
 }
 
-TEST(PegInHole, IsWrittenAsItIsRead) {
+TEST(PegInHole, IsWrittenAndReadBack) {
   Structure structure = read_structure(peg_in_hole(5, "\"right.left\"", "\"left.right\""), "peg");
   structure.ties.push_back({1, {{7, 0.1}, {8, 0.9}}});
   const auto again = read_structure(structure_text(structure), "again");
@@ -87,7 +87,7 @@ TEST(PegInHole, IsWrittenAsItIsRead) {
 }
 
 // A strip in one piece, and in two connected by constraints: node to node, and edge to edge.
-TEST(Ties, JoinMeshes) {
+TEST(MultiPointConstraints, JoinMeshes) {
   const auto strip = [](const std::string& join, const std::string& ties, int rows) {
     return wedged_problem(read_structure(
         header + block("a", "[[0, 0], [2, 0], [2, 1], [0, 1]]", "[4, 2]") +
@@ -125,7 +125,7 @@ TEST(InclinedSupport, AlongAnAxisIsReadAsARoller) {
 
 // Hexahedra, tetrahedra and prisms of 20, 10 and 15 nodes at random places: midpoint nodes are
 // between the vertices of their edges.
-TEST(SurfacePlace, KnowsTheFacesOfElements) {
+TEST(SurfacePlace, IsSoughtOnAllFacesOfElements) {
   Structure structure;
   structure.dimension = 3;
   std::vector<int> all(20);
@@ -164,7 +164,7 @@ TEST(SurfacePlace, KnowsTheFacesOfElements) {
 }
 
 // The nearest place of a curved edge, and of faces in space.
-TEST(SurfacePlace, IsTheNearest) {
+TEST(SurfacePlace, IsTheNearestPlaceOfTheSurface) {
   Eigen::MatrixXd arc(2, 3);
   arc << -1, 1, 0, 0, 0, 0.5;  // y = (1 - x^2)/2
   const auto on_arc = nearest_place(arc, {{0, 1, 2}}, Eigen::Vector2d(0.5, 0.375));

@@ -10,13 +10,13 @@
 namespace kusabi::problems {
 namespace {
 
-TEST(CheckedStructure, RefusesWhatBreaksARule) {
+TEST(CheckedStructure, RefusesAStructureThatViolatesARule) {
   Structure structure = test::two_bars();
   structure.members.clear();
   EXPECT_THROW(checked(structure), support::InputError);
 }
 
-TEST(CheckedStructure, SharesWhatIsDerivedWithItsCopies) {
+TEST(CheckedStructure, SharesDerivedDataWithItsCopies) {
   const CheckedStructure structure = checked(test::two_bars());
   const CheckedStructure copy = structure;
   EXPECT_EQ(&*copy, &*structure);
@@ -25,7 +25,7 @@ TEST(CheckedStructure, SharesWhatIsDerivedWithItsCopies) {
   EXPECT_EQ(&*in_chosen_case(structure, ""), &*structure);
 }
 
-TEST(CheckedStructure, HasTheDegreesAndBodiesOfItsStructure) {
+TEST(CheckedStructure, HasTheDegreesOfFreedomAndBodiesOfItsStructure) {
   Structure bar = test::empty_structure(2);
   test::add_node(bar, Eigen::Vector2d(0, 0));
   test::add_node(bar, Eigen::Vector2d(1, 0));
@@ -36,7 +36,7 @@ TEST(CheckedStructure, HasTheDegreesAndBodiesOfItsStructure) {
   EXPECT_EQ(structure.unconstrained_bodies().front().nodes, (std::vector<int>{0, 1}));
 }
 
-TEST(CheckedStructure, NamesTheLoadCasesThatItHas) {
+TEST(CheckedStructure, HasTheLoadsOfAChosenLoadCase) {
   Structure structure = test::two_bars();
   structure.loads = {{Load::Kind::dead, 2, Eigen::Vector2d(1, 0), "snow"},
                      {Load::Kind::dead, 2, Eigen::Vector2d(0, 1), "gust"}};

@@ -50,20 +50,20 @@ TEST(ContactFrame, TangentInThePlaneIsTheNormalTurnedClockwise) {
   EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(0.8, -0.6), frame_rounding));
 }
 
-TEST(ContactFrame, FollowsTheWishedTangentInThePlane) {
+TEST(ContactFrame, FollowsTheGivenTangentInThePlane) {
   const Eigen::VectorXd wish = Eigen::Vector2d(-1, 5);
   const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector2d(3, 4), wish));
   EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(-0.8, 0.6), frame_rounding));
 }
 
-TEST(ContactFrame, FirstTangentLiesBetweenTheWishAndTheSurface) {
+TEST(ContactFrame, FirstTangentIsTheGivenOneProjectedOntoTheSurface) {
   const Eigen::VectorXd wish = Eigen::Vector3d(0, 1e-3, 7);  // almost along the normal
   const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitZ(), wish));
   EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), frame_rounding));
   EXPECT_TRUE(frame.col(2).isApprox(-Eigen::Vector3d::UnitX(), frame_rounding));
 }
 
-TEST(ContactFrame, LengthOfTheWishedTangentDoesNotMatter) {
+TEST(ContactFrame, DoesNotDependOnTheLengthOfTheGivenTangent) {
   for (const double length : {1e-40, 1.0, 1e40}) {
     const Eigen::VectorXd wish = length * Eigen::Vector3d(1, 1, 0);
     const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitX(), wish));

@@ -104,7 +104,7 @@ TEST_P(ElementStress, OfAQuadraticElementIsThatAtItsCentre) {
 
 // In a simplex without midpoint nodes the stress is constant, with a force V sigma grad N_a on node
 // a; all forces together are K u.
-TEST_P(ElementStress, PullsAtTheNodesAsTheStiffnessDoes) {
+TEST_P(ElementStress, HasTheNodalForcesOfTheStiffness) {
   const int d = test::dimension_of(GetParam());
   if (test::is_quadratic(GetParam()) || test::corners_of(GetParam()) != d + 1) GTEST_SKIP();
   auto body = test::patch(GetParam(), 0.25, bits);
@@ -130,7 +130,7 @@ TEST_P(ElementStress, PullsAtTheNodesAsTheStiffnessDoes) {
   EXPECT_LT((forces.reshaped() - wanted).norm(), 1e-13 * wanted.norm());
 }
 
-TEST(VonMises, IsOfThePrincipalStresses) {
+TEST(VonMises, AgreesWithThePrincipalStresses) {
   std::mt19937 bits{3};
   Stresses stresses(6, 20);
   for (double& entry : stresses.reshaped()) entry = static_cast<double>(bits()) * 0x1p-31 - 1;
@@ -148,7 +148,7 @@ TEST(VonMises, IsOfThePrincipalStresses) {
   }
 }
 
-TEST(Utilisations, AreOfTheSideThatTheForceIsOn) {
+TEST(Utilisations, UseTheStrengthForTheSignOfTheForce) {
   Structure truss;
   truss.members.resize(5, Member{0, 1, 1.0, YieldForces{8, 2}});
   truss.members[3].yield.reset();

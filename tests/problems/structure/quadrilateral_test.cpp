@@ -33,7 +33,7 @@ Eigen::MatrixXd stiffness_of(const Structure& structure) {
   return element_stiffness(structure, free_degrees(structure));
 }
 
-TEST(Element, IsStrainedByAllButTheThreeRigidMotions) {
+TEST(Element, IsStrainedByAllButThreeRigidBodyModes) {
   for (const auto state : {PlaneState::stress, PlaneState::strain}) {
     const auto structure = one_element(skew, state);
     const Eigen::MatrixXd stiffness = stiffness_of(structure);
@@ -78,7 +78,7 @@ TEST(Element, HasTheEnergyOfAUniformStrain) {
   }
 }
 
-TEST(Element, MayHaveItsCornersInEitherSense) {
+TEST(Element, MayBeNumberedInEitherSense) {
   Eigen::Matrix<double, 2, 4> turned = skew;
   turned.col(1).swap(turned.col(3));
   const Eigen::MatrixXd there = stiffness_of(one_element(skew, PlaneState::stress));
@@ -128,7 +128,7 @@ normal = [-1, 0]
   }
 }
 
-TEST(Mesh, JoinsWhatItTouches) {
+TEST(Mesh, IsJoinedToMeshesThatItTouches) {
   const auto text = [](const char* second) {
     return std::string(R"(
 name = "two blocks and a bar"

@@ -15,7 +15,7 @@
 namespace kusabi::problems {
 namespace {
 
-TEST(SolidElement, HasTheStiffnessThatCalculixWrites) {
+TEST(SolidElement, HasTheStiffnessOfCalculix) {
   std::ifstream file(test::source_path("tests/reference/calculix_elements.json"));
   const auto cases = nlohmann::json::parse(file);
   ASSERT_EQ(cases.size(), 4U);
@@ -41,7 +41,7 @@ TEST(SolidElement, HasTheStiffnessThatCalculixWrites) {
   }
 }
 
-TEST(SolidElement, HasTheStiffnessOfFortyDigits) {
+TEST(SolidElement, HasTheStiffnessComputedWithFortyDigits) {
   std::ifstream file(test::source_path("tests/reference/mpmath_elements.json"));
   const auto cases = nlohmann::json::parse(file);
   ASSERT_EQ(cases.size(), 8U);

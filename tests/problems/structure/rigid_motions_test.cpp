@@ -33,7 +33,7 @@ void hold(Structure& structure, int node, int axis) {
   structure.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)] = true;
 }
 
-TEST(RigidMotions, AreWhatSupportsLeave) {
+TEST(RigidMotions, AreThoseThatSupportsDoNotPrevent) {
   Structure body = square();
   EXPECT_EQ(motions(body), "can move along x and y and turn");
   hold(body, 0, 1);
@@ -49,7 +49,7 @@ TEST(RigidMotions, AreWhatSupportsLeave) {
   EXPECT_TRUE(displacements(body_of_pin, pinned.coordinates.col(2)).cast<double>().isZero(0.0));
 }
 
-TEST(RigidMotions, TwoRollersThatPassThroughOnePointLeaveATurnAboutIt) {
+TEST(RigidMotions, OfTwoRollersAreARotationAboutTheirIntersection) {
   Structure body = square();
   hold(body, 0, 0);  // through (0, 0) horizontally
   hold(body, 3, 1);  // and through (0, 1) vertically: they meet in (0, 0)
@@ -81,7 +81,7 @@ TEST(RigidMotions, OfASpringAreThoseOfASupport) {
   EXPECT_EQ(motions(body), "can move along x");
 }
 
-TEST(RigidMotions, InSpaceIncludeTurnsAboutTheLineOfTwoHinges) {
+TEST(RigidMotions, InSpaceIncludeTheRotationAboutTwoHinges) {
   std::mt19937 bits(4);
   Structure cluster = test::random_cluster(3, 6, bits);
   EXPECT_EQ(motions(cluster), "can move along x, y and z and turn about x, y and z");
@@ -107,7 +107,7 @@ TEST(RigidMotions, ConstrainedStructuresAndMechanismsHaveNone) {
   EXPECT_EQ(motions(test::cantilever(4, 2)), "held");  // a mechanism, but not of a rigid body
 }
 
-TEST(RigidMotions, OfPiecesThatMeetOnTheGroundAreTheirOwn) {
+TEST(RigidMotions, OfPiecesConnectedBySupportsOnlyAreSeparate) {
   Structure body = square();
   test::fix(body, 0);
   const int tip = test::add_node(body, Eigen::Vector2d(-1, 0));

@@ -55,7 +55,7 @@ Eigen::MatrixXd stiffness_of_body(const Structure& body) {
   return element_stiffness(body, free_degrees(body));
 }
 
-TEST_P(SolidElement, IsStrainedByAllButTheRigidMotions) {
+TEST_P(SolidElement, IsStrainedByAllButRigidBodyModes) {
   for (const double moved : {0.0, 0.25}) {
     for (const auto state : {PlaneState::stress, PlaneState::strain}) {
       auto body = test::one_element(GetParam(), moved, bits);
@@ -150,7 +150,7 @@ std::vector<std::vector<int>> turns_of(ElementShape shape) {
   }
 }
 
-TEST_P(SolidElement, MayBeNumberedFromAnyCornerInEitherSense) {
+TEST_P(SolidElement, MayBeNumberedFromAnyVertexInEitherSense) {
   const auto body = test::one_element(GetParam(), 0.25, bits);
   const Eigen::MatrixXd stiffness = stiffness_of_body(body);
   const auto& edges = test::edges_of(GetParam());
@@ -175,7 +175,7 @@ TEST_P(SolidElement, MayBeNumberedFromAnyCornerInEitherSense) {
   }
 }
 
-TEST_P(SolidElement, IsTheSumOfTheSquaresOfItsShapeVectors) {
+TEST_P(SolidElement, StiffnessIsTheSumOfSquaresOfShapeVectors) {
   auto body = test::one_element(GetParam(), 0.25, bits);
   const auto degrees = free_degrees(body);
   std::vector<Eigen::Triplet<double>> entries;
@@ -192,7 +192,7 @@ TEST_P(SolidElement, IsTheSumOfTheSquaresOfItsShapeVectors) {
   EXPECT_LT((shape_matrix(body, element) - stiffness).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-TEST_P(SolidElement, IsNoMechanismOnceItIsHeld) {
+TEST_P(SolidElement, IsNoMechanismIfConstrained) {
   auto body = test::patch(GetParam(), 0.25, bits);
   EXPECT_EQ(moving_nodes(body, free_degrees(body)).size(), body.node_names.size());
   for (int node = 0; node < body.coordinates.cols(); ++node) {
@@ -216,7 +216,7 @@ TEST_P(SolidElement, IsWrittenAndReadBack) {
   EXPECT_EQ(stiffness_of_body(copy), stiffness_of_body(body));
 }
 
-TEST_P(SolidElement, IsRefusedWithAnotherNumberOfNodesOrUpsideDown) {
+TEST_P(SolidElement, IsRefusedIfInvertedOrWithAnotherNumberOfNodes) {
   const auto body = test::one_element(GetParam(), 0.25, bits);
   EXPECT_NO_THROW(check_elements(body));
   auto fewer = body;

@@ -18,9 +18,9 @@ struct Fault {
   const char* message;
 };
 
-class StructureCheckOf : public testing::TestWithParam<Fault> {};
+class InvalidStructure : public testing::TestWithParam<Fault> {};
 
-TEST_P(StructureCheckOf, RefusesIt) {
+TEST_P(InvalidStructure, IsRefused) {
   Structure structure = test::two_bars();
   GetParam().make(structure);
   try {
@@ -34,7 +34,7 @@ TEST_P(StructureCheckOf, RefusesIt) {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 INSTANTIATE_TEST_SUITE_P(
-    Faults, StructureCheckOf,
+    Faults, InvalidStructure,
     testing::Values(
         Fault{"Dimension", [](Structure& s) { s.dimension = 1; },
               "test: dimension is 1; expected 2 or 3"},

@@ -72,7 +72,7 @@ TEST_P(Faces, EncloseTheElement) {
   EXPECT_LT(sum.norm(), 1e-14);
 }
 
-TEST_P(Faces, HaveTheMiddleOfEachSideAfterTheirCorners) {
+TEST_P(Faces, HaveMidpointsAfterVertices) {
   const Structure structure = reference_element(GetParam());
   if (!shape_traits(GetParam()).quadratic) return;
   for (const auto& face : element_faces(GetParam())) {
@@ -86,7 +86,7 @@ TEST_P(Faces, HaveTheMiddleOfEachSideAfterTheirCorners) {
 }
 
 // For either orientation of the nodes, and at every node of a face.
-TEST_P(Faces, LookOutOfTheBodyEvenIfItIsMirrored) {
+TEST_P(Faces, PointOutwardsEvenIfTheElementIsMirrored) {
   for (const double mirror : {1.0, -1.0}) {
     Structure structure = reference_element(GetParam());
     structure.coordinates.row(0) *= mirror;
@@ -153,7 +153,7 @@ TEST(AngleFromCone, InSpaceMayBeToAFaceAnEdgeOrTheInsideOfTheCone) {
 }
 
 // Two adjacent squares: their common face is inside, for any order of its nodes.
-TEST(Surface, HasNoFacesThatTwoElementsShare) {
+TEST(Surface, ExcludesFacesSharedByTwoElements) {
   Structure structure;
   structure.dimension = 2;
   structure.coordinates.resize(2, 6);

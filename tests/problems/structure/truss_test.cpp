@@ -74,7 +74,7 @@ TEST(Truss, EnergyIsTheSumOverTheElongations) {
 
 class RigidBody : public testing::TestWithParam<int> {};
 
-TEST_P(RigidBody, MotionsOfAnUnsupportedTrussCostNoEnergyAndNoOtherMotionIsFree) {
+TEST_P(RigidBody, ModesAreTheOnlyMotionsOfATrussWithoutEnergy) {
   const int dimension = GetParam();
   std::mt19937 bits(5);
   const Structure structure = test::random_cluster(dimension, 7, bits);

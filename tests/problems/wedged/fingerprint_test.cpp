@@ -34,7 +34,7 @@ TEST(Fingerprint, TakesTheLeastSignificantByteFirst) {
   EXPECT_EQ(text.value(), (number.value() ^ std::uint64_t{'a'}) * 0x100000001B3U);
 }
 
-TEST(Fingerprint, ZeroHasNoSign) {
+TEST(Fingerprint, IgnoresTheSignOfZero) {
   support::Fingerprint positive;
   support::Fingerprint negative;
   positive.add(0.0);
@@ -42,7 +42,7 @@ TEST(Fingerprint, ZeroHasNoSign) {
   EXPECT_EQ(positive.value(), negative.value());
 }
 
-TEST(Fingerprint, ChangesWithEveryIngredient) {
+TEST(Fingerprint, ChangesWithAllDataOfTheProblem) {
   const std::vector<std::function<void(Structure&)>> changes = {
       [](Structure&) {},
       [](Structure& s) { s.units.length = std::string("cm"); },

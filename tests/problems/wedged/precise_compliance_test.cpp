@@ -54,7 +54,7 @@ json references() {
   return json::parse(file);
 }
 
-TEST(PreciseCompliance, IsWithinItsErrorOfSixtyDigits) {
+TEST(PreciseCompliance, AgreesWithSixtyDigitsWithinItsErrorBound) {
   const json cases = references();
   ASSERT_EQ(cases.size(), 12U);
   for (std::size_t number = 0; number < cases.size(); ++number) {
@@ -84,7 +84,7 @@ TEST(PreciseCompliance, IsWithinItsErrorOfSixtyDigits) {
 }
 
 // The stiffness in doubles is the rounding of the inverse.
-TEST(PreciseCompliance, HasItsInverseForStiffness) {
+TEST(PreciseCompliance, HasTheStiffnessAsItsInverse) {
   for (const auto& data : references()) {
     if (!data.at("elements").empty()) continue;
     const WedgedProblem problem = wedged_problem(checked(structure_of(data)));

@@ -24,7 +24,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
+TEST(SeveralNormals, HaveTheComplianceByMultipliersExceptATangentialPart) {
   std::mt19937 bits(3);
   for (int draw = 0; draw < 40; ++draw) {
     SCOPED_TRACE(draw);
@@ -59,7 +59,7 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
 }
 
 // The node has one displacement, and those of its candidates are its components.
-TEST(Corner, MovesOnceAndTakesTheSumOfItsReactions) {
+TEST(SeveralNormals, HaveOneDisplacementAndTheSumOfReactions) {
   std::mt19937 bits(4);
   for (int draw = 0; draw < 20; ++draw) {
     SCOPED_TRACE(draw);
@@ -88,8 +88,8 @@ TEST(Corner, MovesOnceAndTakesTheSumOfItsReactions) {
   }
 }
 
-// A truss of its own behind each node except one that touches both: they are one block.
-TEST(Corner, ConnectsWhatItIsAgainst) {
+// Each node has a truss of its own, except one that touches both: they are one block.
+TEST(SeveralNormals, ConnectTheBodiesThatTheNodeTouches) {
   Structure structure = test::empty_structure(2);
   const auto hinge = [&](double x) {
     const int node = test::add_node(structure, Eigen::Vector2d(x, 0));
@@ -120,7 +120,7 @@ std::string square(const std::string& rest) {
          rest;
 }
 
-TEST(Corner, IsNamedAfterWhatItTouches) {
+TEST(SeveralNormals, NameCandidatesAfterTheTouchedSurface) {
   const auto names = [](const std::string& contact) {
     return wedged_problem(read_structure(square(contact), "s")).contact_names;
   };
@@ -140,7 +140,7 @@ TEST(Corner, IsNamedAfterWhatItTouches) {
 }
 
 // In a list of edges, a node of two edges has the normal of each.
-TEST(Corner, OfASurfaceHasTheNormalsOfItsEdges) {
+TEST(SeveralNormals, OfASurfaceAreThoseOfItsEdges) {
   const Structure structure = read_structure(
       square("[[contact]]\nnodes = [\"b.left\", \"b.bottom\"]\nnormal = \"surface\"\n"), "s");
   ASSERT_EQ(structure.contact.size(), 5U);
@@ -174,7 +174,7 @@ Structure on_walls(int dimension, const std::vector<Eigen::VectorXd>& normals) {
   return structure;
 }
 
-TEST(Corner, IsRefusedWhereItsNormalsDependOnEachOther) {
+TEST(SeveralNormals, AreRefusedIfLinearlyDependent) {
   const auto turned = [](double degrees) -> Eigen::VectorXd {
     const double angle = degrees * std::numbers::pi / 180;
     return Eigen::Vector2d(std::cos(angle), std::sin(angle));
@@ -195,7 +195,7 @@ TEST(Corner, IsRefusedWhereItsNormalsDependOnEachOther) {
               HasSubstr("is a contact candidate 4 times; expected at most 3 in space"));
 }
 
-TEST(Corner, IsRefusedWhereNamesAreTheSame) {
+TEST(SeveralNormals, AreRefusedIfNamesOfCandidatesCoincide) {
   Structure structure = on_walls(2, {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)});
   const int other = static_cast<int>(structure.node_names.size()) - 1;
   ASSERT_NE(other, structure.contact.front().node);

@@ -60,7 +60,7 @@ Structure cantilever(int count) {
   return structure;
 }
 
-TEST(Superelement, OfABeamBendsAsByHand) {
+TEST(Superelement, OfABeamAgreesWithBeamTheory) {
   for (const int count : {1, 2, 7}) {
     const double l = count;
     const WedgedProblem problem = wedged_problem(checked(cantilever(count)));
@@ -71,7 +71,7 @@ TEST(Superelement, OfABeamBendsAsByHand) {
 }
 
 // The clamp takes the force; its moment acts on a rotation without support reaction.
-TEST(Superelement, HandsForcesToTheSupports) {
+TEST(Superelement, TransmitsForcesToTheSupports) {
   const Structure structure = cantilever(3);
   const WholeStructure whole(checked(structure), wedged_problem(checked(structure)));
   const auto state = whole.under(std::vector<double>{2, 5}, std::vector<double>{18, 15});
@@ -81,7 +81,7 @@ TEST(Superelement, HandsForcesToTheSupports) {
 }
 
 // With pairs, constraints, inclined supports and rollers, some of which are in the matrix as well.
-TEST(Superelement, IsAsGoodAsTheBarsAndElementsInIt) {
+TEST(Superelement, IsEquivalentToItsBarsAndElements) {
   std::mt19937 bits(5);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   for (int round = 0; round < 6; ++round) {
     const Structure structure = test::random_bodies(round % 2 == 0 ? 2 : 3, bits);
@@ -93,7 +93,7 @@ TEST(Superelement, IsAsGoodAsTheBarsAndElementsInIt) {
   }
 }
 
-TEST(Superelement, ComesApartWhereItsMatrixDoes) {
+TEST(Superelement, HasTheBlocksOfItsMatrix) {
   Structure structure = cantilever(1);
   EXPECT_EQ(wedged_problem(checked(structure)).blocks.size(), 1U);
   structure.fixed[0] = {};
@@ -162,7 +162,7 @@ TEST(Superelement, IsRefusedIfItIsNoStiffness) {
   EXPECT_THAT(error_of(wrong), HasSubstr("two rows of \"node 1\" along x"));
 }
 
-TEST(Superelement, IsNoneOfLimitAnalysis) {
+TEST(Superelement, IsRefusedByLimitAnalysis) {
   try {
     limit_problem(checked(cantilever(1)));
     FAIL() << "limit analysis of a matrix";

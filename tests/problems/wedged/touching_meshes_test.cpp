@@ -132,7 +132,7 @@ void expect_what_multipliers_say(const Structure& structure, Eigen::Index motion
 
 // Three for a body in the plane, six in space; candidates of two unconstrained bodies only have
 // relative modes, unless an obstacle touches one.
-TEST(TouchingMeshes, MoveAsMultipliersSay) {
+TEST(TouchingMeshes, AgreeWithMultipliers) {
   for (const auto shape : {ElementShape::triangle3, ElementShape::tetrahedron4}) {
     SCOPED_TRACE(test::name_of(shape));
     const Eigen::Index motions = shape == ElementShape::triangle3 ? 3 : 6;
@@ -152,7 +152,7 @@ TEST(TouchingMeshes, MoveAsMultipliersSay) {
 
 // Two meshes as one body: constrained, and not. With a spring on a dependent node, which acts on
 // its master.
-TEST(TiedMeshes, MoveAsMultipliersSay) {
+TEST(ConstrainedMeshes, AgreeWithMultipliers) {
   for (const auto shape : {ElementShape::triangle6, ElementShape::tetrahedron4}) {
     SCOPED_TRACE(test::name_of(shape));
     Row row = row_of(shape, 2);
@@ -173,7 +173,7 @@ TEST(TiedMeshes, MoveAsMultipliersSay) {
 }
 
 // A dependent node at a distance from its place would prevent a rotation by the gap alone.
-TEST(TiedMeshes, OfAnUnconstrainedBodyAreInPlace) {
+TEST(ConstrainedMeshes, OfAnUnconstrainedBodyAreRefusedWithAGap) {
   Row row = row_of(ElementShape::triangle6, 2);
   tie_up(row, 0, 1);
   for (const int node : row.at(1, 1)) touch(row.structure, node, -Eigen::Vector2d::UnitX());
@@ -192,7 +192,7 @@ TEST(TiedMeshes, OfAnUnconstrainedBodyAreInPlace) {
 }
 
 // On a roller that admits (4, -3) the body has one translation, and the rotation about the roller.
-TEST(InclinedRoller, LeavesOneMotionLess) {
+TEST(InclinedRoller, RemovesOneRigidBodyMode) {
   for (const auto shape : {ElementShape::triangle3, ElementShape::tetrahedron4}) {
     SCOPED_TRACE(test::name_of(shape));
     Row row = row_of(shape, 1);

@@ -26,7 +26,7 @@ int crossing_bars(Structure& structure, double along_x, double along_y) {
   return node;
 }
 
-TEST(TwoBodies, AreAsSoftAsBothTogether) {
+TEST(TwoBodies, HaveTheSumOfBothCompliances) {
   Structure structure = test::empty_structure(2);
   const int a = crossing_bars(structure, 2, 8);
   const int b = crossing_bars(structure, 4, 1);
@@ -47,7 +47,7 @@ TEST(TwoBodies, AreAsSoftAsBothTogether) {
   EXPECT_DOUBLE_EQ(between.compliance.matrix(1, 1), 1.0 / 8 + (1.0 + 1.0 / 5) / 4);
 }
 
-TEST(TwoBodies, AreWhatMultipliersSay) {
+TEST(TwoBodies, AgreeWithMultipliers) {
   std::mt19937 bits(3);
   for (int draw = 0; draw < 40; ++draw) {
     const Structure structure = test::random_bodies(2 + draw % 2, bits);
@@ -100,7 +100,7 @@ TEST(TwoBodies, AreInEquilibrium) {
 }
 
 // A cantilever divided into two halves, which constraints connect.
-TEST(TwoBodies, TiedWhereTheirNodesMeetAreOne) {
+TEST(TwoBodies, ConstrainedAtCoincidentNodesAreOneBody) {
   const Structure whole = test::cantilever(4);
   Structure tied = whole;
   for (const int node : {4, 5}) {  // of the second half, at x = 2
@@ -131,7 +131,7 @@ TEST(InclinedSupport, AlongAnAxisIsARoller) {
 
 // A node on a bar along x, supported along (3, 4) / 5: it moves along (4, -3) / 5, and the
 // elongation of the bar is 4/5 of that.
-TEST(InclinedSupport, LetsItsNodeMoveAcross) {
+TEST(InclinedSupport, AdmitsMotionAcrossItsDirection) {
   Structure structure = test::empty_structure(2);
   const int tip = crossing_bars(structure, 10, 1e-9);
   structure.inclined.push_back({tip, Eigen::Vector2d(3, 4)});
@@ -144,7 +144,7 @@ TEST(InclinedSupport, LetsItsNodeMoveAcross) {
 }
 
 // Half of a symmetric truss on rollers moves as the whole does under twice the load.
-TEST(Roller, AtACandidateIsAPlaneOfSymmetry) {
+TEST(Roller, AtACandidateModelsAPlaneOfSymmetry) {
   const auto truss = [](bool half) {
     Structure structure = test::empty_structure(2);
     const int top = test::add_node(structure, Eigen::Vector2d(0, 1));

@@ -71,7 +71,7 @@ Eigen::VectorXd global_forces(const Structure& structure, const WedgedProblem& p
   return forces;
 }
 
-TEST(UnconstrainedBodies, MoveAsTheWholeStiffnessSays) {
+TEST(UnconstrainedBodies, SatisfyTheEquationOfTheWholeStiffness) {
   const Structure structure = block();
   const auto problem = wedged_problem(checked(structure));
   ASSERT_EQ(problem.modes.matrix.cols(), 3);
@@ -136,7 +136,7 @@ stiffness = 7
 }
 
 // A bar along x on a spring: 1/F = 1/(1/k + L/EA) along x.
-TEST(Springs, OfABarAddUpAsByHand) {
+TEST(Springs, InSeriesWithABarAddTheirCompliances) {
   const auto structure = read_structure(R"(
 name = "bar on springs"
 dimension = 2
@@ -176,7 +176,7 @@ normal = [-1, 0]
   EXPECT_TRUE(whole.is_supported(1));
 }
 
-TEST(UnconstrainedBodies, BesideEachOtherAreBlocksWithTheirOwnMotions) {
+TEST(UnconstrainedBodies, AreBlocksWithTheirOwnModesIfDecoupled) {
   const auto problem = wedged_problem(read_structure(R"(
 name = "two bars in the air"
 dimension = 2
@@ -209,7 +209,7 @@ normal = [-1, 0]
 
 // A pendulum with its tip as the only candidate has the rotation as a mode; a bar with one
 // candidate has no rotation among its modes.
-TEST(UnconstrainedBodies, KeepOnlyTheMotionsThatCandidatesSee) {
+TEST(UnconstrainedBodies, HaveOnlyModesThatMoveCandidates) {
   const auto one = wedged_problem(read_structure(R"(
 name = "a bar"
 dimension = 2

@@ -21,7 +21,7 @@ constexpr double rounding = 1e-13;
 /// K and F come from two factorisations; the example trusses have condition numbers of at most 1e4.
 constexpr double condensed_rounding = 1e-10;
 
-TEST(WedgedProblem, OfTwoBarsIsAsByHand) {
+TEST(WedgedProblem, OfTwoBarsHasTheMatricesByHand) {
   const WedgedProblem problem = wedged_problem(checked(test::two_bars()));
   // Axes: K = diag(1, 3); n = (-1, 1) / sqrt 2, t = (1, 1) / sqrt 2.
   EXPECT_TRUE(problem.compliance.stiffness.isApprox(Eigen::Matrix2d{{2, 1}, {1, 2}}, rounding));
@@ -34,7 +34,7 @@ TEST(WedgedProblem, OfTwoBarsIsAsByHand) {
   EXPECT_EQ(problem.provenance.units.force, "kN");
 }
 
-TEST(WedgedProblem, WithARollerIsAsByUnitLoads) {
+TEST(WedgedProblem, WithARollerHasTheComplianceByUnitLoads) {
   // A triangle a (0, 0), b (4, 0), c (2, 1.5), EA = 1; a is pinned, b rolls along x, load at c.
   // Forces by statics: a unit load along x gives ac 5/8, bc -5/8, ab 1/2; along y 5/6, 5/6, -2/3.
   Structure structure = test::empty_structure(2);
@@ -113,7 +113,7 @@ TEST(WedgedProblem, EigenvaluesAndNormalPartsDoNotDependOnTheTangents) {
                   .isApprox(problem.compliance.stiffness(normals, normals), condensed_rounding));
 }
 
-TEST(WedgedProblem, OfASlenderTrussIsSolved) {
+TEST(WedgedProblem, OfASlenderTrussHasTheComplianceOfStatics) {
   // The truss is statically determinate, so its compliance at the loaded node is sum N^2 L / EA.
   // Under a unit load upwards, the cut through bay i of n has the upper chord with the moment about
   // the lower left node of the bay, arm n - i, the lower chord with the moment about its upper
@@ -142,7 +142,7 @@ std::string error_of(Action action) {
   return "no error";
 }
 
-TEST(WedgedProblem, RefusesAMechanismAndNamesWhatMoves) {
+TEST(WedgedProblem, RefusesAMechanismAndNamesMovingNodes) {
   EXPECT_EQ(error_of([] { wedged_problem(checked(test::cantilever(3, 2))); }),
             "test: the structure is a mechanism: \"node 6\", \"node 7\" move without straining any "
             "member; expected supports and members that prevent this");
@@ -154,7 +154,7 @@ TEST(WedgedProblem, NamesOnlyTheFirstOfManyMovingNodes) {
                                  "\"node 7\" and 12 more move"));
 }
 
-TEST(WedgedProblem, RefusesAStiffnessThatLeavesNoDigits) {
+TEST(WedgedProblem, RefusesATooIllConditionedStiffness) {
   const auto error_with = [](double axial_stiffness) {
     Structure structure = test::cantilever(3);
     for (std::size_t index = 0; index < structure.members.size(); index += 2) {

@@ -94,7 +94,7 @@ TEST(WholeStructure, IsInEquilibriumAtEveryNode) {
 
 // Reactions act only at supports; candidates move as F predicts. For elements, too, and for
 // structures with several blocks.
-TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
+TEST(WholeStructure, MovesCandidatesByTheCompliance) {
   for (const char* const name : {"space-truss", "plane-truss", "elastic-body"}) {
     const auto structure = example(name);
     const auto problem = wedged_problem(checked(structure));
@@ -125,7 +125,7 @@ TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
 }
 
 // At every node of a truss, bar forces, contact forces and support reactions are in equilibrium.
-TEST(WholeStructure, KnowsTheForcesInTheBars) {
+TEST(WholeStructure, HasBarForcesInEquilibrium) {
   const auto structure = example("space-truss");
   const auto problem = wedged_problem(checked(structure));
   const WholeStructure whole(checked(structure), problem);

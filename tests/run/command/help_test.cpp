@@ -77,7 +77,7 @@ TEST(Help, ListsEachSubcommandOnceInOneLine) {
   }
 }
 
-TEST(Help, ExamplesAreCallsThatAreTaken) {
+TEST(Help, ExamplesAreValidCalls) {
   const auto names = command_list();
   for (const auto& entry : names.entries()) {
     std::istringstream words("kusabi " + std::string(entry.name()) + " " +

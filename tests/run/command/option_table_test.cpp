@@ -22,7 +22,7 @@ std::string taken(OptionTable& table, const std::string& name, const std::string
   return "no such row";
 }
 
-TEST(OptionTable, TakesNumbersInTheirRangeOnly) {
+TEST(OptionTable, AcceptsOnlyNumbersInTheirRange) {
   double positive = 0;
   int even = 0;
   std::uint64_t count = 7;
@@ -51,7 +51,7 @@ TEST(OptionTable, TakesNumbersInTheirRangeOnly) {
   EXPECT_EQ(perhaps, 0.0);
 }
 
-TEST(OptionTable, KnowsWhatAnOptionIsUnlessGiven) {
+TEST(OptionTable, HasTheDefaultValuesOfOptions) {
   double no_limit = std::numeric_limits<double>::infinity();
   double required = 0;
   double usual = 1e-8;
@@ -69,7 +69,7 @@ TEST(OptionTable, KnowsWhatAnOptionIsUnlessGiven) {
   EXPECT_EQ(table.find("--nothing"), nullptr);
 }
 
-TEST(OptionTable, ChoosesByWord) {
+TEST(OptionTable, ReadsAChoiceByItsName) {
   enum class Way { here, there };
   Way way = Way::there;
   OptionTable table;
@@ -82,7 +82,7 @@ TEST(OptionTable, ChoosesByWord) {
   EXPECT_EQ(way, Way::here);
 }
 
-TEST(OptionTable, MakesTheCallAgainOfWhatWasGiven) {
+TEST(OptionTable, RepeatsTheCallFromTheGivenOptions) {
   std::string file;
   double mu = 0;
   bool tighten = true;

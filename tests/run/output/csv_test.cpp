@@ -16,7 +16,7 @@ TEST(Csv, TextsAreInQuotes) {
   EXPECT_EQ(csv_cell(""), "\"\"");
 }
 
-TEST(Csv, NoTextIsAFormula) {
+TEST(Csv, EscapesTextsThatAreFormulas) {
   EXPECT_EQ(csv_cell("=1+1"), "\"'=1+1\"");
   EXPECT_EQ(csv_cell("+a"), "\"'+a\"");
   EXPECT_EQ(csv_cell("-a"), "\"'-a\"");

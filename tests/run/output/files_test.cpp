@@ -43,7 +43,7 @@ class Files : public test::InFolder {
   }
 };
 
-TEST_F(Files, AreInTheirPlaceInFullOrNotAtAll) {
+TEST_F(Files, AreWrittenCompletelyOrNotAtAll) {
   make("result");
   {
     OutputFile file("--output", in_folder("result"), "");
@@ -59,7 +59,7 @@ TEST_F(Files, AreInTheirPlaceInFullOrNotAtAll) {
   EXPECT_THAT(files(), ElementsAre("result"));
 }
 
-TEST_F(Files, OfTwoProcessesAtOnceDoNotMix) {
+TEST_F(Files, OfTwoConcurrentProcessesDoNotMix) {
   OutputFile one("--output", in_folder("result"), "");
   OutputFile other("--output", in_folder("result"), "");
   one.stream() << "one";
@@ -83,7 +83,7 @@ pid_t killed_while_it_writes(const std::string& name) {
   return child;
 }
 
-TEST_F(Files, LeftByAKilledProcessGoWithTheNext) {
+TEST_F(Files, LeftByAKilledProcessAreRemovedByTheNextOne) {
   killed_while_it_writes(in_folder("result"));
   ASSERT_EQ(files().size(), 1U);  // otherwise the test shows nothing
   {
@@ -94,7 +94,7 @@ TEST_F(Files, LeftByAKilledProcessGoWithTheNext) {
   EXPECT_THAT(files(), ElementsAre("result"));
 }
 
-TEST_F(Files, ThatALivingProcessOrAUserHasAreLeftAlone) {
+TEST_F(Files, OfARunningProcessOrAUserAreKept) {
   const pid_t child = killed_while_it_writes(in_folder("result"));
   const auto beside = files().front();
   // A process of another machine with the same name and number: its file is locked.
@@ -109,7 +109,7 @@ TEST_F(Files, ThatALivingProcessOrAUserHasAreLeftAlone) {
   close(descriptor);
 }
 
-TEST_F(Files, OfTheSameNumberDoNotStandInTheWay) {
+TEST_F(Files, LeftUnderTheSameProcessNumberAreReplaced) {
   std::string beside;
   {
     OutputFile file("--output", in_folder("result"), "");
@@ -121,7 +121,7 @@ TEST_F(Files, OfTheSameNumberDoNotStandInTheWay) {
   EXPECT_THAT(files(), UnorderedElementsAre(beside, "result"));
 }
 
-TEST_F(Files, OfOneCallAreAllDifferent) {
+TEST_F(Files, OfOneCallMustDiffer) {
   fs::create_directory(in_folder("folder"));
   fs::create_directory_symlink("folder", in_folder("way"));
   make("problem");
@@ -157,7 +157,7 @@ TEST_F(Files, OfOneCallAreAllDifferent) {
   EXPECT_THAT(files(), UnorderedElementsAre("folder", "way", "problem", "old", "link", "twin"));
 }
 
-TEST(JsonWriter, WritesWhatItIsGivenWhateverItHolds) {
+TEST(JsonWriter, WritesAnyDocumentUnchanged) {
   // Names and texts of all kinds of characters, including marks of earlier versions.
   const ordered_json document = {{"name", "the rays"},
                                  {"the cones", {"the rays", "\"quoted\" \\ \n \t", "\x01", "節点"}},
@@ -187,7 +187,7 @@ TEST(JsonWriter, WritesWhatItIsGivenWhateverItHolds) {
   EXPECT_EQ(pieces.str(), whole.str());
 }
 
-TEST(JsonWriter, LaysOutOneMemberALineAndPlainListsOnOne) {
+TEST(JsonWriter, WritesOneMemberPerLineAndSimpleListsOnOneLine) {
   std::ostringstream out;
   JsonWriter json(out);
   json.begin_object();
@@ -212,7 +212,7 @@ TEST(JsonWriter, LaysOutOneMemberALineAndPlainListsOnOne) {
 })");
 }
 
-TEST(LastSteps, AllAreDoneAndTheFirstErrorIsReported) {
+TEST(DoAll, RunsAllStepsAndThrowsTheFirstError) {
   std::string done;
   EXPECT_THAT(
       [&] {
@@ -248,7 +248,7 @@ class LaunchOf {
   Variables variables_;
 };
 
-TEST(Launch, OfSeveralProcessesThatDoNotFindEachOtherIsRefused) {
+TEST(Launch, OfSeveralUnconnectedProcessesIsRefused) {
   // srun without PMIx; mpirun of MPICH with a command of Open MPI, and the reverse.
   const LaunchOf srun({{"SLURM_NTASKS", "4"},
                        {"SLURM_STEP_NUM_TASKS", "4"},
@@ -267,7 +267,7 @@ TEST(Launch, OfSeveralProcessesThatDoNotFindEachOtherIsRefused) {
   EXPECT_TRUE(open_mpi.refused(1, true));
 }
 
-TEST(Launch, OfOneProcessIsNot) {
+TEST(Launch, OfOneProcessIsAccepted) {
   EXPECT_FALSE(LaunchOf(LaunchOf::Variables()).refused(1));
   EXPECT_FALSE(LaunchOf(LaunchOf::Variables()).refused(1, true));
   // A shell of salloc, with and without an interactive step, and a batch script.

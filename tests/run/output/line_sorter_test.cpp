@@ -43,7 +43,7 @@ TEST(LineSorter, GivesEachLineOnceInOrderForAnyBlockSize) {
   }
 }
 
-TEST(LineSorter, SaysWhereItCannotWriteItsBlocks) {
+TEST(LineSorter, ThrowsIfItCannotWriteItsBlocks) {
   run::LineSorter sorter("/nowhere/at/all", std::less<std::string_view>(), 1);
   sorter.add("a");
   EXPECT_THROW(sorter.add("b"), std::runtime_error);

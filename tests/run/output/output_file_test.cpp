@@ -96,7 +96,7 @@ TEST_F(OutputFiles, FollowALinkAndKeepIt) {
   EXPECT_EQ(content(in_folder("old")), "new");
 }
 
-TEST_F(OutputFiles, ThatArePipesAreWrittenToDirectly) {
+TEST_F(OutputFiles, WriteToPipesDirectly) {
   const auto pipe = in_folder("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   std::string received;
@@ -111,7 +111,7 @@ TEST_F(OutputFiles, ThatArePipesAreWrittenToDirectly) {
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
-TEST_F(OutputFiles, SayThatTheDiskIsFull) {
+TEST_F(OutputFiles, ReportAFullDisk) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
   OutputFile file("--output", "/dev/full", "");
   file.stream() << "text";
@@ -120,7 +120,7 @@ TEST_F(OutputFiles, SayThatTheDiskIsFull) {
       ThrowsMessage<std::runtime_error>("/dev/full: the file is incomplete; the disk may be full"));
 }
 
-TEST_F(OutputFiles, SayThatTheirFolderIsGone) {
+TEST_F(OutputFiles, ReportAMissingFolder) {
   fs::create_directory(in_folder("folder"));
   OutputFile file("--output", in_folder("folder/result"), "");
   file.stream() << "text";

@@ -103,7 +103,7 @@ TEST(RankTable, OfManyRanksShowsTheSpread) {
               ElementsAre("all", "10000", "100.0", "900", "200", "2000", "50.0", "4.000"));
 }
 
-TEST(RankTable, OfASearchThatDidNothingDividesByNothing) {
+TEST(RankTable, OfASearchWithoutNodesHasZeros) {
   RankTable table({});
   table.add({}, {});
   table.add({}, {});

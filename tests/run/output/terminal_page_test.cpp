@@ -29,13 +29,13 @@ std::vector<std::string> lines_of(const std::string& text) {
   return list;
 }
 
-TEST(Page, FoldsNoLineOfAFile) {
+TEST(Page, DoesNotFoldLinesOfFiles) {
   const std::string text(500, 'x');
   EXPECT_EQ(folded(text + " y\n", Page::endless), text + " y\n");
   EXPECT_EQ(folded("short\n\n  lines\n", 20), "short\n\n  lines\n");
 }
 
-TEST(Page, GoesOnBelowTheLastColumn) {
+TEST(Page, ContinuesListsBelowTheLastColumn) {
   EXPECT_THAT(lines_of(folded("    1   4.9e-03  b13 t13 b23 t23 b33 t33\n", 33)),
               ElementsAre("    1   4.9e-03  b13 t13 b23 t23", "                 b33 t33"));
   EXPECT_THAT(lines_of(folded("a sentence that is too long\n", 16)),
@@ -44,7 +44,7 @@ TEST(Page, GoesOnBelowTheLastColumn) {
               ElementsAre("  what is indented", "    stays it"));
 }
 
-TEST(Page, LosesNoWordAndBreaksNone) {
+TEST(Page, KeepsAllWordsUnbroken) {
   const std::string text =
       "    1   4.885e-03  楔13 t13 b23…29 b33 t33 b43 t43\nIt can stick in 27 ways at friction "
       "coefficient 0.65, or at\n    in tension:     a-b c-d e-f g-h i-j k-l m-n o-p\n"
@@ -60,7 +60,7 @@ TEST(Page, LosesNoWordAndBreaksNone) {
   }
 }
 
-TEST(Page, MarksOnlyWhereThereAreColours) {
+TEST(Page, MarksTextOnlyIfItHasColours) {
   const Page plain;
   EXPECT_EQ(plain.strong("yes"), "yes");
   EXPECT_EQ(plain.warning("no\n"), "no\n");
@@ -70,7 +70,7 @@ TEST(Page, MarksOnlyWhereThereAreColours) {
   EXPECT_EQ(terminal.warning(""), "");
 }
 
-TEST(Page, MarksTakeNoRoom) {
+TEST(Page, MarksHaveNoWidth) {
   const Page terminal{.width = 12, .colours = true};
   EXPECT_EQ(folded(terminal.strong("twelve chars"), 12), terminal.strong("twelve chars"));
 }

@@ -53,7 +53,7 @@ std::vector<json> of_phase(const json& events, const std::string& phase) {
   return list;
 }
 
-TEST(TraceFile, TheSlicesOfATrackFollowOneAnotherWithoutAGap) {
+TEST(TraceFile, SlicesOfATrackHaveNoGaps) {
   const auto events = written(two_ranks());
   std::map<std::pair<int, int>, std::vector<json>> tracks;
   for (const auto& slice : of_phase(events, "X")) {
@@ -76,7 +76,7 @@ TEST(TraceFile, TheSlicesOfATrackFollowOneAnotherWithoutAGap) {
   EXPECT_EQ(reductions[0]["dur"], 2000);
 }
 
-TEST(TraceFile, AnArrowLeadsFromTheGiverToTheTaker) {
+TEST(TraceFile, ArrowLeadsFromSenderToReceiver) {
   const auto events = written(two_ranks());
   const auto starts = of_phase(events, "s");
   const auto ends = of_phase(events, "f");
@@ -109,7 +109,7 @@ TEST(TraceFile, DrawsTheOpenNodesWhenTheyChange) {
   EXPECT_EQ(curve, (std::vector<std::uint64_t>{1, 6, 3, 0}));
 }
 
-TEST(TraceFile, SaysWhatIsMissing) {
+TEST(TraceFile, ReportsDroppedEvents) {
   auto traces = two_ranks();
   traces[0].dropped = 17;
   std::ostringstream out;
@@ -121,7 +121,7 @@ TEST(TraceFile, SaysWhatIsMissing) {
   }
 }
 
-TEST(TraceFile, KeepsABoundOnAllRanksTogether) {
+TEST(TraceFile, LimitsTheEventsOfAllRanksTogether) {
   EXPECT_EQ(trace_events_a_rank(1), 1'000'000U);
   EXPECT_EQ(trace_events_a_rank(1000), 4000U);
   EXPECT_GE(trace_events_a_rank(100'000'000), 1U);

@@ -29,7 +29,7 @@ TEST(RemainingTime, OfASteadySearchIsExact) {
   EXPECT_NEAR(*time.seconds(), 70, 1e-6);  // rounding only
 }
 
-TEST(RemainingTime, IsUnknownUntilItMeansSomething) {
+TEST(RemainingTime, IsUnknownInAnEarlyOrUnevenSearch) {
   RemainingTime nothing;
   EXPECT_FALSE(nothing.seconds());
 
@@ -65,7 +65,7 @@ TEST(RemainingTime, FollowsAChangeOfPace) {
   EXPECT_LT(*time.seconds(), 24);
 }
 
-TEST(RemainingTime, DoesNotHangOnHowOftenItIsLookedAt) {
+TEST(RemainingTime, DoesNotDependOnTheNumberOfObservations) {
   RemainingTime often;
   RemainingTime seldom;
   for (int i = 0; i <= 10'000; ++i) often.observe(0.01 * i, 0.00005 * i);
@@ -160,7 +160,7 @@ TEST(ProgressText, ARowShowsKnownValues) {
   EXPECT_THAT(progress_row(state), HasSubstr("10           10     0 %"));
 }
 
-TEST(ProgressText, NamesWhatIsDoneOnceTheProofIsOver) {
+TEST(ProgressText, NamesThePhaseAfterTheProof) {
   auto state = some_state();
   state.progress.objective = 10;
   state.progress.bound = 10;
@@ -175,14 +175,14 @@ TEST(ProgressText, NamesWhatIsDoneOnceTheProofIsOver) {
   state.progress.open = 0;
   EXPECT_THAT(progress_row(state), EndsWith("  ending"));
   EXPECT_THAT(progress_bar(state, 199), HasSubstr("ending: the ranks terminate"));
-  // Without a point there is no proof, whatever the bound.
+  // Without a point there is no proof, for any bound.
   state = some_state();
   state.minimising = true;
   state.progress.bound = infinity;
   EXPECT_THAT(progress_row(state), EndsWith(" 15:00"));
 }
 
-TEST(ProgressText, DoesNotSayThatAllIsDoneBeforeItIs) {
+TEST(ProgressText, DoesNotShow100PercentBeforeTheEnd) {
   auto state = some_state();
   state.progress.closed = 0.99999;
   EXPECT_THAT(progress_row(state), HasSubstr("99.9 %"));
@@ -200,7 +200,7 @@ TEST(ProgressText, TheBarFitsItsTerminal) {
   EXPECT_EQ(progress_bar(state, 10), "45.6 %");
 }
 
-TEST(ProgressText, RowsOfANightDoNotFillTheLog) {
+TEST(ProgressText, RowsBecomeRareInALongSearch) {
   const auto rows_until = [](double end) {
     int rows = 0;
     for (double time = row_interval(0); time <= end; time += row_interval(time)) ++rows;

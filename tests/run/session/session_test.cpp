@@ -33,7 +33,7 @@ class SessionOfOne : public testing::Test {
   [[nodiscard]] int count() const { return count_; }
 };
 
-TEST_F(SessionOfOne, IsRankZeroAndSpeaks) {
+TEST_F(SessionOfOne, IsRankZeroAndPrints) {
   EXPECT_EQ(session_.ranks(), 1);
   EXPECT_EQ(session_.transport().rank(), 0);
   EXPECT_TRUE(session_.speaks());
@@ -48,7 +48,7 @@ TEST_F(SessionOfOne, ReceivesItsOwnResult) {
 }
 
 // A move-only value reaches the caller.
-TEST_F(SessionOfOne, DoesNotCopyWhatItPrepares) {
+TEST_F(SessionOfOne, DoesNotCopyThePreparedValue) {
   const std::string text(100, 'x');
   std::string own = text;
   const char* const place = own.data();
@@ -57,7 +57,7 @@ TEST_F(SessionOfOne, DoesNotCopyWhatItPrepares) {
   EXPECT_EQ(got.data(), place);
 }
 
-TEST_F(SessionOfOne, ThrowsWhatIsWrongWithTheInputAsOneKindOfError) {
+TEST_F(SessionOfOne, ThrowsInputErrorsAsOneType) {
   EXPECT_THAT([&] { session_.from_first_rank([] { throw WrongInput("--mu: missing"); }); },
               ThrowsMessage<WrongInput>("--mu: missing"));
   const support::InputError error("x.toml", {.line = 3, .column = 7}, "EA is -3; expected more");
@@ -65,7 +65,7 @@ TEST_F(SessionOfOne, ThrowsWhatIsWrongWithTheInputAsOneKindOfError) {
               ThrowsMessage<WrongInput>("x.toml:3:7: EA is -3; expected more"));
 }
 
-TEST_F(SessionOfOne, LeavesOtherErrorsAsTheyAre) {
+TEST_F(SessionOfOne, DoesNotChangeOtherErrors) {
   EXPECT_THAT([&] { session_.from_first_rank([] { throw std::logic_error("a defect"); }); },
               ThrowsMessage<std::logic_error>("a defect"));
 }

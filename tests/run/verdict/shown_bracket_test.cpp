@@ -35,7 +35,7 @@ TEST(ShownBracket, InsideIsNeverEmpty) {
   EXPECT_LE(std::stod(inside(0.1, next).lower), std::stod(inside(0.1, next).upper));
 }
 
-TEST(ShownBracket, OfATableIsAtMostTwiceAsWide) {
+TEST(ShownBracket, InATableIsAtMostTwiceAsWide) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> exponent(-6, 4);
   for (int i = 0; i < 2000; ++i) {

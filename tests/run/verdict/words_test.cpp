@@ -67,7 +67,7 @@ bool names_what_is_not_proved(const Verdict& verdict) {
   return false;
 }
 
-TEST(Verdicts, SayOfEveryBoundThatIsNotProvedThatItIsNot) {
+TEST(Verdicts, MarkEveryBoundThatIsNotProved) {
   for (const auto& verdict : all_verdicts()) {
     if (names_what_is_not_proved(verdict)) {
       const auto sentence = headline(verdict);
@@ -77,7 +77,7 @@ TEST(Verdicts, SayOfEveryBoundThatIsNotProvedThatItIsNot) {
   }
 }
 
-TEST(Verdicts, ClaimThatItCannotStickOnlyOfWholeSearchesOrWithALowerBound) {
+TEST(Verdicts, ClaimThatItCannotStickOnlyAfterACompleteSearchOrWithALowerBound) {
   for (const auto& verdict : all_verdicts()) {
     const auto sentence = headline(verdict);
     if (!has(sentence, "annot stick")) continue;
@@ -95,7 +95,7 @@ TEST(Verdicts, ClaimThatItCannotStickOnlyOfWholeSearchesOrWithALowerBound) {
   }
 }
 
-TEST(Verdicts, EndWithAnExitCodeThatTheirReservationsExplain) {
+TEST(Verdicts, HaveAnExitCodeConsistentWithTheirReservations) {
   for (const auto& verdict : all_verdicts()) {
     const auto said = reservations(verdict);
     const bool open = std::ranges::any_of(said, &Reservation::open);
@@ -123,7 +123,7 @@ TEST(Verdicts, HaveAStatusThatAgreesWithTheExitCode) {
   }
 }
 
-TEST(Verdicts, CountInTheSingularAndInThePlural) {
+TEST(Verdicts, UseSingularAndPlural) {
   for (const auto& verdict : all_verdicts()) {
     const auto words = all_words(verdict);
     for (const char* const wrong : {" are 1 ", " 1 ways", " 1 sign patterns", " 1 patterns",
@@ -133,7 +133,7 @@ TEST(Verdicts, CountInTheSingularAndInThePlural) {
 }
 
 // A seventh of them on a change: JSON takes most of the time.
-TEST(Verdicts, SayTheSameWhenTheyAreReadBack) {
+TEST(Verdicts, AreTheSameAfterWritingAndReading) {
   const auto verdicts = all_verdicts();
   for (std::size_t i = 0; i < verdicts.size(); i += test::thorough ? 1 : 7) {
     const auto& verdict = verdicts[i];
@@ -154,7 +154,7 @@ TEST(Verdicts, SayTheSameWhenTheyAreReadBack) {
   }
 }
 
-TEST(Verdicts, EndTablesWithAllTheySay) {
+TEST(Verdicts, ArePrintedCompletelyBelowTables) {
   for (const auto& verdict : all_verdicts()) {
     const auto text = conclusion_text(verdict, {});
     EXPECT_TRUE(has(text, headline(verdict)));
@@ -168,7 +168,7 @@ Verdict critical(Bracket bracket, engine::Status ended = engine::Status::solved)
           .answer = CriticalBracket{.bracket = bracket, .maximum = 1000, .width = 1e-8}};
 }
 
-TEST(CriticalWords, QualifyEachEndByItself) {
+TEST(CriticalWords, QualifyEachBoundSeparately) {
   const Bound lower{0.5, Standing::proved}, upper{0.6, Standing::computed};
   EXPECT_EQ(headline(critical({lower, upper}, engine::Status::time_limit)),
             "It cannot stick below friction coefficient 0.5; at 0.6 it can (computed, not "
@@ -188,7 +188,7 @@ TEST(StickingWords, CountBeyondEveryInteger) {
       "It can stick in 18446744073709551616 ways at friction coefficient 2.");
 }
 
-TEST(StickingWords, CountNothingOfAListThatTheExactTestDoesNotShow) {
+TEST(StickingWords, CountNoPatternThatTheExactTestHasNotProved) {
   const Verdict verdict{
       .answer = Sticking{.friction = 0.5,
                          .count = 1,
@@ -197,7 +197,7 @@ TEST(StickingWords, CountNothingOfAListThatTheExactTestDoesNotShow) {
   EXPECT_EQ(exit_code(verdict), stopped_early);
 }
 
-TEST(StickingWords, SayOnWhatAProofRests) {
+TEST(StickingWords, NameTheGroundsOfAProof) {
   Sticking list{.friction = 0.5, .count = 2};
   EXPECT_THAT(all_words({.answer = list}), HasSubstr("Proved by the bounds of the solver"));
   list.grounds = Grounds::exact_arithmetic;

@@ -53,7 +53,7 @@ std::vector<std::vector<bool>> reachable(const std::vector<Configuration>& list,
   return joined;
 }
 
-TEST(PatternGroups, AreWhatStepsOfFewCandidatesJoin) {
+TEST(PatternGroups, AreConnectedByStepsOfFewCandidates) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto list = random_patterns(seed, 30);
     const int max_differences = 1 + static_cast<int>(seed % 3);
@@ -89,7 +89,7 @@ int apart(const Configuration& a, const Configuration& b) {
   return count;
 }
 
-TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
+TEST(PatternGroups, AroundLargestMarginsHaveNearMembersOfSmallerMargin) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto list = random_patterns(seed, 60);
     const int max_differences = 1 + static_cast<int>(seed % 3);
@@ -124,7 +124,7 @@ TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
   }
 }
 
-TEST(PatternGroups, OfNothingAreNone) {
+TEST(PatternGroups, OfAnEmptyListAreNone) {
   EXPECT_TRUE(pattern_groups({}, 1).empty());
   EXPECT_TRUE(groups_around_largest_margin({}, 1, 1)->empty());
 }

@@ -30,15 +30,15 @@ void solve_without_allocation(int m) {
       EXPECT_GT(solver.solve(masks.first, masks.second, stop).iterations, 0);
 }
 
-TEST(Allocation, IsNotNeededToSolveANodeInThePlane) {
+TEST(NodeSolver, AllocatesNothingInThePlane) {
   for (const int m : {2, 10, 40, 64}) solve_without_allocation<2>(m);
 }
 
-TEST(Allocation, IsNotNeededToSolveANodeInSpace) {
+TEST(NodeSolver, AllocatesNothingInSpace) {
   for (const int m : {2, 10, 40, 64}) solve_without_allocation<3>(m);
 }
 
-TEST(AllocationDeathTest, IsNoticed) {
+TEST(AllocationDeathTest, IsDetected) {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_DEATH(
       {

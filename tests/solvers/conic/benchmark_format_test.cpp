@@ -85,7 +85,7 @@ void expect_solution_within(std::mt19937_64& generator) {
   EXPECT_EQ(program.costs.dot(point), point(5 * D));
 }
 
-TEST(BenchmarkFormat, HoldsWhatTheSolverFinds) {
+TEST(BenchmarkFormat, AdmitsTheSolutionOfTheSolver) {
   std::mt19937_64 generator(14);
   for (int time = 0; time < 30; ++time) {
     expect_solution_within<2>(generator);

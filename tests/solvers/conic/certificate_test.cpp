@@ -123,14 +123,14 @@ void expect_certificates(double minimum, double maximum, std::uint64_t seed) {
   EXPECT_GT(infeasible, 20);
 }
 
-TEST(Certificates, HoldInThePlane) {
+TEST(Certificates, AreValidInThePlane) {
   expect_certificates<2>(0.3, 1.5, 11);
 }
-TEST(Certificates, HoldInSpace) {
+TEST(Certificates, AreValidInSpace) {
   expect_certificates<3>(0.3, 1.5, 12);
 }
 // Sets of candidates that take two words: some in U, some in R on either side of the border.
-TEST(Certificates, HoldForAHundredCandidates) {
+TEST(Certificates, AreValidForAHundredCandidates) {
   constexpr int m = 100;
   std::mt19937_64 generator(15);
   const ContactProblem problem = testing::random_problem(2, m, 5, 10, generator);
@@ -146,10 +146,10 @@ TEST(Certificates, HoldForAHundredCandidates) {
   EXPECT_EQ(proved(same, slippery, {support::IndexSet::below(70), {}}, never).sign,
             Sign::infeasible);
 }
-TEST(Certificates, HoldForBadlyScaledFrictionInThePlane) {
+TEST(Certificates, AreValidForBadlyScaledFrictionInThePlane) {
   expect_certificates<2>(0.01, 10, 13);
 }
-TEST(Certificates, HoldForBadlyScaledFrictionInSpace) {
+TEST(Certificates, AreValidForBadlyScaledFrictionInSpace) {
   expect_certificates<3>(0.01, 10, 14);
 }
 
@@ -203,10 +203,10 @@ void expect_agreement_with_search(int max_candidates, std::uint64_t seed) {
   }
 }
 
-TEST(Certificates, NoSearchBeatsTheUpperBoundAndItReachesTheLowerInThePlane) {
+TEST(Certificates, AgreeWithTheEllipsoidMethodInThePlane) {
   expect_agreement_with_search<2>(5, 21);
 }
-TEST(Certificates, NoSearchBeatsTheUpperBoundAndItReachesTheLowerInSpace) {
+TEST(Certificates, AgreeWithTheEllipsoidMethodInSpace) {
   expect_agreement_with_search<3>(5, 22);
 }
 

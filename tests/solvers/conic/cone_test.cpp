@@ -117,7 +117,7 @@ TYPED_TEST(Cone, JordanProductHasItsIdentityAndCommutes) {
             rounding * 10);
 }
 
-TYPED_TEST(Cone, JordanDivisionUndoesTheProduct) {
+TYPED_TEST(Cone, JordanDivisionInvertsTheProduct) {
   constexpr int D = TestFixture::dimension;
   for (const double depth : depths) {
     const NesterovToddScaling<D> scaling(point<D>(this->interior(depth)),
@@ -159,7 +159,7 @@ TYPED_TEST(Cone, StepAlongTheConeIsUnbounded) {
   EXPECT_GT(scaling.inverse_step_length(point<D>(-this->interior(0.5))), 0);
 }
 
-TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
+TYPED_TEST(Cone, VectorisedOperationsEqualScalarOnesBitwise) {
   constexpr int D = TestFixture::dimension;
   ConePoint<D, Pack> x, z;
   std::array<ConePoint<D>, lanes<>> each_x, each_z;

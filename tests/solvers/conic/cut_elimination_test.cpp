@@ -189,15 +189,15 @@ void expect_the_squares_of_all_rows() {
   }
 }
 
-TEST(CutElimination, KnowsTheSquaresOfAllRowsInThePlane) {
+TEST(CutElimination, HasTheSquaresOfAllRowsInThePlane) {
   expect_the_squares_of_all_rows<2>();
 }
-TEST(CutElimination, KnowsTheSquaresOfAllRowsInSpace) {
+TEST(CutElimination, HasTheSquaresOfAllRowsInSpace) {
   expect_the_squares_of_all_rows<3>();
 }
 
 // A cut that is nearly an equation, beside an inactive one.
-TEST(CutElimination, HasTheSolutionWhereCutsBind) {
+TEST(CutElimination, HasTheSolutionWithActiveCuts) {
   std::mt19937_64 generator(7);
   const auto problem = testing::random_problem(3, 5, 0.3, 3, generator);
   std::vector<Cut> cuts;

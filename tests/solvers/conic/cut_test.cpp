@@ -126,10 +126,10 @@ void expect_the_rows_of_further_candidates() {
   EXPECT_GT(signs, 3);
 }
 
-TEST(Cuts, AreTheGapRowsOfFurtherCandidatesInThePlane) {
+TEST(Cuts, AreEquivalentToGapRowsOfFurtherCandidatesInThePlane) {
   expect_the_rows_of_further_candidates<2>();
 }
-TEST(Cuts, AreTheGapRowsOfFurtherCandidatesInSpace) {
+TEST(Cuts, AreEquivalentToGapRowsOfFurtherCandidatesInSpace) {
   expect_the_rows_of_further_candidates<3>();
 }
 
@@ -158,12 +158,12 @@ void expect_idle_cuts_to_change_nothing() {
   EXPECT_GT(feasible, 8);
 }
 
-TEST(Cuts, ThatNeverBindLeaveTheValueAsItIs) {
+TEST(Cuts, ThatNeverBindDoNotChangeTheValue) {
   expect_idle_cuts_to_change_nothing<2>();
   expect_idle_cuts_to_change_nothing<3>();
 }
 
-TEST(Cuts, LeaveSolvesWithoutThemAsTheyAreToTheBit) {
+TEST(Cuts, DoNotChangeLaterSolvesWithoutThem) {
   std::mt19937_64 generator(43);
   const int m = 6;
   const auto problem = testing::random_problem(3, m, 0.3, 2, generator);
@@ -191,7 +191,7 @@ TEST(Cuts, LeaveSolvesWithoutThemAsTheyAreToTheBit) {
 
 // Candidate 1 is separated, candidate 0 carries all: u_n1 = 0.2 + 0.3 rho with |rho| <= mu as long
 // as u_n0 = 1 - rho/2 >= 0, so u_n1 <= 0.2 + 0.3 min(mu, 2).
-TEST(MostOf, IsTheLargestGapOfASeparatedCandidate) {
+TEST(MaxOf, IsTheLargestGapOfASeparatedCandidate) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = -0.5;
   compliance(0, 2) = compliance(2, 0) = 0.2;
@@ -212,7 +212,7 @@ TEST(MostOf, IsTheLargestGapOfASeparatedCandidate) {
 // In contact, decoupled from each other: u_n1 = r_n1 - rho_1 / 2 = 0 requires rho_1 = 2 r_n1, which
 // friction above 2 allows; then r_n0 has all the rest or nothing, and r_n1 all of the sum. With the
 // cut r_n0 >= 3/4 s of the other candidate no more than a quarter is left.
-TEST(MostOf, IsTheLargestReactionOfACandidateInContact) {
+TEST(MaxOf, IsTheLargestReactionOfACandidateInContact) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(2, 3) = compliance(3, 2) = -0.5;
   NodeSolver<2> solver(compliance, std::array{1.0, 3.0});

@@ -69,7 +69,7 @@ TEST(NodeProgram, RowsAreTheNormalDisplacementsInSpace) {
   expect_same_rows_and_levels<3>();
 }
 
-TEST(NodeProgram, DiscrepancyIsWhatContactsMustLoseOfTheirGap) {
+TEST(NodeProgram, DiscrepancyIsTheNegativeGapOfCandidatesInContact) {
   const Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(6, 6);
   NodeProgram<2> program(compliance, std::vector<double>{1, 1, 1});
   program.select(0b001, 0, 0b100);
@@ -79,7 +79,7 @@ TEST(NodeProgram, DiscrepancyIsWhatContactsMustLoseOfTheirGap) {
   EXPECT_EQ(program.discrepancy().head(3), Eigen::Vector3d(-0.25, 0, 0));
 }
 
-TEST(NodeProgram, PullIsWhatNormalForcesDisplace) {
+TEST(NodeProgram, PullIsTheDisplacementUnderNormalForces) {
   std::mt19937_64 generator(7);
   const ContactProblem problem = testing::random_problem(3, 5, 0.1, 3, generator);
   NodeProgram<3> program(problem.compliance, problem.friction);
@@ -90,7 +90,7 @@ TEST(NodeProgram, PullIsWhatNormalForcesDisplace) {
   EXPECT_LE((program.pull(y).head(15) - problem.compliance * forces).norm(), rounding);
 }
 
-TEST(NodeProgram, RefusesDataThatCannotBeMeant) {
+TEST(NodeProgram, RefusesInvalidData) {
   const Eigen::MatrixXd good = Eigen::MatrixXd::Identity(4, 4);
   using Frictions = std::vector<double>;
   EXPECT_NO_THROW(NodeProgram<2>(good, Frictions({1, 1})));
@@ -111,7 +111,7 @@ TEST(NodeProgram, RefusesDataThatCannotBeMeant) {
   EXPECT_THROW(NodeProgram<2>(bad, Frictions({1, 1})), std::invalid_argument);
 }
 
-TEST(NodeProgram, RefusesSetsThatCannotBeMeant) {
+TEST(NodeProgram, RefusesInvalidSets) {
   NodeProgram<2> program(Eigen::MatrixXd::Identity(4, 4), std::vector<double>{1, 1});
   EXPECT_THROW(program.select(0b01, 0b01), std::invalid_argument);
   EXPECT_THROW(program.select(0b100, 0), std::invalid_argument);

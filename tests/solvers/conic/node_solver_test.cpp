@@ -39,7 +39,7 @@ void expect_optimum(NodeSolver<D>& solver, std::uint64_t contact, std::uint64_t 
 // One candidate: r_n = 1, and only the size rho of a tangential reaction along the coupling row
 // F_nt, of norm a, matters. In contact u_n = F_nn - a rho = 0, so t* = mu - F_nn / a. Undecided,
 // t = min(F_nn + a rho, mu - rho): t* = mu if F_nn >= mu, else (a mu + F_nn) / (1 + a).
-TEST(OneCandidate, HasItsClosedFormInThePlane) {
+TEST(NodeSolver, HasTheClosedFormOfOneCandidateInThePlane) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, -0.5, -0.5, 2;
   for (const double mu : {0.25, 0.75, 1.5, 3.0}) {
@@ -49,7 +49,7 @@ TEST(OneCandidate, HasItsClosedFormInThePlane) {
   }
 }
 
-TEST(OneCandidate, HasItsClosedFormInSpace) {
+TEST(NodeSolver, HasTheClosedFormOfOneCandidateInSpace) {
   Eigen::MatrixXd compliance(3, 3);
   compliance << 1, 0.3, -0.4, 0.3, 2, 0, -0.4, 0, 1;  // a = 0.5
   for (const double mu : {0.25, 0.75, 1.5, 3.0}) {
@@ -61,7 +61,7 @@ TEST(OneCandidate, HasItsClosedFormInSpace) {
 
 // Decoupled candidates, normal and tangents too: t = min_i c_i r_n with c_i = min(mu_i, F_ii) and
 // sum r_n = 1, so t* = 1 / sum 1 / c_i.
-TEST(DecoupledCandidates, ShareTheReaction) {
+TEST(NodeSolver, DividesTheReactionAmongDecoupledCandidates) {
   Eigen::VectorXd diagonal(6);
   diagonal << 0.5, 1, 1.5, 1, 1, 1;
   const std::array friction{0.4, 2.0, 0.5};
@@ -72,7 +72,7 @@ TEST(DecoupledCandidates, ShareTheReaction) {
 
 // One candidate decoupled from its neighbours, wedged with a margin; the separated ones do not
 // move, so their u_n = 0 gives t* = 0 exactly: a structurally degenerate node.
-TEST(Tie, OfASeparatedCandidateThatDoesNotMoveIsMarginal) {
+TEST(NodeSolver, IsMarginalIfASeparatedCandidateDoesNotMove) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(6, 6);
   compliance(0, 1) = compliance(1, 0) = 0.5;
   NodeSolver<2> solver(compliance, std::array{3.0, 1.0, 1.0});
@@ -80,7 +80,7 @@ TEST(Tie, OfASeparatedCandidateThatDoesNotMoveIsMarginal) {
   expect_optimum(solver, 0b001, 0b010, 0);
 }
 
-TEST(Tie, AtTheCriticalFrictionIsMarginal) {
+TEST(NodeSolver, IsMarginalAtTheCriticalFriction) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;
   NodeSolver<2> solver(compliance, std::array{2.0});  // t* = mu - F_nn / a = 0
@@ -91,7 +91,7 @@ TEST(Tie, AtTheCriticalFrictionIsMarginal) {
   EXPECT_EQ(below.solve(1, 0).sign, Sign::infeasible);
 }
 
-TEST(Everything, SeparatedIsInfeasibleAtOnce) {
+TEST(NodeSolver, IsInfeasibleWithoutIterationsIfAllAreSeparated) {
   NodeSolver<3> solver(Eigen::MatrixXd::Identity(6, 6), std::array{1.0, 1.0});
   const ConicResult answer = solver.solve(0, 0b11);
   EXPECT_EQ(answer.sign, Sign::infeasible);
@@ -102,7 +102,7 @@ TEST(Everything, SeparatedIsInfeasibleAtOnce) {
 }
 
 // All in contact: u_n = F_nn r_n + F_nt r_t = 0 at each of two equal, decoupled nodes, r_n = 1/2.
-TEST(Everything, InContactHasNoGapRow) {
+TEST(NodeSolver, HasNoGapRowIfAllAreInContact) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = compliance(2, 3) = compliance(3, 2) = 0.5;
   for (const double mu : {1.0, 3.0}) {
@@ -112,7 +112,7 @@ TEST(Everything, InContactHasNoGapRow) {
 }
 
 // No reaction has u_n = F_nn r_n = 0 and sum 1: t* is minus infinity, and y proves it.
-TEST(Infeasible, ContactWithoutCouplingIsInfeasible) {
+TEST(NodeSolver, IsInfeasibleInContactWithoutCoupling) {
   const std::vector<double> friction(5, 0.7);
   Eigen::VectorXd diagonal = Eigen::VectorXd::LinSpaced(15, 0.4, 1.7);
   NodeSolver<3> solver(diagonal.asDiagonal(), friction);
@@ -126,7 +126,7 @@ TEST(Infeasible, ContactWithoutCouplingIsInfeasible) {
     }
 }
 
-TEST(StopEarly, AgreesOnTheSignAndNeverTakesLonger) {
+TEST(StopEarly, AgreesOnTheSignWithNoMoreIterations) {
   std::mt19937_64 generator(31);
   int fewer = 0;
   for (int repetition = 0; repetition < 60; ++repetition) {
@@ -149,7 +149,7 @@ TEST(StopEarly, AgreesOnTheSignAndNeverTakesLonger) {
   EXPECT_GT(fewer, 60);
 }
 
-TEST(StopEarly, OnInfeasibleOnlyStillGivesTheFullValueOfTheLiving) {
+TEST(StopEarly, AtInfeasibilityOnlySolvesFeasibleNodesCompletely) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;
   NodeSolver<2> solver(compliance, std::array{3.0});
@@ -158,7 +158,7 @@ TEST(StopEarly, OnInfeasibleOnlyStillGivesTheFullValueOfTheLiving) {
   EXPECT_NEAR(answer.upper, 1, accuracy);
 }
 
-TEST(Limit, OfIterationsLeavesADoubtADoubt) {
+TEST(NodeSolver, IsMarginalAtTheIterationLimit) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = 0.5;
   NodeSolver<2> solver(compliance, std::array{3.0, 0.1}, Tolerances{.iterations = 1});
@@ -169,7 +169,7 @@ TEST(Limit, OfIterationsLeavesADoubtADoubt) {
   EXPECT_GT(answer.upper, 1e-3);
 }
 
-TEST(NodeSolver, GivesTheSameBitsWhateverItSolvedBefore) {
+TEST(NodeSolver, DoesNotDependOnEarlierSolves) {
   std::mt19937_64 generator(41);
   const int m = 7;
   const ContactProblem problem = testing::random_problem(3, m, 0.3, 1.5, generator);

@@ -45,7 +45,7 @@ void expect_agreement(const nlohmann::json& program) {
   }
 }
 
-TEST(Reference, OptimalValuesAgreeWithAnotherSolverOnTheOriginalForm) {
+TEST(NodeSolver, AgreesWithAnotherSolverOnTheOriginalForm) {
   std::ifstream file(KUSABI_SOURCE_DIR "/tests/reference/cvxopt_node_programs.json");
   ASSERT_TRUE(file);
   const nlohmann::json programs = nlohmann::json::parse(file);

@@ -150,13 +150,13 @@ void expect_both_sides_to_meet(int m, int nodes) {
   EXPECT_GT(met, nodes / 5) << feasible << " alive, " << infeasible << " dead";
 }
 
-TEST(UnconstrainedBody, HasAPointAndMultipliersWhoseValuesMeetInThePlane) {
+TEST(UnconstrainedBody, SatisfiesStrongDualityInThePlane) {
   expect_both_sides_to_meet<2>(5, 100);
   expect_both_sides_to_meet<2>(9, 100);
   expect_both_sides_to_meet<2>(20, 40);
 }
 
-TEST(UnconstrainedBody, HasAPointAndMultipliersWhoseValuesMeetInSpace) {
+TEST(UnconstrainedBody, SatisfiesStrongDualityInSpace) {
   expect_both_sides_to_meet<3>(6, 60);
   expect_both_sides_to_meet<3>(12, 60);
   expect_both_sides_to_meet<3>(24, 20);
@@ -222,12 +222,12 @@ void expect_cuts_to_be_rows_of_further_candidates(int m, int nodes) {
   EXPECT_GT(binding, nodes / 10);
 }
 
-TEST(UnconstrainedBody, TakesCutsAsRowsOfFurtherCandidatesInThePlane) {
+TEST(UnconstrainedBody, HasCutsEquivalentToRowsOfFurtherCandidatesInThePlane) {
   expect_cuts_to_be_rows_of_further_candidates<2>(5, 60);
   expect_cuts_to_be_rows_of_further_candidates<2>(9, 40);
 }
 
-TEST(UnconstrainedBody, TakesCutsAsRowsOfFurtherCandidatesInSpace) {
+TEST(UnconstrainedBody, HasCutsEquivalentToRowsOfFurtherCandidatesInSpace) {
   expect_cuts_to_be_rows_of_further_candidates<3>(7, 40);
   expect_cuts_to_be_rows_of_further_candidates<3>(12, 20);
 }

@@ -97,7 +97,7 @@ TEST(Mps, ReadsTheSenseInItsSectionAndBehindIt) {
   EXPECT_THAT(refusal(file("", "OBJSENSE MAX\n MIN\n")), HasSubstr("t.mps:2: a second sense"));
 }
 
-TEST(Mps, TakesTheFirstRowOfTypeNForTheObjectiveUnlessOneIsNamed) {
+TEST(Mps, ReadsTheFirstOrTheNamedRowOfTypeNAsTheObjective) {
   const std::string rows =
       "ROWS\n N a\n N b\n L l\nCOLUMNS\n x a 1 b 5\n x l 1\nRHS\n R b 7 l 1\nENDATA\n";
   const auto first = read(rows);
@@ -112,7 +112,7 @@ TEST(Mps, TakesTheFirstRowOfTypeNForTheObjectiveUnlessOneIsNamed) {
               HasSubstr("no row of type N, the objective"));
 }
 
-TEST(Mps, MakesRangesOfRowsByTheSignOfTheirs) {
+TEST(Mps, ReadsRangesByTheirSign) {
   const std::string right = "RHS\n R l 4 g 1\n R e 2\n";
   const auto positive = read(file(right + "RANGES\n R l 3 g 3\n R e 3\n"));
   EXPECT_EQ(ends(positive, 0), Ends(1, 4));
@@ -154,7 +154,7 @@ TEST(Mps, ReadsBoundsOfAllTypes) {
   EXPECT_EQ(of(" UP B x 1e19\n"), Ends(0, 1e19));
 }
 
-TEST(Mps, ReadsDecimalPointsWhereCommasAreUsual) {
+TEST(Mps, ReadsDecimalPointsInALocaleWithCommas) {
   if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no such locale here";
   EXPECT_EQ(of(" LO B x -2.5\n UP B x 1.5\n"), Ends(-2.5, 1.5));
   EXPECT_EQ(of(" LO B x 1.5e-400\n UP B x 1.5e400\n"), Ends(0, infinity));
@@ -166,7 +166,7 @@ TEST(Mps, ReadsNumbersBeyondTheRangeOfDoubles) {
   EXPECT_EQ(of(" LO B x -1e5000\n UP B x 1e-5000\n"), Ends(-infinity, 0));
 }
 
-TEST(Mps, TakesANegativeUpperBoundAloneForNoLowerBoundAndSaysSo) {
+TEST(Mps, WarnsThatANegativeUpperBoundRemovesTheLowerBound) {
   const auto program = read(file("BOUNDS\n UP B x -2\n"));
   EXPECT_EQ(bounds(program, 0), Ends(-infinity, -2));
   EXPECT_THAT(program.warnings,
@@ -176,7 +176,7 @@ TEST(Mps, TakesANegativeUpperBoundAloneForNoLowerBoundAndSaysSo) {
   EXPECT_THAT(read(file("BOUNDS\n UP B x 0\n")).warnings, IsEmpty());
 }
 
-TEST(Mps, KnowsWhichColumnsAreBinary) {
+TEST(Mps, RecognisesBinaryColumns) {
   const auto integers = [](const std::string& lines) {
     return "ROWS\n N c\n L l\nCOLUMNS\n M1 'MARKER' 'INTORG'\n x c 2 l 1\n M2 'MARKER' 'INTEND'\n"
            " y c 3 l 1\nBOUNDS\n" +
@@ -219,7 +219,7 @@ TEST(Mps, ReadsFixedColumnsWithBlanksInNames) {
   EXPECT_THAT(refusal(wrong), HasSubstr("t.mps:7: \"-1,0\" is not a number"));
 }
 
-TEST(Mps, TakesByteOrderMarksCarriageReturnsCommentsTabsAndEmptyColumns) {
+TEST(Mps, AcceptsByteOrderMarksCarriageReturnsCommentsTabsAndEmptyColumns) {
   const auto program = read(
       "\xEF\xBB\xBFNAME T\r\n* a comment\r\nROWS\r\n\tN\tc\r\n L l\r\n\r\nCOLUMNS\r\n x c 0\r\n"
       " y l 1 c 1\r\nRHS\r\n l 4\r\nENDATA\r\n");
@@ -229,7 +229,7 @@ TEST(Mps, TakesByteOrderMarksCarriageReturnsCommentsTabsAndEmptyColumns) {
   EXPECT_EQ(ends(program, 0), Ends(-infinity, 4));
 }
 
-TEST(Mps, RefusesWithTheLineWhatIsWrongOrMayMeanTwoThings) {
+TEST(Mps, RefusesInvalidAndAmbiguousLinesByNumber) {
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"", "t.mps:0: the file ends without ENDATA"},
       {"NAME T\nCOLUMNS\n x c 1\nENDATA\n", "t.mps:2: COLUMNS without a section ROWS before"},
@@ -274,7 +274,7 @@ TEST(Mps, RefusesWithTheLineWhatIsWrongOrMayMeanTwoThings) {
   }
 }
 
-TEST(Mps, IsUnpackedIfItIsPackedAndRefusedIfThatFails) {
+TEST(Mps, ReadsCompressedFilesAndRefusesDamagedOnes) {
   const auto path = std::filesystem::temp_directory_path() / "kusabi-packed.mps.gz";
   const std::string text = file("RHS\n R l 4\n");
   auto* const packed = gzopen(path.c_str(), "wb");

@@ -87,7 +87,7 @@ MixedProgram random_program(std::mt19937& random) {
   return mixed;
 }
 
-TEST(MpsWriter, WritesWhatIsReadBackToTheLastBit) {
+TEST(MpsWriter, IsReadBackToTheLastBit) {
   std::mt19937 random(14);
   for (int time = 0; time < 200; ++time) {
     const auto mixed = random_program(random);
@@ -101,7 +101,7 @@ TEST(MpsWriter, WritesWhatIsReadBackToTheLastBit) {
   }
 }
 
-TEST(MpsWriter, KeepsColumnsThatAreNowhere) {
+TEST(MpsWriter, KeepsColumnsWithoutEntries) {
   MixedProgram mixed;
   mixed.program.add_column({.name = "alone"});
   const auto read = parse_mps(written(mixed), "t.mps").mixed;
@@ -109,7 +109,7 @@ TEST(MpsWriter, KeepsColumnsThatAreNowhere) {
   EXPECT_EQ(read.program.columns[0].name, "alone");
 }
 
-TEST(MpsWriter, NumbersWhatHasNamesThatNotAllReadersTake) {
+TEST(MpsWriter, NumbersColumnsWithNamesThatSomeReadersRefuse) {
   for (const std::string name : {"", "two words", "\xe7\xaf\x80", "$x", "'x", "OBJECTIVE", "y"}) {
     MixedProgram mixed;
     mixed.program.add_column({.cost = 1, .name = "y"});

@@ -46,7 +46,7 @@ void expect_safe(double a, double b) {
   expect_down(-rounded::product_up(a, b), -product, true);
 }
 
-TEST(Rounded, IsOnTheSafeSideOfTheTruthForNumbersOfAllSizes) {
+TEST(Rounded, IsOnTheSafeSideForNumbersOfAllSizes) {
   std::mt19937_64 draw(7);
   const auto any = [&] {
     for (;;) {
@@ -76,7 +76,7 @@ TEST(Rounded, IsOnTheSafeSideOfTheTruthForNumbersOfAllSizes) {
   }
 }
 
-TEST(Rounded, StaysSafeAtTheEndsOfTheRange) {
+TEST(Rounded, IsOnTheSafeSideAtTheLimitsOfTheRange) {
   for (const double a : {largest, -largest, smallest, -smallest, 0.0, 1.0, -1.0, 0x1p970, -0x1p970,
                          0x1p971, -0x1p971, 0x1.8p970}) {
     for (const double b : {largest, -largest, smallest, -smallest, 0.0, 1.0, 0x1p970, -0x1p970}) {

@@ -58,7 +58,7 @@ TEST(Simplex, FindsTheVertexAndTheShadowPricesOfATextbookProgram) {
   EXPECT_THAT(simplex.reduced_costs(), testing::Pointwise(testing::DoubleNear(1e-9), {0.0, 0.0}));
 }
 
-TEST(Simplex, SaysWhenAProgramHasNoPointAndWhenItHasNoLowerBound) {
+TEST(Simplex, ReportsInfeasibleAndUnboundedPrograms) {
   auto program = window_factory();
   program.add_row({.lower = 100}, {{{0, 1}, {1, 1}}});
   EXPECT_EQ(Simplex(program).solve_robustly(), LinearStatus::infeasible);
@@ -104,7 +104,7 @@ TEST(Simplex, BothMethodsAgreeAndTheSafeBoundIsCloseBelow) {
   EXPECT_GT(infeasible, 50);
 }
 
-TEST(Simplex, ForgetsWhatItSolvedBefore) {
+TEST(Simplex, DoesNotDependOnEarlierSolves) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const auto program = random_program(3 * seed, true);
     Simplex fresh(program);
@@ -127,7 +127,7 @@ TEST(Simplex, ForgetsWhatItSolvedBefore) {
   }
 }
 
-TEST(Simplex, GoesOnFromItsBasisAfterRowsAndColumnsWereAdded) {
+TEST(Simplex, ContinuesFromItsBasisAfterRowsAndColumnsAreAdded) {
   Simplex simplex(window_factory());
   ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
   const auto before = simplex.basis();
@@ -204,7 +204,7 @@ TEST(Simplex, AnErrorOfGlpkIsAnExceptionAndTheNextProgramWorks) {
   EXPECT_EQ(next.solve_dual(), LinearStatus::optimal);
 }
 
-TEST(Basis, TravelsInAFewBytes) {
+TEST(Basis, IsUnchangedBySerialisation) {
   Simplex simplex(random_program(6, true));
   simplex.solve_primal();
   const auto basis = simplex.basis();
@@ -251,7 +251,7 @@ LinearProgram long_one() {
   return program;
 }
 
-TEST(Simplex, EndsBetweenTwoPiecesOfALongSolveWhenAsked) {
+TEST(Simplex, StopsBetweenTwoPiecesOfALongSolveOnRequest) {
   Simplex simplex(long_one());
   int times = 0;
   EXPECT_EQ(simplex.solve_primal({.stop = [&] { return ++times == 1; }}),
@@ -263,7 +263,7 @@ TEST(Simplex, EndsBetweenTwoPiecesOfALongSolveWhenAsked) {
   EXPECT_GT(simplex.iterations(), so_far);
 }
 
-TEST(Simplex, GivesTheSameWhateverAStopThatNeverComesIsAsked) {
+TEST(Simplex, IsTheSameWithAStopThatIsNeverRequested) {
   Simplex first(long_one());
   Simplex second(long_one());
   int times = 0;

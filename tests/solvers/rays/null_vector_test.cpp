@@ -51,7 +51,7 @@ TEST(NullVector, InDoublesHasTheDigitsOfADouble) {
   EXPECT_LT(not_to_the_last_digit, 50);  // elimination in doubles alone would fail on nearly all
 }
 
-TEST(NullVector, InDoublesIsRefusedWhereDoublesSayNothing) {
+TEST(NullVector, InDoublesIsRefusedIfIllConditioned) {
   LongMatrix nearly_alike(2, 3);
   nearly_alike << 1, -1, 1, 1, -1, 1 - 1e-17L;
   EXPECT_FALSE(rounded_null_vector(nearly_alike, nearly_alike.cast<double>()).has_value());

@@ -81,7 +81,7 @@ TEST(PaperPlaneTruss, HasTheRaysAndConesOfThePaper) {
   }
 }
 
-TEST(DoubleDescription, EndsWithTooManyRaysOrWhenStopped) {
+TEST(DoubleDescription, StopsAtTooManyRaysOrOnRequest) {
   const auto cone = cone_of(problems::paper_plane_truss(9), 0.65);
   const auto whole = complementary_rays(cone);
   const auto peak = whole.effort.peak_rays;
@@ -90,14 +90,14 @@ TEST(DoubleDescription, EndsWithTooManyRaysOrWhenStopped) {
   EXPECT_TRUE(ends({.max_rays = peak - 1}));
   EXPECT_TRUE(ends({.stop = [] { return true; }}));
   EXPECT_FALSE(ends({.stop = [] { return false; }}));
-  // The agreed result counts, whatever the own `stop` returned.
+  // The result agreed by all ranks counts, for any result of the own `stop`.
   EXPECT_TRUE(ends({.agree = [](bool) { return true; }}));
   EXPECT_FALSE(ends({.stop = [] { return true; }, .agree = [](bool) { return false; }}));
   EXPECT_LT(bytes_for(1000, 10), bytes_for(1000, 20));
 }
 
 // A part of a list, resumed separately, ends with exactly those rays that lie on its face.
-TEST(DoubleDescription, GoesOnWithAPartAsOnItsFace) {
+TEST(DoubleDescription, ResumesAPartOfTheListOnItsFace) {
   const auto cone = cone_of(plane_truss({.rows = 8}), 0.8);
   const auto whole = complementary_rays(cone);
   auto list = first_list(cone);
@@ -124,7 +124,7 @@ TEST(DoubleDescription, GoesOnWithAPartAsOnItsFace) {
 }
 
 // Pieces computed separately in any order give the list of the unshared step, in its order.
-TEST(DoubleDescription, MayBeSharedWithoutATrace) {
+TEST(DoubleDescription, HasTheSameListIfItsStepsAreShared) {
   const auto cone = cone_of(problems::paper_plane_truss(21), 0.65);
   const auto whole = complementary_rays(cone);
   std::uint64_t pieces = 0;
@@ -287,7 +287,7 @@ TEST(Rays, AreThoseOfLrsOnIntegerData) {
   }
 }
 
-TEST(Rays, OfAPatternAndConesEndWhenTheyAreAskedTo) {
+TEST(Rays, OfAPatternAndConesStopOnRequest) {
   const auto cone = cone_of(plane_truss({.rows = 9}), 1.0);
   const auto rays = complementary_rays(cone).rays;
   std::size_t questions = 0;
@@ -304,7 +304,7 @@ TEST(Rays, OfAPatternAndConesEndWhenTheyAreAskedTo) {
 
 // Property used by the tree of sign patterns: among the small cones of all leaves, each ray is
 // reported by exactly one, with equal bits.
-TEST(Rays, OfAllPatternsTogetherAreTheComplementaryOnes) {
+TEST(Rays, OfAllPatternsTogetherAreTheComplementaryRays) {
   for (const double mu : {0.65, 1.0}) {
     const auto cone = cone_of(plane_truss({.rows = 7}), mu);
     std::vector<ZeroSet> together;
@@ -361,7 +361,7 @@ ReactionCone almost_idle(double relative) {
   return {compliance, std::vector<double>{1.5, 1.5}};
 }
 
-TEST(Health, CountsNumbersThatAreUndecidedNearZero) {
+TEST(ReactionCone, CountsNumbersThatAreUndecidedNearZero) {
   for (const double relative : {1e-3, 1e-8}) {
     const auto found = complementary_rays(almost_idle(relative));
     EXPECT_TRUE(found.health.sound());
@@ -373,7 +373,7 @@ TEST(Health, CountsNumbersThatAreUndecidedNearZero) {
   EXPECT_TRUE(complementary_rays(almost_idle(0)).health.sound());
 }
 
-TEST(Health, SaysWhenTheNumbersContradictTheZeroSet) {
+TEST(ReactionCone, DetectsARayThatContradictsItsZeroSet) {
   const auto cone = almost_idle(1e-3);
   Health health;
   cone.ray({.p = bit(1), .q = bit(1), .u = bit(0)}, health);  // separates at the second candidate
@@ -477,7 +477,7 @@ TEST(ZeroSet, HasAsManyEqualitiesAsBits) {
   }
 }
 
-TEST(ZeroSet, HasAnOrderWithoutTies) {
+TEST(ZeroSet, HasATotalOrder) {
   std::mt19937 bits(5);
   for (int trial = 0; trial < 1000; ++trial) {
     const ZeroSet a{.p = bits() % 4, .q = bits() % 4, .u = bits() % 4};

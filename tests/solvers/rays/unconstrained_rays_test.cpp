@@ -145,7 +145,7 @@ TEST(UnconstrainedRays, OfAPatternAreThoseOfTheWholeInItsCone) {
 }
 
 // A mode that slides along all surfaces is not an unknown, for any rounding of its direction.
-TEST(PivotedModes, ThatSlideOnlyAskForEquilibrium) {
+TEST(PivotedModes, ThatOnlySlideRequireEquilibrium) {
   LongMatrix motions(4, 2);
   motions << 1, 1 + 1e-16L, 2, 3, -1, -1, 4, 5;
   const auto both = combined(motions);

@@ -76,7 +76,7 @@ const std::string plane_truss = std::string(KUSABI_SOURCE_DIR) + "/examples/plan
 const std::string grid = std::string(KUSABI_SOURCE_DIR) + "/examples/paper/limit-3x3.toml";
 const std::string coins = std::string(KUSABI_SOURCE_DIR) + "/tests/programs/coins.lp";
 
-class Dying : public Command {
+class EnvironmentFaults : public Command {
  protected:
   // Each subcommand with all its outputs.
   struct Call {
@@ -124,7 +124,7 @@ class Dying : public Command {
   [[nodiscard]] std::string said() const { return content(in_folder("said")); }
 };
 
-TEST_F(Dying, OfAClosedPipeLosesNoFile) {
+TEST_F(EnvironmentFaults, ClosedPipeLosesNoFile) {
   for (const auto& call : calls()) {
     const auto child = start(call.words, [&] {
       open_as(STDERR_FILENO, in_folder("said"));
@@ -136,7 +136,7 @@ TEST_F(Dying, OfAClosedPipeLosesNoFile) {
   }
 }
 
-TEST_F(Dying, OfAFullStandardOutputLosesNoFile) {
+TEST_F(EnvironmentFaults, FullStandardOutputLosesNoFile) {
   // Files may have one mebibyte, and the file at standard output has that size already.
   constexpr rlim_t maximum = 1U << 20U;
   for (const auto& call : calls()) {
@@ -154,7 +154,7 @@ TEST_F(Dying, OfAFullStandardOutputLosesNoFile) {
   }
 }
 
-TEST_F(Dying, OfClosedDescriptorsMixesNothing) {
+TEST_F(EnvironmentFaults, ClosedDescriptorsDoNotMixFiles) {
   for (const auto& call : calls()) {
     auto words = call.words;
     const auto child = start(words, [] {
@@ -171,7 +171,7 @@ TEST_F(Dying, OfClosedDescriptorsMixesNothing) {
   }
 }
 
-TEST_F(Dying, OfMessagesThatNobodyReadsDoesNotHappen) {
+TEST_F(EnvironmentFaults, UnreadMessagesLoseNoFile) {
   const auto call = calls().front();
   const auto child = start(call.words, [&] {
     open_as(STDOUT_FILENO, in_folder("said"));
@@ -185,7 +185,7 @@ TEST_F(Dying, OfMessagesThatNobodyReadsDoesNotHappen) {
   expect_whole(call);
 }
 
-TEST_F(Dying, OfAFullDiskSavesWhatItCan) {
+TEST_F(EnvironmentFaults, FullDiskLosesNoCompleteFile) {
   // Space for the CSV file and the graph, but not for the JSON file.
   const auto call = calls().front();
   const auto child = start(call.words, [&] {
@@ -223,7 +223,7 @@ std::vector<std::string> states_of_searches(const fs::path& folder) {
   return states;
 }
 
-TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
+TEST_F(EnvironmentFaults, SignalDuringASearchLeavesAPartialAnswer) {
   const auto problem = long_search(in_folder("truss.toml"));
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGUSR2}) {
     const auto child = start(
@@ -251,7 +251,7 @@ TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
   }
 }
 
-TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
+TEST_F(EnvironmentFaults, StopOfMpirunLeavesNoIncompleteFile) {
   const auto problem = long_search(in_folder("truss.toml"));
   // Spread over start, search and end by the golden ratio; five runs at once, since
   // mpirun takes two seconds to end.
