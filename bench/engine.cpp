@@ -128,13 +128,13 @@ void steal(benchmark::State& state) {
 }
 
 void serialise(benchmark::State& state) {
-  const Transfer<Signs> transfer{frontier_of(state.range(0)).all()};
+  const Transfer<Signs> transfer{frontier_of(state.range(0)).take_all()};
   for (auto _ : state) benchmark::DoNotOptimize(pack(transfer));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
 void deserialise(benchmark::State& state) {
-  const auto body = pack(Transfer<Signs>{frontier_of(state.range(0)).all()});
+  const auto body = pack(Transfer<Signs>{frontier_of(state.range(0)).take_all()});
   for (auto _ : state) benchmark::DoNotOptimize(unpack<Transfer<Signs>>(body));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }

@@ -173,7 +173,7 @@ void measure_branching(const Instance& instance) {
 void measure_facets(const Instance& instance) {
   const auto problem = announced(instance, "polyhedral friction");
   const std::vector<double> friction(problem.contact_names.size(), instance.friction);
-  fmt::print("{:<10} {:>9} {:>13} {:>9} {:>12}\n", "facets", "nodes", "candidates", "patterns",
+  fmt::print("{:<10} {:>9} {:>13} {:>9} {:>12}\n", "facets", "nodes", "leaves tested", "patterns",
              "CPU seconds");
   for (const int facets : {4, 8, 16, 32, 0}) {
     wedged::SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
@@ -183,7 +183,7 @@ void measure_facets(const Instance& instance) {
     const auto tally = tree.tally();
     fmt::print("{:<10} {:>9} {:>13} {:>9} {:>12.2f}\n",
                facets == 0 ? "(cones)" : std::to_string(facets), outcome.opened(),
-               facets == 0 ? "-" : std::to_string(tally.candidates), tally.found, seconds);
+               facets == 0 ? "-" : std::to_string(tally.polyhedral_leaves), tally.found, seconds);
     std::fflush(stdout);
   }
 }
