@@ -86,6 +86,18 @@ TEST_F(GuaranteedInterval, IsUndecidedIfItIsOnePoint) {
 }
 
 // By hand: with a wind of -1 the cable is slack below lambda = 1; 2 sqrt 2 - 1 in the other
+// Both vertices, by the simplex method in rational numbers (bench/hostile/trusses.py).
+TEST_F(GuaranteedInterval, OfForcesThatMustBeExactlyZero) {
+  const auto cables = case_file("unloaded_cables.toml");
+  expect_interval(result_of(cables + " --alpha 0.065")["guaranteed_interval"], -0.1442679324541749,
+                  -0.09346384039900252);
+  proved(cables, " --alpha 0.065");
+  const auto strut = case_file("unloaded_strut.toml");
+  expect_interval(result_of(strut + " --alpha 0.101")["guaranteed_interval"], -0.4910943865010687,
+                  0.22534719099479553);
+  proved(strut, " --alpha 0.101");
+}
+
 // direction.
 TEST_F(GuaranteedInterval, OfASlackCableIsThatOfStatics) {
   const auto file = case_file("cable_stay.toml");

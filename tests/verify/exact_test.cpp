@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "verify/limit/enclosed_sum.hpp"
+
 namespace kusabi::verify {
 namespace {
 
@@ -57,6 +59,49 @@ TEST(Dyadic, AddsProductsExactly) {
     EXPECT_EQ(sum.rational(), expected);
   }
   EXPECT_THROW(Dyadic().add_product(Dyadic(1.0), Limits::infinity()), std::domain_error);
+}
+
+// One last term leaves a sum of the order of the rounding errors of the others, two leave less than
+// is known of it.
+TEST(EnclosedSum, IsNotBelowTheExactSumAndHardlyAbove) {
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::uniform_int_distribution<int> exponent(-40, 40);
+  for (int trial = 0; trial < 300; ++trial) {
+    EnclosedSum sum;
+    Dyadic expected;
+    double errors = 0;
+    const auto add = [&](double b) {
+      const Dyadic a = Dyadic(number(generator)) + Dyadic(number(generator)).scaled(-60) +
+                       Dyadic(number(generator)).scaled(-200);
+      const double error = trial % 2 == 0 ? 0 : 1e-10;
+      sum.add(TwoDoubles::of(a, Dyadic(error)), b);
+      expected.add_product(a, b);
+      errors += 1.0001 * error * std::abs(b);
+    };
+    for (int k = 0; k <= trial % 50; ++k) add(std::ldexp(number(generator), exponent(generator)));
+    const int last = trial % 3;
+    for (int k = 0; k < last; ++k) {
+      const double nearest = expected.nearest();
+      sum.add({1}, -nearest);
+      expected.add_product(Dyadic(1.0), -nearest);
+    }
+    const auto above = sum.size_above();
+    if (last == 2 && !above) continue;
+    ASSERT_TRUE(above);
+    EXPECT_FALSE(Dyadic(*above) < absolute(expected) + Dyadic(errors / 1.001));
+    if (last == 2) continue;
+    EXPECT_LE(*above, 1.001 * absolute(expected).nearest() + 1.001 * errors);
+  }
+}
+
+TEST(EnclosedSum, HasNoBoundIfItMayBeZero) {
+  EnclosedSum sum;
+  EXPECT_EQ(sum.size_above(), 0.0);
+  const auto third = TwoDoubles::of(Dyadic(1.0 / 3), {});
+  sum.add(third, 3);
+  sum.add(third, -3);
+  EXPECT_FALSE(sum.size_above());
 }
 
 TEST(Dyadic, RootIsATightUpperBound) {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verify/arithmetic/wide.hpp"
+
 namespace kusabi::verify {
 namespace {
 
@@ -74,7 +76,33 @@ Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   return {std::move(sum), b.exponent_};
 }
 
+namespace {
+
+// sum <- sum + sign |a| factor 2^shift in place. @pre the sum is zero or has this sign
+void add_in_place(mpz_class& sum, int sign, const mpz_class& a, Wide factor, std::size_t shift) {
+  const auto* const terms = mpz_limbs_read(a.get_mpz_t());
+  const auto count = mpz_size(a.get_mpz_t());
+  const auto old = mpz_size(sum.get_mpz_t());
+  auto first = shift / GMP_NUMB_BITS;
+  const auto size = static_cast<mp_size_t>(std::max(old, first + count + 2) + 1);
+  auto* const limbs = mpz_limbs_modify(sum.get_mpz_t(), size);
+  std::fill(limbs + old, limbs + size, mp_limb_t{0});
+  factor <<= shift % GMP_NUMB_BITS;
+  for (; factor != 0; factor >>= GMP_NUMB_BITS, ++first) {
+    auto carry = mpn_addmul_1(limbs + first, terms, static_cast<mp_size_t>(count),
+                              static_cast<mp_limb_t>(factor));
+    for (auto* next = limbs + first + count; carry != 0; ++next) {
+      *next += carry;
+      carry = *next < carry ? 1 : 0;
+    }
+  }
+  mpz_limbs_finish(sum.get_mpz_t(), sign < 0 ? -size : size);
+}
+
+}  // namespace
+
 void Dyadic::add_product(const Dyadic& a, double b) {
+  if (&a == this) return add_product(Dyadic(a), b);
   const auto parts = parts_of(b);
   if (parts.mantissa == 0 || a.sign() == 0) return;
   const long exponent = a.exponent_ + parts.exponent;
@@ -83,15 +111,17 @@ void Dyadic::add_product(const Dyadic& a, double b) {
     shift_up(mantissa_, exponent_ - exponent);
     exponent_ = exponent;
   }
-  const auto size = static_cast<unsigned long>(std::abs(parts.mantissa));
-  auto* const sum = mantissa_.get_mpz_t();
-  if (exponent == exponent_) {
-    (parts.mantissa < 0 ? mpz_submul_ui : mpz_addmul_ui)(sum, a.mantissa_.get_mpz_t(), size);
+  const auto size = std::abs(parts.mantissa);
+  const auto shift = static_cast<std::size_t>(exponent - exponent_);
+  const int product_sign = parts.mantissa < 0 ? -a.sign() : a.sign();
+  if (sign() * product_sign >= 0) {
+    add_in_place(mantissa_, product_sign, a.mantissa_, size, shift);
     return;
   }
-  mpz_class product = a.mantissa_ * size;
-  shift_up(product, exponent - exponent_);
-  (parts.mantissa < 0 ? mpz_sub : mpz_add)(sum, sum, product.get_mpz_t());
+  mpz_class product = a.mantissa_ * static_cast<unsigned long>(size);
+  mpz_mul_2exp(product.get_mpz_t(), product.get_mpz_t(), shift);
+  (parts.mantissa < 0 ? mpz_sub : mpz_add)(mantissa_.get_mpz_t(), mantissa_.get_mpz_t(),
+                                           product.get_mpz_t());
 }
 
 mpz_class Dyadic::multiples(long exponent) const {

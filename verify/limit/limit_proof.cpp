@@ -73,18 +73,52 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
       truss_(std::move(truss)),
       uncertain_(certificate.uncertain.begin(), certificate.uncertain.end()),
       column_errors_(errors_of(certificate_, truss_)) {
+  const auto rounded = [](const Approximate& number) {
+    return TwoDoubles::of(number.value, number.error);
+  };
+  std::vector<std::vector<std::pair<std::size_t, TwoDoubles>>> columns(truss_.columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (const auto& [e, entry] : truss_.columns[i]) columns[i].emplace_back(e, rounded(entry));
+  }
+  std::vector<TwoDoubles> reference;
+  for (const auto& each : truss_.reference) reference.push_back(rounded(each));
   for (const auto& cut : certificate.cuts) {
     // d + k f_R - B y
-    std::vector<Dyadic> load(certificate.displacements);
-    for (const auto& [e, value] : uncertain_[cut.column].direction) {
-      load[e] = load[e] + Dyadic(value);
+    std::vector<EnclosedSum> sums(certificate.displacements);
+    for (const auto& [e, value] : uncertain_[cut.column].direction) sums[e].add({value}, 1);
+    for (std::size_t e = 0; e < sums.size() && cut.factor != 0; ++e) {
+      if (reference[e].high != 0) sums[e].add(reference[e], cut.factor);
     }
-    auto& rounded = defects_.emplace_back();
-    const auto missing = defect(cut.forces, std::move(load), cut.factor);
-    for (std::size_t e = 0; e < missing.size(); ++e) {
-      if (missing[e].sign() != 0) rounded.emplace_back(e, double_above(missing[e]));
+    for (const auto& [member, force] : cut.forces) {
+      if (force == 0) continue;
+      for (const auto& [e, entry] : columns[member]) sums[e].add(entry, -force);
     }
+    defects_.push_back(defect_of(cut, sums));
   }
+}
+
+// Of a cut, by the sums if none of them may be zero, otherwise exactly.
+Sparse LimitProof::defect_of(const LimitCut& cut, std::span<const EnclosedSum> sums) const {
+  Sparse sizes;
+  for (std::size_t e = 0; e < sums.size(); ++e) {
+    const auto size = sums[e].size_above();
+    if (!size) return exact_defect_of(cut);
+    if (*size != 0) sizes.emplace_back(e, *size);
+  }
+  return sizes;
+}
+
+Sparse LimitProof::exact_defect_of(const LimitCut& cut) const {
+  std::vector<Dyadic> load(certificate_.displacements);
+  for (const auto& [e, value] : uncertain_[cut.column].direction) {
+    load[e] = load[e] + Dyadic(value);
+  }
+  Sparse sizes;
+  const auto missing = defect(cut.forces, std::move(load), cut.factor);
+  for (std::size_t e = 0; e < missing.size(); ++e) {
+    if (missing[e].sign() != 0) sizes.emplace_back(e, double_above(missing[e]));
+  }
+  return sizes;
 }
 
 // |load + factor f_R - B forces|, by displacement, with the errors of f_R and B.

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <gmpxx.h>
 
 #include "verify/arithmetic/exact.hpp"
+#include "verify/limit/enclosed_sum.hpp"
 #include "verify/limit/equilibrium_correction.hpp"
 #include "verify/limit/limit_certificate.hpp"
 
@@ -55,6 +57,8 @@ class LimitProof {
   [[nodiscard]] bool shows_no_factor() const;
 
  private:
+  [[nodiscard]] Sparse defect_of(const LimitCut& cut, std::span<const EnclosedSum> sums) const;
+  [[nodiscard]] Sparse exact_defect_of(const LimitCut& cut) const;
   [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
                                            double factor) const;
   [[nodiscard]] std::optional<std::string> yielding(const LimitNode& node,

@@ -21,6 +21,10 @@ constexpr double enough = 1 + 1e-13;
 /// has no margin, and the proof needs exact equilibrium.
 constexpr double at_yield = 1e-12;
 
+/// A smaller force, in the unit of the member, is a rounding error: where equilibrium makes the
+/// forces at a node zero and a member has no margin, the proof needs them exactly.
+constexpr double rounding = 1e-14;
+
 // B~ y~ - k~ f~_R = d~_j, row e being in units of Y_e.
 verify::LimitCut cut_of(const StaticCut& cut, const LimitModel& model) {
   const double unit = model.direction_unit(cut.column);
@@ -36,6 +40,7 @@ verify::LimitCut cut_of(const StaticCut& cut, const LimitModel& model) {
 
 double snapped(double force, double tension, double compression, double unit) {
   const double near = at_yield * unit;
+  if (std::abs(force) <= rounding * unit) return 0;
   if (std::abs(force - tension) <= near) return tension;
   if (std::abs(force + compression) <= near) return -compression;
   return force;
