@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Loads that friction holds with many candidates: rings pressed on a rigid shaft, and slabs pressed between two walls.
 
-    bench/hold.py [--kusabi build/kusabi] [--limit SECONDS] [NAME...]
+    bench/hold.py [--kusabi build/kusabi] [--limit SECONDS] [--cuts WORD] [NAME...]
 
 Rings as in examples/press-fit.toml with a torque, in space with a force along the axis; slabs of
 four thicknesses with an interference at both walls and a force along them. One row for each call of
@@ -76,16 +76,17 @@ def space(name, along, layers):
 
 
 ROWS = {"ring-50": ring("ring-50", 50), "ring-100": ring("ring-100", 100), "sleeve-24": sleeve("sleeve-24", 8, 2),
-        "sleeve-50": sleeve("sleeve-50", 10, 4), "plane-20": plane("plane-20", 9, 2), "plane-30": plane("plane-30", 14, 3),
-        "plane-100": plane("plane-100", 49, 12), "space-18": space("space-18", 2, 1), "space-50": space("space-50", 4, 2)}
+        "sleeve-50": sleeve("sleeve-50", 10, 4), "plane-20": plane("plane-20", 9, 2), "plane-40": plane("plane-40", 19, 5),
+        "plane-60": plane("plane-60", 29, 7), "plane-100": plane("plane-100", 49, 12), "space-18": space("space-18", 2, 1), "space-50": space("space-50", 4, 2)}
 
 
-def measured(kusabi, file, ranks, limit):
+def measured(kusabi, file, ranks, limit, cuts):
     """(user CPU seconds of all ranks, result) of a call."""
     output = file + ".json"
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     launch = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
-    done = subprocess.run([*launch, kusabi, "hold", file, "--mu", "0.2", "--quiet", "--time-limit", str(limit), "--output", output],
+    done = subprocess.run([*launch, kusabi, "hold", file, "--mu", "0.2", "--quiet", "--time-limit", str(limit), "--cuts", cuts,
+                           "--output", output],
                           env=ENVIRONMENT, capture_output=True, text=True)
     if done.returncode not in (0, 3):
         raise SystemExit(done.stderr)
@@ -102,6 +103,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--kusabi", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "../build/kusabi"))
     parser.add_argument("--limit", type=float, default=300, help="seconds of a call")
+    parser.add_argument("--cuts", default="auto", choices=["auto", "none", "always"], help="as of `kusabi hold`")
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(ROWS))
     asked = parser.parse_args()
     print("structure   candidates  ranks  trees    nodes   CPU s  load factors")
@@ -109,7 +111,7 @@ def main():
         for name in asked.names or ROWS:
             file = ROWS[name](folder)
             for ranks in (1, 2):
-                seconds, result = measured(asked.kusabi, file, ranks, asked.limit)
+                seconds, result = measured(asked.kusabi, file, ranks, asked.limit, asked.cuts)
                 searches = result["statistics"]["searches"]
                 print(f"{name:<11} {result['problem']['m']:>10}  {ranks:>5} {len(searches):>6} "
                       f"{sum(each['opened'] for each in searches):>8} {seconds:>7.1f}  {answer(result)}", flush=True)

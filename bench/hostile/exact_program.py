@@ -2,6 +2,7 @@
 rational numbers (simplex method with Bland's rule) at the nodes of a tree over the binaries. For a
 few columns and rows only."""
 
+import math
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -120,37 +121,57 @@ class Program:
 
 class Dictionary:
     """Minimise c'x with Ax <= b, x >= 0: each basic variable is a constant plus a combination of
-    the others."""
+    the others. Numbers are integers over one denominator: a row of A is multiplied by its own, which
+    scales the slack variable, and all divisions of a pivot are exact, without common factors to be
+    found (Edmonds 1967)."""
 
     def __init__(self, a, b, c):
-        self.rows = [[-value for value in row] for row in a]
-        self.constants = list(b)
-        self.costs, self.value = list(c), Fraction(0)
+        self.rows, self.constants = [], []
+        for row, constant in zip(a, b):
+            *own, constant = self._integers([*row, constant])[0]
+            self.rows.append([-value for value in own])
+            self.constants.append(constant)
+        self.costs, self.unit = self._integers(c)
+        self.least, self.denominator = 0, 1
         self.free = list(range(len(c)))
         self.basic = list(range(len(c), len(c) + len(b)))
 
+    @staticmethod
+    def _integers(numbers):
+        """Multiples of the numbers, and the factor"""
+        unit = math.lcm(*(number.denominator for number in numbers))
+        return [number.numerator * (unit // number.denominator) for number in numbers], unit
+
+    @property
+    def value(self):
+        return Fraction(self.least, self.denominator * self.unit)
+
+    def constant(self, i):
+        """Value of the basic variable of a row, which is no slack variable"""
+        return Fraction(self.constants[i], self.denominator)
+
     def pivot(self, i, j):
-        row = self.rows[i]
-        inverse = 1 / row[j]
-        new = [-entry * inverse if entry else entry for entry in row]
-        new[j] = inverse
-        constant = -self.constants[i] * inverse
-        used = [k for k, entry in enumerate(new) if entry]
-        for k, other in enumerate(self.rows):
-            factor = other[j]
-            if k == i or not factor:
-                continue
-            self.constants[k] += factor * constant
-            other[j] = Fraction(0)
-            for t in used:
-                other[t] += factor * new[t]
-        factor = self.costs[j]
-        if factor:
-            self.value += factor * constant
-            self.costs[j] = Fraction(0)
-            for t in used:
-                self.costs[t] += factor * new[t]
-        self.rows[i], self.constants[i] = new, constant
+        pivot, last = self.rows[i][j], self.denominator
+        sign = 1 if pivot > 0 else -1
+        size = abs(pivot)
+        row = [-sign * entry for entry in self.rows[i]]
+        row[j] = sign * last
+        constant = -sign * self.constants[i]
+
+        def replaced(entries, own):
+            factor = entries[j]
+            if not factor:
+                return [entry * size // last if entry else 0 for entry in entries], own * size // last
+            new = [(entry * size + factor * other) // last if other else entry * size // last if entry else 0
+                   for entry, other in zip(entries, row)]
+            new[j] = sign * factor
+            return new, (own * size + factor * constant) // last
+
+        for k in range(len(self.rows)):
+            if k != i:
+                self.rows[k], self.constants[k] = replaced(self.rows[k], self.constants[k])
+        self.costs, self.least = replaced(self.costs, self.least)
+        self.rows[i], self.constants[i], self.denominator = row, constant, size
         self.basic[i], self.free[j] = self.free[j], self.basic[i]
 
     def feasible(self):
@@ -174,7 +195,7 @@ class Dictionary:
             if not falls:
                 return OPTIMAL
             j = min(falls, key=lambda k: self.free[k])
-            steps = [(-self.constants[i] / row[j], self.basic[i], i) for i, row in enumerate(self.rows) if row[j] < 0]
+            steps = [(Fraction(self.constants[i], -row[j]), self.basic[i], i) for i, row in enumerate(self.rows) if row[j] < 0]
             if not steps:
                 return UNBOUNDED
             self.pivot(min(steps)[2], j)
@@ -226,7 +247,7 @@ def _relaxed(program, held):
     for i, k in enumerate(dictionary.basic):
         if k < len(parts):
             j, sign = parts[k]
-            values[j] += sign * dictionary.constants[i]
+            values[j] += sign * dictionary.constant(i)
     return status, dictionary.value + sum(cost * x for cost, x in zip(costs, start)), values
 
 

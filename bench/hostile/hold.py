@@ -4,7 +4,7 @@ programs in rational numbers for every sign pattern. Certificates of all answers
 
     python3 bench/hostile/hold.py --kusabi build/kusabi --count 300 --seed 1 --found wrong/
 
-Prints each case in which `kusabi hold` differs. Exit code 0: none.
+With --cuts always the trees, which are small, have bounds of their candidates, and there are no certificates. Prints each case in which `kusabi hold` differs. Exit code 0: none.
 """
 import argparse
 import math
@@ -27,6 +27,8 @@ from structure import Mechanism, blocks
 KINDS = ["loose-truss", "loose-mesh", "wedge", "pair", "loose-pair", "corner", "loose-corner"]
 #: Error of rows relative to their largest term: dependent equations of 80 digits remain consistent.
 ROOM = Fraction(1, 10**24)
+#: Coefficients of rows, whose largest is 1, are multiples of its inverse: times the largest force far less than the room.
+GRID = 2**133
 #: Largest force and load factor of the programs: with the room above, larger ones could be in any state. A load factor
 #: of this size counts as unbounded.
 LARGE = 10**10
@@ -95,7 +97,7 @@ class Loaded:
             scale = max([abs(constant), *map(abs, terms.values())], default=0)
             if scale == 0:
                 return
-            terms = {j: value / scale for j, value in [*terms.items(), (one, constant)]}
+            terms = {j: Fraction(round(value / scale * GRID), GRID) for j, value in [*terms.items(), (one, constant)]}
             for sign in ("L", "G") if sense == "E" else (sense,):
                 program.row(sign, ROOM if sign == "L" else -ROOM, terms)
 
@@ -240,7 +242,7 @@ def verify(what, kusabi, path, names):
     return wrong
 
 
-def examine(kusabi, seed, index):
+def examine(kusabi, seed, index, cuts):
     """(text, differences, whether the answer is open) of one case; nothing for a mechanism."""
     case = generate_bodies.make(seed, index, KINDS, [1.0, 1e2])
     rng = random.Random(f"hold/{seed}/{index}")
@@ -254,9 +256,9 @@ def examine(kusabi, seed, index):
     except Mechanism:
         return None
     wrong, open_answers = [], 0
-    certificate = os.path.join(kusabi.folder, "cert")
+    further = ["--certificate", os.path.join(kusabi.folder, "cert")] if cuts == "auto" else ["--cuts", cuts]
     what = f"hold --mu {case.mu} --grip"
-    code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--grip", "--certificate", certificate)
+    code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--grip", *further)
     if result is None:
         return text, [f"{what}: exit code {code}: {line}"], 0
     open_answers += code == 3
@@ -268,14 +270,14 @@ def examine(kusabi, seed, index):
     total = rng.uniform(0.2, 3)
     what = f"hold --mu {case.mu} --total {total!r}"
     if loaded.is_one_part():
-        code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--total", repr(total), "--certificate", certificate)
+        code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--total", repr(total), *further)
         if result is not None:
             open_answers += code == 3
             wrong += compare_intervals(what, result, code, loaded.intervals(case.mu, total))
             wrong += verify(what, kusabi, path, ["cert"])
         elif code != 2:
             wrong.append(f"{what}: exit code {code}: {line}")
-    code, result, line = kusabi.run("hold", path, "--certificate", certificate)
+    code, result, line = kusabi.run("hold", path, *further)
     if code == 2 and "there is no dead load" in line:  # it acts on supports alone
         return text, wrong, open_answers
     if result is None:
@@ -297,13 +299,14 @@ def main():
     parser.add_argument("--count", type=int, default=100, help="number of cases")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
+    parser.add_argument("--cuts", default="auto", choices=["auto", "none", "always"], help="as of `kusabi hold`")
     parser.add_argument("--found", type=pathlib.Path, help="folder for the cases that differ")
     asked = parser.parse_args()
     differences = open_answers = mechanisms = 0
     with tempfile.TemporaryDirectory() as folder:
         kusabi = Kusabi(asked.kusabi, folder)
         for index in range(asked.first, asked.first + asked.count):
-            result = examine(kusabi, asked.seed, index)
+            result = examine(kusabi, asked.seed, index, asked.cuts)
             if result is None:
                 mechanisms += 1
                 continue

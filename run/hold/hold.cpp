@@ -14,12 +14,14 @@
 #include "run/hold/diagram_report.hpp"
 #include "run/hold/hold_certificate.hpp"
 #include "run/hold/hold_report.hpp"
+#include "run/hold/hold_verdict.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
 #include "run/verdict/words.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/contact_problem.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -74,6 +76,10 @@ void Hold::describe(OptionTable& table) {
             "the pairs of factors of the reference loads of two load cases, as convex pieces with "
             "their sign patterns")
       .needs("--mu");
+  table.choice("--cuts", options_.parameters.tightening, cuts_words(),
+               "bounds of the reaction and the gap of each candidate under the loads, which are "
+               "added as cuts to every node: for large trees (auto), never (none), or always. "
+               "Certificates have none of them");
   table.output();
   table.csv_of("intervals, or of the vertices of the pieces");
   table.further_output("--svg", "SVG file of the pieces, or of the intervals");

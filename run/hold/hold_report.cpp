@@ -1,20 +1,19 @@
-// Verdict, table and JSON of `kusabi hold`.
+// Table and JSON of `kusabi hold`.
 #include "run/hold/hold_report.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include "problems/wedged/problem_block.hpp"
 #include "run/hold/diagram_report.hpp"
+#include "run/hold/hold_verdict.hpp"
 #include "run/output/values.hpp"
-#include "run/verdict/answer_words.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
 #include "run/verdict/words.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -46,94 +45,6 @@ ordered_json names_in_block(const wedged::LoadedProblem& loaded, std::uint32_t b
   if (!pattern) return nullptr;
   const auto own = problems::blocks_of(loaded.problem)[block];
   return pattern_names(loaded, wedged::in_whole(*pattern, own));
-}
-
-Standing standing(bool proved) {
-  return proved ? Standing::proved : Standing::computed;
-}
-
-// The end at `held`, with a factor beyond it that is not held; nothing for an end at infinity.
-Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool upward) {
-  Bracket bracket;
-  if (std::isinf(held)) return bracket;
-  const Bound inside{held, standing(held_proved)};
-  std::optional<Bound> outside;
-  if (std::isfinite(out)) outside = Bound{out, standing(out_proved)};
-  return upward ? Bracket{inside, outside} : Bracket{outside, inside};
-}
-
-HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
-                          const wedged::HoldingFriction& found) {
-  HoldingBracket answer{.bracket = {},
-                        .factor = !problems::uniform_friction(loaded.problem),
-                        .maximum = found.maximum};
-  if (found.any_by_supports) answer.reason = HoldReason::supports;
-  if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
-  if (found.lower_known) answer.bracket.lower = Bound{found.lower, standing(found.lower_proved)};
-  if (found.upper) answer.bracket.upper = Bound{*found.upper, standing(found.upper_proved)};
-  return answer;
-}
-
-HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const HeldPoint& point) {
-  const auto& found = point.factors;
-  HoldingFactors answer{.friction = point.mu,
-                        .factor = !problems::uniform_friction(loaded.problem),
-                        .of_reference = loaded.has_reference,
-                        .intervals = {},
-                        .outside = standing(found.proved),
-                        .open = found.unresolved};
-  answer.total = options.parameters.total;
-  if (found.any_by_supports) answer.reason = HoldReason::supports;
-  if (found.any_by_wedging) answer.reason = HoldReason::wedging;
-  if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
-  for (const auto& each : found.intervals) {
-    answer.intervals.push_back(
-        {each.low, each.high, standing(each.proved),
-         end_of(each.low, each.proved, each.low_out, each.low_proved, false),
-         end_of(each.high, each.proved, each.high_out, each.high_proved, true)});
-  }
-  return answer;
-}
-
-HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const wedged::Diagram& found) {
-  const auto count = [&](auto is) {
-    return static_cast<std::uint64_t>(std::ranges::count_if(found.pieces, is));
-  };
-  return {.friction = options.points.front(),
-          .factor = !problems::uniform_friction(loaded.problem),
-          .cases = options.cases,
-          .pieces = found.pieces.size(),
-          .everything = count([](const auto& piece) { return piece.is_whole_plane; }) > 0,
-          .outside = standing(found.proved),
-          .open = found.unresolved,
-          .coarse = count([](const auto& piece) { return !piece.fine; })};
-}
-
-HoldingGrip grip_of(const wedged::GripRange& found) {
-  HoldingGrip grip{.held = found.held,
-                   .held_standing = standing(found.held_proved),
-                   .unbounded = found.maximum.unbounded,
-                   .unbounded_standing = standing(found.maximum.held_proved)};
-  if (found.status != engine::Status::solved || !found.held) return grip;
-  const auto& [minimum, maximum] = std::tie(found.minimum, found.maximum);
-  grip.minimum = {Bound{minimum.out, standing(minimum.out_proved)},
-                  Bound{minimum.held, standing(minimum.held_proved)}};
-  if (!maximum.unbounded && maximum.known) {
-    grip.maximum = {Bound{maximum.held, standing(maximum.held_proved)},
-                    Bound{maximum.out, standing(maximum.out_proved)}};
-  }
-  return grip;
-}
-
-// The answer at one coefficient, with its grip range if that is complete.
-HoldingFactors point_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                        const HeldPoint& point) {
-  auto answer = factors_of(options, loaded, point);
-  if (point.grip && point.grip->status == engine::Status::solved)
-    answer.grip = grip_of(*point.grip);
-  return answer;
 }
 
 ordered_json grip_json(const wedged::GripRange& found) {
@@ -303,37 +214,6 @@ std::string points_table(const wedged::LoadedProblem& loaded,
 
 }  // namespace
 
-Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                     const HoldFindings& findings) {
-  Verdict verdict{.ended = findings.status()};
-  bool any = false;
-  if (findings.friction) {
-    verdict.answer = bracket_of(loaded, *findings.friction);
-    any = findings.friction->any_by_supports;
-  } else if (findings.diagram) {
-    verdict.answer = diagram_of(options, loaded, *findings.diagram);
-  } else if (options.points.size() > 1) {
-    HoldingSweep sweep{.requested = options.points.size()};
-    for (const auto& point : findings.points)
-      sweep.points.push_back(point_of(options, loaded, point));
-    verdict.answer = std::move(sweep);
-    any = !findings.points.empty() && findings.points.front().factors.any_by_supports;
-  } else if (!findings.points.empty()) {
-    auto factors = point_of(options, loaded, findings.points.front());
-    if (factors.grip) verdict.details.push_back(grip_sentence(*factors.grip));
-    verdict.answer = std::move(factors);
-    any = findings.points.front().factors.any_by_supports;
-  }
-  if (findings.friction && !options.certificate.empty() && verdict.ended != engine::Status::solved)
-    verdict.missing.emplace_back("No certificate was written, since the search ended early.");
-  if (!any) {
-    verdict.details.emplace_back(
-        "\"Can hold\" means that a state of equilibrium exists; whether it is reached depends on "
-        "the history of loading. Where it cannot hold a load, no history leads to such a state.");
-  }
-  return verdict;
-}
-
 std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                        const HoldFindings& findings) {
   std::string text;
@@ -373,6 +253,8 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
   if (options.parameters.total) given["total"] = *options.parameters.total;
   if (options.grip) given["grip"] = true;
   if (options.diagram) given["diagram"] = true;
+  if (options.parameters.tightening != wedged::Tightening::automatic)
+    given["cuts"] = name_of(options.parameters.tightening);
   return {{"command", "hold"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(structure, loaded.problem, options.input.file)},

@@ -1,4 +1,4 @@
-// Results of `kusabi hold`: the verdict, the table and the JSON.
+// Results of `kusabi hold`: the table and the JSON.
 #pragma once
 
 #include <string>
@@ -8,7 +8,6 @@
 #include "nodes/wedged/hold/load_program.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "run/hold/hold.hpp"
-#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -20,9 +19,6 @@ std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::Loaded
 /// Names of the candidates in contact and of those separated. @param pattern of the whole problem
 nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
                                      const wedged::LoadedPattern& pattern);
-
-Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                     const HoldFindings& findings);
 
 /// Bracket or intervals, and the costs of the searches.
 std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,

@@ -122,6 +122,33 @@ class HoldDiagram(KusabiCase):
                         checked[inside] += 1
             self.assertGreater(min(checked[False], checked[True] if held else 21), 20)
 
+    def test_parts_without_a_dead_load(self):
+        # Each block is held if it is pressed into its groove, and not if it is lifted.
+        groove = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
+        load = '\n[[loads]]\nkind = "reference"\ncase = "{}"\nnodes = ["block.0,1", "block.1,1"]\nforce = [0, {}]\n'
+        second = moved(groove[groove.index("[[mesh]]"):] + load.format("lifts", 2), 10).replace("block", "second")
+        diagram = self.diagram(groove + load.format("presses", -1) + second, 0.2)
+        self.assertTrue(diagram["proved"])
+        for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1), (1e-3, -1e3)):
+            held = diagram["cases"] == ["presses", "lifts"] and x > 0 and y < 0
+            self.assertEqual(any(contains(piece, x, y, 1e-9) for piece in diagram["pieces"]), held, (x, y))
+
+    def test_without_a_dead_load_pieces_are_cones(self):
+        groove = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
+        load = '\n[[loads]]\nkind = "reference"\n{}nodes = ["block.0,1"]\nforce = {}\n'
+        text = groove + load.format('case = "down"\n', [0.1, -1]) + load.format('case = "along"\n', [1, 0.3])
+        diagram = self.solve("hold", self.problem(text), "--diagram", "--mu", 0.2)["result"]["diagram"]
+        self.assertFalse(diagram["open"])
+        counted = {True: 0, False: 0}
+        for k in range(12):
+            x, y = math.cos(0.2 + math.pi * k / 6), math.sin(0.2 + math.pi * k / 6)
+            both = groove + load.format("", [0.1 * x + y, 0.3 * y - x])
+            (interval,) = self.solve("hold", self.problem(both), "--mu", 0.2)["result"]["intervals"]
+            held = interval["high"] is None
+            counted[held] += 1
+            self.assertEqual(any(contains(piece, x, y, 1e-6) for piece in diagram["pieces"]), held, (x, y))
+        self.assertGreater(min(counted.values()), 2)
+
     def test_lines_are_intervals_of_one_load(self):
         text = (EXAMPLES / "ladder.toml").read_text()
         first, second = text.replace('kind = "reference"', 'kind = "reference"\ncase = "climber"'), """

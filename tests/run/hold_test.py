@@ -97,10 +97,22 @@ class Hold(KusabiCase):
         first, second = (self.solve("hold", self.problem(text), "--mu", 0.5)["result"] for text in (pressed, also))
         self.assertEqual(first, second)
 
+    def test_bounds_of_candidates_leave_the_answer_and_fewer_nodes(self):
+        found, opened = [], []
+        for cuts in ("none", "always"):
+            result = self.solve("hold", "press-fit.toml", "--mu", 0.3, "--grip", "--cuts", cuts)
+            self.assertEqual((result["options"]["cuts"], result["verdict"]["exit_code"]), (cuts, 0))
+            (interval,), grip = result["result"]["intervals"], result["result"]["grip"]
+            found.append([interval["low"], interval["high"], grip["least"]["held"], grip["most"]["held"]])
+            opened.append(sum(each["opened"] for each in result["statistics"]["searches"]))
+        for one, other in zip(*found):
+            self.assertAlmostEqual(one, other, delta=1e-8 * abs(one))
+        self.assertLess(2 * opened[1], opened[0])
+
     def test_other_subcommands_warn_that_they_ignore_loads(self):
         said = self.kusabi("critical", EXAMPLES / "peg-under-load.toml").stderr
         self.assertIn("kusabi critical ignores 3 loads of the file", said)
-        self.assertIn("expected kusabi hold", said)
+        self.assertIn("kusabi hold searches states under load", said)
         self.assertIn("ignores the clearance or interference of 4 contact candidates", said)
 
     def test_invalid_calls_are_refused(self):

@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t dive_nodes_a_candidate = 100;
 
 /// Larger blocks are not bounded, since the programs take longer than the dives.
-constexpr int max_candidates_to_bound = 100;
+constexpr int max_candidates_to_bound_in_dives = 100;
 
 SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
                         const CriticalGrid& grid, const BlockBounds& bounds) {
@@ -93,7 +93,8 @@ BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem&
   const auto friction = candidate_friction(problem, factor);
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     if (blocks[block].size() < min_candidates) continue;
-    if (tightening == Tightening::automatic && blocks[block].size() > max_candidates_to_bound)
+    if (tightening == Tightening::automatic &&
+        blocks[block].size() > max_candidates_to_bound_in_dives)
       continue;
     auto root = bound_candidates(analysis, problem, friction, block, CriticalFriction::tolerances);
     result.programs += root.programs;

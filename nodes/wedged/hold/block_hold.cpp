@@ -1,4 +1,4 @@
-// Search of ranges of load factors until each is held or infeasible, and bisection of friction.
+// Search of ranges of load factors until each is held or infeasible.
 #include "nodes/wedged/hold/block_hold.hpp"
 
 #include <algorithm>
@@ -7,36 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "nodes/wedged/hold/bounded_search.hpp"
+
 namespace kusabi::wedged {
 namespace {
 
-/// Doublings of a load factor before its range counts as unbounded.
-constexpr int max_doublings = 60;
-
-/// Bisections of one end: more than the digits of a double.
-constexpr int max_halvings = 70;
-
 /// Maximum number of intervals of one block.
 constexpr int max_intervals = 64;
-
-/// Load factors below this share of the ratio of both loads are zero to all digits of either.
-constexpr double min_factor_share = 1e-12;
-
-/// Relative steps below a leaf's own coefficient at which the tree is searched if it is degenerate
-/// there.
-constexpr std::array<double, 4> steps_below{0, 1e-8, 1e-6, 1e-4};
-
-/// A bracket of the coefficient that is not divided by trees, and of a load factor that counts as
-/// decided, relative: a hundred times that of a leaf.
-constexpr double close_enough = 1e-7;
-
-/// The least friction factor that is not zero; infinite if there is none.
-double min_of_factors(const problems::WedgedProblem& problem) {
-  double minimum = unbounded_end;
-  for (const double factor : problem.friction)
-    if (factor > 0) minimum = std::min(minimum, factor);
-  return minimum;
-}
 
 std::vector<LoadShare> range_of(double low, double high) {
   std::vector<LoadShare> shares;
@@ -62,112 +39,14 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
 
 HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low,
                               double high) {
-  HoldTree tree(block_, shares, mu, parameters_.precision, grip_);
   TreeEvidence evidence{mu, {shares.begin(), shares.end()}, grip_};
-  auto found = first_leaf(analysis_, tree, recorded_ ? &evidence : nullptr);
+  auto found = search_for_state(analysis_, block_, evidence, parameters_, recorded_);
   costs_.push_back({mu, low, high, found.opened, found.tally.iterations});
   if (recorded_ && !shares.empty() && found.is_infeasible()) {
     std::erase_if(trees_, [&](const TreeEvidence& each) { return each.mu != mu; });
     trees_.push_back(std::move(evidence));
   }
   return found;
-}
-
-HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
-                         Standard standard) const {
-  HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
-  const HoldResult result = nodes.solve(pattern);
-  if (standard == Standard::proved) return result;
-  if (result == HoldResult::at_limit || result == HoldResult::face) return HoldResult::feasible;
-  return result == HoldResult::unloaded ? HoldResult::infeasible : result;
-}
-
-std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
-                                          double factor, double mu) const {
-  if (!pattern || !std::isfinite(factor)) return {};
-  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, parameters_.precision, grip_);
-  const HoldResult result = nodes.solve(*pattern);
-  if (result != HoldResult::feasible && result != HoldResult::at_limit) return {};
-  auto leaf = nodes.leaf(*pattern);
-  const double amount = leaf.amounts.front();
-  if (!(amount > 0)) return {};
-  for (double& force : leaf.reaction) force /= amount;
-  return HeldState{factor, std::move(leaf.reaction)};
-}
-
-// Ratio of both loads in terms of the displacements under them.
-double BlockHold::factor_scale() const {
-  if (grip_) return grip_->total / scale_of(block_, {0, 1});
-  const double scale = scale_of(block_, {1, 0}) / scale_of(block_, {0, 1});
-  return scale > 0 && std::isfinite(scale) ? scale : 1;
-}
-
-// Bisection. Undecided points divide the interval; both sides then approach them separately.
-BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
-                                  const std::function<HoldResult(double)>& result_at) const {
-  auto [feasible, infeasible, unbounded_by_limit, wide] = ends;
-  double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
-  const auto narrow = [&](double from, double to) {
-    return std::abs(to - from) <=
-           std::max(parameters_.width * std::max(std::abs(from), std::abs(to)), floor);
-  };
-  bool met_open = false;
-  bool stopped = false;
-  for (int step = 0; step < max_halvings && !stopped; ++step, stopped = ended()) {
-    const bool toward_infeasible = met_open && step % 2 != 0;
-    const double from = !met_open ? feasible : toward_infeasible ? open_infeasible : feasible;
-    const double to = !met_open ? infeasible : toward_infeasible ? infeasible : open_feasible;
-    if (narrow(feasible, infeasible) ||
-        (met_open && narrow(feasible, open_feasible) && narrow(open_infeasible, infeasible)))
-      break;
-    const double middle = from + (to - from) / 2;
-    if (middle == from || middle == to) {
-      if (!met_open) break;
-      continue;
-    }
-    switch (result_at(middle)) {
-      case HoldResult::feasible:
-        feasible = middle;
-        break;
-      case HoldResult::infeasible:
-        infeasible = middle;
-        break;
-      default:
-        if (!met_open) open_feasible = open_infeasible = middle;
-        (toward_infeasible ? open_infeasible : open_feasible) = middle;
-        met_open = true;
-    }
-  }
-  wide = (met_open || stopped) &&
-         std::abs(infeasible - feasible) >
-             std::max(close_enough * std::max(std::abs(feasible), std::abs(infeasible)), floor);
-  return {feasible, infeasible, unbounded_by_limit, wide};
-}
-
-BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
-                                  double mu, Standard standard) const {
-  const double end = direction * unbounded_end;
-  // Any multiple of a state of the reference load alone may be added to a state.
-  const LoadShare reference{0, static_cast<double>(direction)};
-  if (at(pattern, reference, mu, Standard::proved) == HoldResult::feasible) return {end, end};
-  if (at(pattern, reference, mu, Standard::computed) == HoldResult::feasible)
-    return {end, end, true};
-  const double scale = factor_scale();
-  double feasible = from;
-  double step = std::max(std::abs(from), scale);
-  double infeasible = end;
-  for (int doubling = 0; doubling < max_doublings && !ended(); ++doubling, step *= 2) {
-    const double next = from + direction * step;
-    const HoldResult result = at(pattern, {1, next}, mu, standard);
-    if (result == HoldResult::feasible) feasible = next;
-    if (result != HoldResult::infeasible) continue;
-    infeasible = next;
-    break;
-  }
-  if (std::isinf(infeasible)) return {feasible, infeasible};
-  return bisect({feasible, infeasible}, min_factor_share * scale, [&](double factor) {
-    return at(pattern, {1, factor}, mu, standard);
-  });
 }
 
 bool BlockHold::wedges(double mu) {
@@ -204,20 +83,6 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   }
   found.intervals.push_back(all);
   return found;
-}
-
-HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, double mu,
-                                 Standard standard) const {
-  const Ends up = extend(pattern, from, 1, mu, standard);
-  const Ends down = extend(pattern, from, -1, mu, standard);
-  HeldInterval held{down.infeasible, down.feasible, up.feasible, up.infeasible};
-  held.pattern = pattern;
-  held.proved = standard == Standard::proved && !up.unbounded_by_limit &&
-                !down.unbounded_by_limit &&
-                at(pattern, {1, from}, mu, standard) == HoldResult::feasible;
-  held.high_proved = std::isinf(up.feasible) || (std::isfinite(up.infeasible) && !up.wide);
-  held.low_proved = std::isinf(down.feasible) || (std::isfinite(down.infeasible) && !down.wide);
-  return held;
 }
 
 // Adds the interval of a leaf, and removes it from the unknown ranges.
@@ -362,120 +227,6 @@ void BlockHold::record(const RecordedBlock& block, HoldRecord& record) const {
     if (std::isinf(piece.high)) add({0, 1});
   }
   for (const auto& tree : trees_) record_tree(analysis_, block, tree, record);
-}
-
-// A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
-// another leaf has a state there, which is then the upper bound of the answer.
-bool BlockHold::prove_lower(HoldingFriction& found, double most_infeasible) {
-  const std::array share{LoadShare{1, 0}};
-  for (const double step : steps_below) {
-    const double mu = most_infeasible * (1 - step);
-    const auto outcome = search(share, mu, 0, 0);
-    if (outcome.status != engine::Status::solved) {
-      found.status = outcome.status;
-      return true;
-    }
-    if (!outcome.leaf.empty()) {
-      found.upper = mu;
-      found.pattern = outcome.leaf.front().pattern;
-      return false;
-    }
-    found.lower = mu;
-    found.lower_known = true;
-    found.lower_proved = outcome.is_infeasible();
-    if (found.lower_proved) return true;
-  }
-  return true;
-}
-
-// Bisects a range of coefficients in which leaves are degenerate, with one tree at each point. The
-// lower end is proved only if the last tree there is infeasible, otherwise computed.
-void BlockHold::narrow(HoldingFriction& found) {
-  for (int step = 0; found.upper && step < max_halvings; ++step) {
-    if (*found.upper - found.lower <= close_enough * *found.upper) return;
-    const double mu = found.lower + (*found.upper - found.lower) / 2;
-    if (mu * min_of_factors(block_.problem) < min_friction) return;
-    const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
-    found.status = outcome.status;
-    if (found.status != engine::Status::solved) return;
-    if (!outcome.leaf.empty()) {
-      found.upper = mu;
-      found.pattern = outcome.leaf.front().pattern;
-      continue;
-    }
-    found.lower = mu;
-    found.lower_known = true;
-    found.lower_proved = outcome.is_infeasible();
-  }
-}
-
-HoldingFriction BlockHold::friction() {
-  HoldingFriction found;
-  const auto& factors = block_.problem.friction;
-  double minimum = 0, maximum = 0;
-  for (const double factor : factors) {
-    if (factor > 0) minimum = std::max(minimum, min_friction / factor);
-    maximum = std::max(maximum, factor);
-  }
-  found.maximum = maximum == 0 ? 0 : std::min(parameters_.maximum, max_friction / maximum);
-  if (!first_bracket(found)) return found;
-  follow(found, minimum);
-  if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
-  if (found.status == engine::Status::solved) narrow(found);
-  return found;
-}
-
-// Coefficients 0, 1, 10, ... up to the first at which a leaf has a state. False if nothing is left
-// to bisect.
-bool BlockHold::first_bracket(HoldingFriction& found) {
-  const std::array share{LoadShare{1, 0}};
-  const auto smooth = search(share, 0, 0, 0);
-  found.status = smooth.status;
-  if (found.status != engine::Status::solved) return false;
-  const auto& limits = smooth.tally.limits;
-  if (!smooth.leaf.empty() || !limits.empty()) {
-    found.upper = 0;
-    found.upper_proved = !smooth.leaf.empty();
-    found.pattern = (found.upper_proved ? smooth.leaf.front() : limits.front()).pattern;
-    return false;
-  }
-  found.lower_known = true;
-  found.lower_proved = smooth.is_infeasible();
-  for (double mu = std::min(1.0, found.maximum); mu > 0; mu = std::min(10 * mu, found.maximum)) {
-    const auto outcome = search(share, mu, 0, 0);
-    found.status = outcome.status;
-    if (found.status != engine::Status::solved) return false;
-    if (!outcome.leaf.empty()) {
-      found.upper = mu;
-      found.pattern = outcome.leaf.front().pattern;
-      return true;
-    }
-    found.lower = mu;
-    found.lower_proved = outcome.is_infeasible();
-    if (mu >= found.maximum) return false;
-  }
-  return false;
-}
-
-// Follows the leaf of the upper bound to its own coefficient, until the tree below it is
-// infeasible.
-// @param minimum coefficient that is not zero
-void BlockHold::follow(HoldingFriction& found, double minimum) {
-  while (*found.upper > minimum) {
-    HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, parameters_.precision);
-    const double start = std::max(found.lower, minimum);
-    const auto result_at = [&](double mu) {
-      nodes.set_friction(mu);
-      return nodes.solve(*found.pattern);
-    };
-    if (start == minimum && result_at(minimum) == HoldResult::feasible) {
-      found.upper = minimum;
-      return;
-    }
-    const Ends ends = bisect({*found.upper, start}, 0, result_at);
-    found.upper = ends.feasible;
-    if (ends.infeasible <= found.lower || prove_lower(found, ends.infeasible)) return;
-  }
 }
 
 }  // namespace kusabi::wedged

@@ -59,6 +59,12 @@ class BlockHold {
                                                double factor, double mu) const;
 
  private:
+  /// Bisections of one end: more than the digits of a double.
+  static constexpr int max_halvings = 70;
+  /// A bracket of the coefficient that is not divided by trees, and of a load factor that counts as
+  /// decided, relative: a hundred times that of a leaf.
+  static constexpr double close_enough = 1e-7;
+
   /// Bracket of the point on a line at which a monotone answer changes: from `feasible`, where it
   /// is feasible, to `infeasible`.
   struct Ends {

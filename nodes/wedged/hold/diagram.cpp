@@ -247,13 +247,15 @@ std::vector<double> signs_of(const LoadedProblem& block, Eigen::Index load) {
   return {1, -1};
 }
 
+// Without a dead part the states can be multiplied, and the quadrants are about the origin.
 std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& block, double mu,
                                Precision precision, const Eigen::Vector2d& unit, Diagram& found) {
   std::vector<Begin> all;
+  const bool dead = is_under_dead(block);
   for (const double first : signs_of(block, 0)) {
     for (const double second : signs_of(block, 1)) {
-      const LoadShare corner{1, off_the_axes.x() * unit.x(), off_the_axes.y() * unit.y()};
-      std::vector shares{corner};
+      std::vector<LoadShare> shares;
+      if (dead) shares.push_back({1, off_the_axes.x() * unit.x(), off_the_axes.y() * unit.y()});
       if (first != 0) shares.push_back({0, first * unit.x(), 0});
       if (second != 0) shares.push_back({0, 0, second * unit.y()});
       HoldTree tree(block, shares, mu, precision);
@@ -271,9 +273,10 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
             all, [&](const Begin& each) { return each.pattern == leaf.pattern; });
         if (known) continue;
         Eigen::Vector2d beside(0, 0);
-        if (first != 0) beside.x() = first * leaf.amounts[1];
+        if (first != 0) beside.x() = first * leaf.amounts[dead ? 1 : 0];
         if (second != 0) beside.y() = second * leaf.amounts.back();
-        all.push_back({leaf.pattern, off_the_axes + beside / leaf.amounts[0]});
+        all.push_back({leaf.pattern, dead ? Eigen::Vector2d(off_the_axes + beside / leaf.amounts[0])
+                                          : beside.normalized()});
       }
     }
   }

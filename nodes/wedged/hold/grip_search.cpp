@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "nodes/wedged/hold/bounded_search.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -65,9 +66,8 @@ class BlockGrip {
 
 HoldOutcome BlockGrip::search(std::span<const LoadShare> shares,
                               const std::optional<GripRestriction>& grip) {
-  HoldTree tree(block_, shares, mu_, parameters_.precision, grip);
   TreeEvidence evidence{mu_, {shares.begin(), shares.end()}, grip};
-  auto found = first_leaf(analysis_, tree, recorded_ ? &evidence : nullptr);
+  auto found = search_for_state(analysis_, block_, evidence, parameters_, recorded_);
   costs_.push_back({mu_, 0, 0, found.opened, found.tally.iterations});
   const bool needed = grip || (shares.empty() && !is_under_dead(block_));
   if (recorded_ && needed && found.is_infeasible()) trees_.push_back(std::move(evidence));

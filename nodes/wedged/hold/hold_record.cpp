@@ -9,20 +9,23 @@
 namespace kusabi::wedged {
 namespace {
 
+// @param outcome of rank 0
+HoldOutcome in_order(const engine::OutcomeOf<HoldTree>& outcome) {
+  HoldOutcome result;
+  result.status = outcome.status;
+  for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
+  result.tally = outcome.tally();
+  result.opened = outcome.opened();
+  for (auto* const list : {&result.leaf, &result.tally.limits}) {
+    std::ranges::sort(*list, {}, [](const auto& each) {
+      return std::pair(each.pattern.contact, each.pattern.separated);
+    });
+  }
+  return result;
+}
+
 HoldOutcome on_all_ranks(engine::Analysis& analysis, const engine::OutcomeOf<HoldTree>& outcome) {
-  return engine::from_first_rank(analysis.transport(), [&] {
-    HoldOutcome result;
-    result.status = outcome.status;
-    for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
-    result.tally = outcome.tally();
-    result.opened = outcome.opened();
-    for (auto* const list : {&result.leaf, &result.tally.limits}) {
-      std::ranges::sort(*list, {}, [](const auto& each) {
-        return std::pair(each.pattern.contact, each.pattern.separated);
-      });
-    }
-    return result;
-  });
+  return engine::from_first_rank(analysis.transport(), [&] { return in_order(outcome); });
 }
 
 void report_nodes(HoldTree& tree, TreeEvidence& evidence) {
@@ -42,6 +45,18 @@ LoadedPattern in_whole(const LoadedPattern& own, const support::IndexSet& candid
 
 HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree) {
   return on_all_ranks(analysis, analysis.search(tree, {}));
+}
+
+HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std::uint64_t maximum) {
+  auto outcome = analysis.by_first_rank([&] {
+    engine::Options options;
+    options.goal = engine::Goal::first;
+    options.limits.nodes = maximum;
+    return in_order(analysis.search_alone(tree, options));
+  });
+  analysis.count_nodes(outcome.opened);
+  if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;
+  return outcome;
 }
 
 HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree, TreeEvidence* evidence) {

@@ -62,6 +62,10 @@ struct TreeEvidence {
                                                    ///< earlier run closed some of them
 };
 
+/// Searches a tree on rank 0 until its first leaf, with at most this many nodes; every rank gets
+/// the same result.
+HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std::uint64_t maximum);
+
 /// Searches a tree until its first leaf; every rank gets the same result.
 /// @param evidence null, or receives the nodes without states
 HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree,

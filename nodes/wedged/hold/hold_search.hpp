@@ -16,6 +16,7 @@
 #include "nodes/wedged/hold/hold_record.hpp"
 #include "nodes/wedged/hold/hold_tree.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
+#include "nodes/wedged/relaxation/pattern_options.hpp"
 
 namespace kusabi::wedged {
 
@@ -81,6 +82,7 @@ struct HoldParameters {
   double maximum = 1000;  ///< upper limit of the search
   double width = 1e-9;    ///< of the brackets, relative
   Precision precision = Precision::escalating;
+  Tightening tightening = Tightening::automatic;
   std::optional<double> total{};  ///< sum of the normal reactions of all states; of factors only
   HoldRecorder recorder{};        ///< of certificates of a coefficient; empty: none
 };

@@ -51,12 +51,13 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
     : all_(problems::all_candidates(loaded.problem)),
       shares_(shares.begin(), shares.end()),
       loads_(shares.size() + (grip && grip->kind != GripRestriction::Kind::equal ? 1 : 0)),
+      equation_(equation_of(grip)),
       loaded_(&loaded),
       mu_(mu),
       problem_(grip ? with_grip(loaded, shares, *grip) : with_loads(loaded, shares)),
       rule_(loaded.problem, friction_with_loads(loaded.problem, mu, 0), Branching::relative),
       solver_(problem_, friction_with_loads(loaded.problem, mu, loads_), hold_tolerances, precision,
-              static_cast<int>(loads_), equation_of(grip)),
+              static_cast<int>(loads_), equation_),
       mean_motion_(loaded.problem),
       grip_unit_(grip ? 1 / grip_scale(loaded, shares, *grip) : 1) {
   // If the file has a dead part, only combinations with it are states of the file.
@@ -73,8 +74,38 @@ void HoldNodes::set_friction(double mu) {
   solver_.set_friction(friction_with_loads(loaded_->problem, mu, loads_));
 }
 
+CandidateBounding HoldNodes::bounding() const {
+  return {problem_,
+          friction_with_loads(loaded_->problem, mu_, loads_),
+          hold_tolerances,
+          {static_cast<int>(loads_), equation_}};
+}
+
+void HoldNodes::tighten(std::vector<CandidateBounds> bounds) {
+  solver_.make_room(static_cast<int>(bounds.size()));
+  bounds_ = std::move(bounds);
+}
+
+// Nothing: the node is to be solved without cuts.
+std::optional<HoldResult> HoldNodes::solve_with_cuts(const LoadedPattern& node) {
+  one_sided_.reset();
+  if (bounds_.empty()) return {};
+  if (excludes_all(bounds_, node.contact, node.separated)) return HoldResult::infeasible;
+  const IndexSet free = all_ - (node.contact | node.separated);
+  if (free.empty()) return {};
+  one_sided_ = one_sided(free, bounds_);
+  if (one_sided_) return HoldResult::unresolved;
+  const auto cuts = cuts_of(free, bounds_);
+  const auto answer = solver_.solve_with(cuts, node.contact, node.separated, {});
+  iterations_ += static_cast<std::uint64_t>(answer.iterations);
+  if (answer.sign == conic::Sign::infeasible) return HoldResult::infeasible;
+  if (answer.sign == conic::Sign::feasible) return HoldResult::unresolved;
+  return {};
+}
+
 HoldResult HoldNodes::solve(const LoadedPattern& node) {
   ++programs_;
+  if (const auto known = solve_with_cuts(node)) return *known;
   const bool leaf = (node.contact | node.separated) == all_;
   if (scales_.empty() && node.separated == all_) {
     multipliers_ = Eigen::VectorXd::Zero(all_.size() + problem_.modes.matrix.cols());

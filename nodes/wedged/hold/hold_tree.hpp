@@ -6,8 +6,8 @@
 //   t* = 0   (within the tolerance) states with equalities, or only unloaded configurations, which
 //            the relative interior distinguishes in floating point.
 //
-// The search ends with the first leaf with t* > 0 in depth-first order. Cuts and bounds of
-// candidates are not used: those of the unloaded problem are not valid under load.
+// The search ends with the first leaf with t* > 0 in depth-first order. Bounds of the candidates
+// and cuts are those of the same loads; those of the unloaded problem are not valid under load.
 #pragma once
 
 #include <array>
@@ -25,6 +25,7 @@
 #include "engine/expansion.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/relaxation/branching.hpp"
+#include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/relaxation/contact_solver.hpp"
 #include "nodes/wedged/relaxation/mean_motion.hpp"
 #include "nodes/wedged/tree/node_interruption.hpp"
@@ -107,7 +108,13 @@ class HoldNodes {
             const std::optional<GripRestriction>& grip = {});
 
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+  /// @pre no bounds
   void set_friction(double mu);
+
+  /// The programs for bounds of the candidates under these loads.
+  [[nodiscard]] CandidateBounding bounding() const;
+  /// Uses these bounds in the following programs.
+  void tighten(std::vector<CandidateBounds> bounds);
 
   /// `at_limit`: states at a limit, in which a load acts, all of the leaf limit(); `face`: a leaf
   /// with such states, in all of which some candidate of U has no reaction, so that they are states
@@ -119,7 +126,9 @@ class HoldNodes {
   [[nodiscard]] const problems::WedgedProblem& problem() const { return loaded_->problem; }
   [[nodiscard]] double friction() const { return mu_; }
   /// The candidate by which a node is split, after solve().
-  int candidate(const support::IndexSet& free) { return rule_.candidate(free, solver_); }
+  int candidate(const support::IndexSet& free) {
+    return one_sided_ ? *one_sided_ : rule_.candidate(free, solver_);
+  }
   /// The leaf of all states of the last node, whose result is `at_limit`.
   [[nodiscard]] const LoadedPattern& limit() const { return limit_; }
   /// The state of the last node.
@@ -138,12 +147,14 @@ class HoldNodes {
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
+  std::optional<HoldResult> solve_with_cuts(const LoadedPattern& node);
   HoldResult degenerate(const LoadedPattern& node, double upper);
 
   support::IndexSet all_;
   std::vector<double> scales_;  // of the loads
   std::vector<LoadShare> shares_;
-  std::size_t loads_;         // with the difference of a restriction
+  std::size_t loads_;  // with the difference of a restriction
+  conic::SideEquation equation_;
   support::IndexSet acting_;  // the loads of which one must act in a state, after the candidates
   LoadedProblem const* loaded_;
   double mu_;
@@ -151,7 +162,9 @@ class HoldNodes {
   BranchingRule rule_;
   ContactSolver solver_;
   MeanMotion mean_motion_;
-  double grip_unit_ = 1;  // of the equation of a restriction
+  double grip_unit_ = 1;                 // of the equation of a restriction
+  std::vector<CandidateBounds> bounds_;  // empty: none
+  std::optional<int> one_sided_;         // candidate of the last node, decided by its bounds
   LoadedPattern limit_;
   Eigen::VectorXd multipliers_;  // of the last node
   std::uint64_t iterations_ = 0, programs_ = 0;
@@ -175,6 +188,9 @@ class HoldTree {
   /// Receives the evidence of each infeasible node.
   using Reporter = std::function<void(const LoadedPattern&, std::vector<double>)>;
   void report_to(Reporter reporter) { reporter_ = std::move(reporter); }
+
+  [[nodiscard]] CandidateBounding bounding() const { return nodes_.bounding(); }
+  void tighten(std::vector<CandidateBounds> bounds) { nodes_.tighten(std::move(bounds)); }
 
   [[nodiscard]] Node root() const { return {}; }
   void expand(Node&& node, engine::Expansion<HoldTree>& out);

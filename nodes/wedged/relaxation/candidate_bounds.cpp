@@ -106,16 +106,17 @@ std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& 
 // u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i; for an unconstrained body without its
 // rigid-body displacement.
 CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
-                                     std::span<const double> friction, conic::Tolerances tolerances)
-    : solver_(problem, friction, tolerances),
+                                     std::span<const double> friction, conic::Tolerances tolerances,
+                                     LoadPart part)
+    : solver_(problem, friction, tolerances, Precision::escalating, part.loads, part.equation),
       mean_motion_(problem),
-      bounds_(friction.size()),
-      minimum_(friction.size()) {
+      bounds_(friction.size() - static_cast<std::size_t>(part.loads)),
+      minimum_(bounds_.size()) {
   solver_.make_room(candidates() + 1);
   const Eigen::Index d = problem.dimension;
   for (int i = 0; i < candidates(); ++i) {
     double maximum = 0;
-    for (int k = 0; k < candidates(); ++k) {
+    for (int k = 0; k < solver_.candidates(); ++k) {
       if (k == i) continue;
       const auto row = problem.compliance.matrix.row(d * i).segment(d * k, d);
       const double mu = friction[static_cast<std::size_t>(k)];
@@ -126,7 +127,7 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     minimum_[static_cast<std::size_t>(i)] = {.gap = min_share * (maximum / solver_.unit()),
                                              .reaction = min_share};
     if (mean_motion_.count() > 0) continue;
-    std::vector<double> numbers(2 * friction.size() + 1);
+    std::vector<double> numbers(2 * bounds_.size() + 1);
     numbers[static_cast<std::size_t>(i)] = 1;
     numbers.back() = 1;
     add_bound({.candidate = i, .side = Side::separated, .maximum = maximum, .numbers = numbers});
@@ -240,16 +241,9 @@ bool is_decided(std::span<const CandidateBounds> bounds) {
 
 }  // namespace
 
-RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedProblem& problem,
-                            std::span<const double> friction, std::uint32_t block,
-                            conic::Tolerances tolerances) {
-  const auto candidates = problems::blocks_of(problem)[block];
-  std::vector<double> own_friction;
-  for (const int i : candidates) own_friction.push_back(friction[static_cast<std::size_t>(i)]);
-  CandidateBounding bounding(problems::block_problem(problem, candidates), own_friction,
-                             tolerances);
+std::uint64_t improve_bounds(engine::Analysis& analysis, CandidateBounding& bounding) {
   bounding.end_when(analysis.budget().stop());
-  RootBounds result;
+  std::uint64_t programs = 0;
   bool spent = false;
   for (int sweep = 0; sweep < max_sweeps && !spent; ++sweep) {
     const auto before = bounding.bounds();
@@ -270,7 +264,7 @@ RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedPr
       });
       for (auto& each : found)
         for (auto& one : each) bounding.add_bound(std::move(one));
-      result.programs += pieces;
+      programs += pieces;
       analysis.say_now_and_then([&] {
         return in_short(bounding.bounds(), sweep + 1,
                         std::min(first + group_size, bounding.candidates()));
@@ -280,6 +274,18 @@ RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedPr
     }
     if (is_decided(bounding.bounds()) || progress(before, bounding.bounds()) < slow_progress) break;
   }
+  return programs;
+}
+
+RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                            std::span<const double> friction, std::uint32_t block,
+                            conic::Tolerances tolerances) {
+  const auto candidates = problems::blocks_of(problem)[block];
+  std::vector<double> own_friction;
+  for (const int i : candidates) own_friction.push_back(friction[static_cast<std::size_t>(i)]);
+  CandidateBounding bounding(problems::block_problem(problem, candidates), own_friction,
+                             tolerances);
+  RootBounds result{.bounds = {}, .proved = {}, .programs = improve_bounds(analysis, bounding)};
   result.bounds = bounding.bounds();
   result.proved = bounding.proved();
   std::vector<int> in_whole(candidates.begin(), candidates.end());

@@ -10,6 +10,8 @@
 // is weak without it. For an unconstrained body gap_i may be infinite, if it can move away from i
 // and towards no other candidate; then r_ni <= reaction_i s remains. Each bound is proved by a cone
 // program with the cuts found so far, so repeated sweeps over all candidates improve all of them.
+//
+// Under loads (docs/theory/loads.md, "Bounds and cuts") s also has the amount of each load.
 #pragma once
 
 #include <cstdint>
@@ -84,13 +86,20 @@ std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,
 std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
                                  std::span<const conic::Cut> cuts);
 
+/// The part of a problem that is no candidate: loads, its last candidates, and an equation, the
+/// last column of its modes (nodes/wedged/hold/load_program.hpp).
+struct LoadPart {
+  int loads = 0;
+  conic::SideEquation equation = conic::SideEquation::none;
+};
+
 /// Finds the bounds of one block's candidates, one program after another.
 class CandidateBounding {
  public:
   /// Initial bounds that need no program; an unconstrained body has none.
-  /// @param problem of the block  @param friction of its candidates
+  /// @param problem of the block  @param friction of its candidates, and of the loads
   CandidateBounding(const problems::WedgedProblem& problem, std::span<const double> friction,
-                    conic::Tolerances tolerances);
+                    conic::Tolerances tolerances, LoadPart part = {});
 
   /// A bound by one program, which depends on the added bounds only. Nothing if it is hardly better
   /// than the present one.
@@ -104,7 +113,8 @@ class CandidateBounding {
   /// m.
   [[nodiscard]] int candidates() const { return static_cast<int>(bounds_.size()); }
   [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
-  /// All added bounds, in this order; each is proved with those before.
+  /// All added bounds, in this order; each is proved with those before. Under loads without the
+  /// multipliers of the loads' equation.
   [[nodiscard]] const std::vector<ProvedBound>& proved() const { return proved_; }
 
  private:
@@ -128,6 +138,10 @@ struct RootBounds {
 /// Sweeps over the candidates of a block until the bounds hardly improve, or the budget is used.
 /// The programs are distributed over the ranks; the result does not depend on their number. Every
 /// rank makes the same call.
+/// @return the number of programs
+std::uint64_t improve_bounds(engine::Analysis& analysis, CandidateBounding& bounding);
+
+/// The bounds of a block by improve_bounds().
 RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             std::span<const double> friction, std::uint32_t block,
                             conic::Tolerances tolerances);

@@ -9,13 +9,6 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Cost of bounding a candidate in nodes of the tree without cuts: about ten programs with up to
-/// twice as many rows.
-constexpr double nodes_a_candidate = 15;
-
-/// Larger blocks are not bounded, since a sweep takes too long.
-constexpr int max_candidates_to_bound = 200;
-
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
   if (tightening == Tightening::never) return false;
   if (tightening == Tightening::always) return true;

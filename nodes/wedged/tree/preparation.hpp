@@ -18,6 +18,12 @@ inline constexpr int min_candidates_to_bound = 24;
 /// mode has no bound of its gap.
 inline constexpr int min_unconstrained_to_bound = 56;
 
+/// Cost of bounding a candidate in nodes of the tree without cuts: about ten programs with up to
+/// twice as many rows.
+inline constexpr double nodes_a_candidate = 15;
+/// Larger blocks are not bounded, since a sweep takes too long.
+inline constexpr int max_candidates_to_bound = 200;
+
 /// Branching rule and candidate bounds of one block.
 struct Preparation {
   Branching branching = Branching::relative;

@@ -1,0 +1,131 @@
+// Interval of load factors of one sign pattern: every point of a bisection is a cone program.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "nodes/wedged/hold/block_hold.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Doublings of a load factor before its range counts as unbounded.
+constexpr int max_doublings = 60;
+
+/// Load factors below this share of the ratio of both loads are zero to all digits of either.
+constexpr double min_factor_share = 1e-12;
+
+}  // namespace
+
+HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
+                         Standard standard) const {
+  HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
+  const HoldResult result = nodes.solve(pattern);
+  if (standard == Standard::proved) return result;
+  if (result == HoldResult::at_limit || result == HoldResult::face) return HoldResult::feasible;
+  return result == HoldResult::unloaded ? HoldResult::infeasible : result;
+}
+
+std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
+                                          double factor, double mu) const {
+  if (!pattern || !std::isfinite(factor)) return {};
+  HoldNodes nodes(block_, std::array{LoadShare{1, factor}}, mu, parameters_.precision, grip_);
+  const HoldResult result = nodes.solve(*pattern);
+  if (result != HoldResult::feasible && result != HoldResult::at_limit) return {};
+  auto leaf = nodes.leaf(*pattern);
+  const double amount = leaf.amounts.front();
+  if (!(amount > 0)) return {};
+  for (double& force : leaf.reaction) force /= amount;
+  return HeldState{factor, std::move(leaf.reaction)};
+}
+
+// Ratio of both loads in terms of the displacements under them.
+double BlockHold::factor_scale() const {
+  if (grip_) return grip_->total / scale_of(block_, {0, 1});
+  const double scale = scale_of(block_, {1, 0}) / scale_of(block_, {0, 1});
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+// Bisection. Undecided points divide the interval; both sides then approach them separately.
+BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
+                                  const std::function<HoldResult(double)>& result_at) const {
+  auto [feasible, infeasible, unbounded_by_limit, wide] = ends;
+  double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
+  const auto narrow = [&](double from, double to) {
+    return std::abs(to - from) <=
+           std::max(parameters_.width * std::max(std::abs(from), std::abs(to)), floor);
+  };
+  bool met_open = false;
+  bool stopped = false;
+  for (int step = 0; step < max_halvings && !stopped; ++step, stopped = ended()) {
+    const bool toward_infeasible = met_open && step % 2 != 0;
+    const double from = !met_open ? feasible : toward_infeasible ? open_infeasible : feasible;
+    const double to = !met_open ? infeasible : toward_infeasible ? infeasible : open_feasible;
+    if (narrow(feasible, infeasible) ||
+        (met_open && narrow(feasible, open_feasible) && narrow(open_infeasible, infeasible)))
+      break;
+    const double middle = from + (to - from) / 2;
+    if (middle == from || middle == to) {
+      if (!met_open) break;
+      continue;
+    }
+    switch (result_at(middle)) {
+      case HoldResult::feasible:
+        feasible = middle;
+        break;
+      case HoldResult::infeasible:
+        infeasible = middle;
+        break;
+      default:
+        if (!met_open) open_feasible = open_infeasible = middle;
+        (toward_infeasible ? open_infeasible : open_feasible) = middle;
+        met_open = true;
+    }
+  }
+  wide = (met_open || stopped) &&
+         std::abs(infeasible - feasible) >
+             std::max(close_enough * std::max(std::abs(feasible), std::abs(infeasible)), floor);
+  return {feasible, infeasible, unbounded_by_limit, wide};
+}
+
+BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
+                                  double mu, Standard standard) const {
+  const double end = direction * unbounded_end;
+  // Any multiple of a state of the reference load alone may be added to a state.
+  const LoadShare reference{0, static_cast<double>(direction)};
+  if (at(pattern, reference, mu, Standard::proved) == HoldResult::feasible) return {end, end};
+  if (at(pattern, reference, mu, Standard::computed) == HoldResult::feasible)
+    return {end, end, true};
+  const double scale = factor_scale();
+  double feasible = from;
+  double step = std::max(std::abs(from), scale);
+  double infeasible = end;
+  for (int doubling = 0; doubling < max_doublings && !ended(); ++doubling, step *= 2) {
+    const double next = from + direction * step;
+    const HoldResult result = at(pattern, {1, next}, mu, standard);
+    if (result == HoldResult::feasible) feasible = next;
+    if (result != HoldResult::infeasible) continue;
+    infeasible = next;
+    break;
+  }
+  if (std::isinf(infeasible)) return {feasible, infeasible};
+  return bisect({feasible, infeasible}, min_factor_share * scale, [&](double factor) {
+    return at(pattern, {1, factor}, mu, standard);
+  });
+}
+
+HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, double mu,
+                                 Standard standard) const {
+  const Ends up = extend(pattern, from, 1, mu, standard);
+  const Ends down = extend(pattern, from, -1, mu, standard);
+  HeldInterval held{down.infeasible, down.feasible, up.feasible, up.infeasible};
+  held.pattern = pattern;
+  held.proved = standard == Standard::proved && !up.unbounded_by_limit &&
+                !down.unbounded_by_limit &&
+                at(pattern, {1, from}, mu, standard) == HoldResult::feasible;
+  held.high_proved = std::isinf(up.feasible) || (std::isfinite(up.infeasible) && !up.wide);
+  held.low_proved = std::isinf(down.feasible) || (std::isfinite(down.infeasible) && !down.wide);
+  return held;
+}
+
+}  // namespace kusabi::wedged
