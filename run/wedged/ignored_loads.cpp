@@ -49,8 +49,8 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
     lines.emplace_back(
         problems::structure_error(
             structure, {},
-            fmt::format("kusabi {} ignores temperature and displaced supports: a wedged "
-                        "configuration holds without them; expected kusabi hold",
+            fmt::format("kusabi {} ignores temperature and displaced supports: wedged "
+                        "configurations are without them; kusabi hold uses them",
                         command))
             .what());
   }
