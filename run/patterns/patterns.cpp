@@ -2,9 +2,11 @@
 #include "run/patterns/patterns.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include "engine/analysis/analysis.hpp"
+#include "engine/node_record.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/relaxation/facets.hpp"
@@ -89,6 +92,7 @@ class Patterns final : public Subcommand {
   void describe_table(OptionTable& table);
   void describe_limits(OptionTable& table);
   void check_lines() const;
+  void record_nodes(CommandRun& run);
   Step result_lines(CommandRun& run);
   [[nodiscard]] PatternsReport report() const;
   void end_certificate();
@@ -98,6 +102,8 @@ class Patterns final : public Subcommand {
   const OptionTable* table_ = nullptr;
   PatternsOptions options_;
   std::string trace_;
+  std::string record_;
+  std::ostringstream node_records_;
   std::string vtu_;
   ContactProblem contact_;
   std::vector<double> friction_;
@@ -132,6 +138,9 @@ void Patterns::describe(OptionTable& table) {
       fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
   describe_limits(table);
   table.file("--trace", trace_, Role::output, "timeline of all ranks, for ui.perfetto.dev");
+  table.file("--record", record_, Role::output,
+             "depth and CPU time of each node of a search in one process, from which kusabi bench "
+             "scaling --trace predicts the time on many ranks");
   table.file("--certificate", options_.certificate, Role::evidence,
              "certificate file, for kusabi verify");
   table.flag("--exists", options_.exists,
@@ -238,6 +247,12 @@ void Patterns::check() const {
   }
   if (options_.probes > 0 && options_.polyhedral)
     throw WrongInput("--probe: requires --method cones");
+  const bool one_search_depth_first = !options_.exists && options_.checkpoint.state.empty() &&
+                                      options_.order == engine::Order::depth_first;
+  if (!record_.empty() && !one_search_depth_first)
+    throw WrongInput(
+        "--record: is not possible with --exists, --resume or breadth-first order; "
+        "expected --record without them");
 }
 
 // Lines have no further outputs, which would need the whole list.
@@ -322,7 +337,18 @@ void Patterns::prepare(CommandRun& run) {
     parameters_.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
+  if (!record_.empty()) record_nodes(run);
   search.warn = warn;
+}
+
+void Patterns::record_nodes(CommandRun& run) {
+  if (run.session().ranks() > 1) {
+    throw WrongInput(
+        fmt::format("--record: the search has {} ranks; expected --serial", run.session().ranks()));
+  }
+  parameters_.search.record = [this](std::size_t depth, double seconds) {
+    engine::write_node_record(node_records_, depth, seconds);
+  };
 }
 
 std::string Patterns::announcement(const std::string& ranks) const {
@@ -408,6 +434,8 @@ std::vector<Step> Patterns::results(CommandRun& run) {
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
+          run.file("--record",
+                   [this](auto& out) { out << engine::node_record_header << node_records_.str(); }),
           [this] { end_certificate(); },
           run.answer([report] { return report->table(); })};
 }
