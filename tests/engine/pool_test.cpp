@@ -47,7 +47,7 @@ TEST(FoundList, KeepsPathsAndSolutionsInOrder) {
   };
   for (std::size_t number = 0; number < 8; ++number) add(number);
   const auto position = list.position();
-  for (const std::size_t number : {3U, 12U, 0U}) add(number);
+  for (const std::size_t number : {3U, 12U, 8U}) add(number);
   list.return_to(position);
   for (std::size_t number = 8; number < paths.size(); ++number) add(number);
   ASSERT_EQ(list.size(), paths.size());
