@@ -60,8 +60,7 @@ struct EmptyTree {
 constexpr std::uint32_t depth = 18;
 constexpr std::int64_t nodes = (std::int64_t{1} << (depth + 1)) - 1;
 
-// ---- pools
-// ----------------------------------------------------------------------------------------
+// ---- pools --------------------------------------------------------------------------------------
 
 // One pass through the tree, without an explorer.
 void frontier_push_pop(benchmark::State& state) {
@@ -99,8 +98,7 @@ void heap_push_pop(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
-// ---- sharing
-// --------------------------------------------------------------------------------------
+// ---- sharing ------------------------------------------------------------------------------------
 
 Frontier<Signs> frontier_of(std::int64_t size) {
   Frontier<Signs> frontier;
@@ -139,8 +137,7 @@ void deserialise(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-// ---- search
-// ---------------------------------------------------------------------------------------
+// ---- search -------------------------------------------------------------------------------------
 
 // @param nodes_per_step between two checks for messages; 0: adapted to the cost of a node
 template <class AnyTransport>

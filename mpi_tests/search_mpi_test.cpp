@@ -46,6 +46,7 @@ TEST(MpiSearch, GathersManySolutionsInOrder) {
   for (std::size_t i = 0; i < alone.solutions.size(); ++i) {
     ASSERT_EQ(together.solutions[i].solution, alone.solutions[i].solution);
   }
+  EXPECT_EQ(together.fingerprint(), alone.fingerprint());
   EXPECT_EQ(together.tally(), alone.ranks[0].tally);
 }
 
@@ -155,6 +156,8 @@ TEST(MpiSearch, EveryRankOpensAFairShareInLockStep) {
   if (transport.rank() != 0) return;
   const auto opened = outcome.opened();
   ASSERT_GT(opened, 10'000U);
+  RandomTree again(1, 20);
+  EXPECT_EQ(outcome.fingerprint(), search(again).fingerprint());
   for (const auto& rank : outcome.ranks) {
     const double share = static_cast<double>(rank.statistics.opened) / static_cast<double>(opened);
     std::printf("share of %.1f %% of %llu nodes, %llu requests, %llu transfers received\n",

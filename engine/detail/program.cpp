@@ -9,6 +9,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "engine/collectives.hpp"
+#include "engine/node_record.hpp"
 #include "engine/path.hpp"
 #include "engine/signals.hpp"
 #include "engine/transport/single_process.hpp"
@@ -98,13 +99,13 @@ void Program::record_tree() {
                                 " ranks; expected one process");
   }
   recording_.open(line_.record);
-  recording_ << "# depth, nanoseconds: the nodes in depth-first order\n";
+  recording_ << node_record_header;
   if (!recording_) {
     throw std::invalid_argument("--record: " + line_.record +
                                 " cannot be written; expected a file in an existing folder");
   }
   line_.options.record = [this](std::size_t depth, double seconds) {
-    recording_ << depth << ' ' << std::llround(1e9 * seconds) << '\n';
+    write_node_record(recording_, depth, seconds);
   };
 }
 

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/detail/found_list.hpp"
 #include "engine/detail/incumbent.hpp"
 #include "engine/detail/nodes/saved_list.hpp"
 #include "engine/expansion.hpp"
@@ -101,7 +102,7 @@ class Solutions {
   /// change.
   [[nodiscard]] SavedList<FoundSolution<P>> list() const {
     return {size(), [this](const auto& look) {
-              for (const auto& found : all_) look(found);
+              all_.for_each(look);
               std::vector<const Kept*> sorted;
               for (const auto& each : kept_) sorted.push_back(&each);
               std::sort(sorted.begin(), sorted.end(),
@@ -110,13 +111,13 @@ class Solutions {
             }};
   }
 
-  /// Removes and returns them.
-  std::vector<FoundSolution<P>> take() {
-    auto list = std::exchange(all_, {});
+  /// Removes them one by one, and calls `take(std::move(found))` for each.
+  template <class Take>
+  void take_each(Take take) {
+    all_.take_each(take);
     std::sort(kept_.begin(), kept_.end(), before);
-    for (auto& each : kept_) list.push_back(std::move(each.found));
+    for (auto& each : kept_) take(std::move(each.found));
     kept_.clear();
-    return list;
   }
 
   /// Adds solutions of another rank or of an earlier run, and takes their incumbent.
@@ -136,13 +137,13 @@ class Solutions {
   /// Begins the first of two expansions of a node: stores the state that `end_trial_expansion`
   /// restores. Nothing is emitted until then.
   void begin_trial_expansion() {
-    trial_state_ = {incumbent_, minimum_, kept_, all_.size(), improved_};
+    trial_state_ = {incumbent_, minimum_, kept_, all_.position(), improved_};
     in_trial_ = true;
   }
   void end_trial_expansion() {
     std::tie(incumbent_, minimum_, kept_, improved_) = std::tie(
         trial_state_.incumbent, trial_state_.minimum, trial_state_.kept, trial_state_.improved);
-    all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(trial_state_.all), all_.end());
+    all_.return_to(trial_state_.all);
     in_trial_ = false;
   }
 
@@ -231,7 +232,7 @@ class Solutions {
     Incumbent incumbent;
     double minimum = 0;
     std::vector<Kept> kept;
-    std::size_t all = 0;
+    typename FoundList<P>::Position all;
     bool improved = false;
   };
 
@@ -239,8 +240,8 @@ class Solutions {
   Goal goal_;
   Pool pool_;
   double bound_tolerance_;
-  std::vector<FoundSolution<P>> all_;  // of Goal::all
-  std::vector<Kept> kept_;             // of the other goals: a heap, the worst first
+  FoundList<P> all_;        // of Goal::all
+  std::vector<Kept> kept_;  // of the other goals: a heap, the worst first
   Incumbent incumbent_;
   double minimum_ = unlimited;
   std::uint64_t age_ = 0;

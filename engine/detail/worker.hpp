@@ -98,7 +98,7 @@ class LocalExplorer final : public LocalSearch {
     ReportPart part;
     PackedSize<FoundSolution<P>> packed_size;
     std::size_t bytes = 0;
-    for (auto& found : explorer_.solutions().take()) {
+    explorer_.solutions().take_each([&](FoundSolution<P>&& found) {
       bytes += packed_size(found);
       if (bytes > limit && !part.found.empty()) {
         send(pack(part));
@@ -106,7 +106,7 @@ class LocalExplorer final : public LocalSearch {
         bytes = packed_size(found);
       }
       part.found.push_back(std::move(found));
-    }
+    });
     part.last = true;
     part.rank = own_report();
     part.earlier = earlier_;
@@ -124,10 +124,14 @@ class LocalExplorer final : public LocalSearch {
 
   /// Moves solutions, in the order of the outcome, and reports into the outcome.
   void hand_over(Outcome<P>& outcome) {
-    outcome.solutions = explorer_.solutions().take();
-    if (explorer_.goal() == Goal::all) {
-      std::stable_sort(outcome.solutions.begin(), outcome.solutions.end(),
-                       [](const auto& a, const auto& b) { return a.path < b.path; });
+    auto& solutions = outcome.solutions;
+    solutions.reserve(explorer_.solutions().size());
+    explorer_.solutions().take_each(
+        [&](FoundSolution<P>&& found) { solutions.push_back(std::move(found)); });
+    const auto before = [](const auto& a, const auto& b) { return a.path < b.path; };
+    // The sort copies half of them elsewhere; a single rank has found them in order.
+    if (explorer_.goal() == Goal::all && !std::ranges::is_sorted(solutions, before)) {
+      std::ranges::stable_sort(solutions, before);
     }
     outcome.earlier = std::move(earlier_);
     if (reports_.empty()) reports_.resize(1);

@@ -47,8 +47,9 @@ std::vector<std::pair<std::string, std::string>> standard_names() {
 class Scaling final : public Bench {
  public:
   void describe(OptionTable& table) override {
-    table.file("--trace", options_.trace, Role::input,
-               "recorded tree, by option --record of a program of engine::run");
+    table.file(
+        "--trace", options_.trace, Role::input,
+        "recorded tree, by option --record of kusabi patterns or of a program of engine::run");
     auto trees = standard_names();
     trees.insert(trees.begin(), {"sized", "sized"});
     table.choice("--tree", options_.tree, trees,

@@ -2,9 +2,11 @@
 #include "run/patterns/patterns.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include "engine/analysis/analysis.hpp"
+#include "engine/node_record.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
@@ -85,6 +88,7 @@ class Patterns final : public Subcommand {
  private:
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
   [[nodiscard]] bool whole() const { return findings_->whole(); }
+  void record_nodes(CommandRun& run);
   Step result_lines(CommandRun& run);
   [[nodiscard]] PatternsReport report() const;
   void end_certificate();
@@ -93,6 +97,7 @@ class Patterns final : public Subcommand {
 
   const OptionTable* table_ = nullptr;
   PatternsOptions options_;
+  std::ostringstream node_records_;
   ContactProblem contact_;
   std::vector<double> friction_;
   wedged::PatternParameters parameters_;
@@ -174,7 +179,18 @@ void Patterns::prepare(CommandRun& run) {
     parameters_.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
   if (!options_.trace.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
+  if (!options_.record.empty()) record_nodes(run);
   search.warn = warn;
+}
+
+void Patterns::record_nodes(CommandRun& run) {
+  if (run.session().ranks() > 1) {
+    throw WrongInput(
+        fmt::format("--record: the search has {} ranks; expected --serial", run.session().ranks()));
+  }
+  parameters_.search.record = [this](std::size_t depth, double seconds) {
+    engine::write_node_record(node_records_, depth, seconds);
+  };
 }
 
 std::string Patterns::announcement(const std::string& ranks) const {
@@ -260,6 +276,8 @@ std::vector<Step> Patterns::results(CommandRun& run) {
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
+          run.file("--record",
+                   [this](auto& out) { out << engine::node_record_header << node_records_.str(); }),
           [this] { end_certificate(); },
           run.answer([report] { return report->table(); })};
 }

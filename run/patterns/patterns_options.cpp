@@ -32,6 +32,9 @@ void PatternsOptions::describe(OptionTable& table) {
       fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
   describe_limits(table);
   table.file("--trace", trace, Role::output, "timeline of all ranks, for ui.perfetto.dev");
+  table.file("--record", record, Role::output,
+             "depth and CPU time of each node of a search in one process, from which kusabi bench "
+             "scaling --trace predicts the time on many ranks");
   table.file("--certificate", certificate, Role::evidence, "certificate file, for kusabi verify");
   table.flag("--exists", exists,
              "find one pattern, or prove that there is none. Large decoupled subproblems are first "
@@ -137,6 +140,12 @@ void PatternsOptions::check(const OptionTable& table) const {
         "or kusabi critical --certificate");
   }
   if (probes > 0 && polyhedral) throw WrongInput("--probe: requires --method cones");
+  const bool one_search_depth_first =
+      !exists && checkpoint.state.empty() && order == engine::Order::depth_first;
+  if (!record.empty() && !one_search_depth_first)
+    throw WrongInput(
+        "--record: is not possible with --exists, --resume or breadth-first order; "
+        "expected --record without them");
 }
 
 // Lines have no further outputs, which would need the whole list.

@@ -2,6 +2,7 @@
 // problem takes itself; both senses of an objective; bounds that a solution contradicts.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/detail/found_list.hpp"
 #include "engine/nodes_along.hpp"
 #include "engine/simulation.hpp"
 #include "nodes/benchmark/sized_tree.hpp"
@@ -26,6 +28,40 @@ using examples::Knapsack;
 using examples::Queens;
 using examples::RandomTree;
 using testing::HasSubstr;
+
+struct Numbers {
+  using Solution = std::size_t;
+};
+
+TEST(FoundList, KeepsPathsAndSolutionsInOrder) {
+  // Steps of one to five bytes; common, equal, longer and shorter paths.
+  std::vector<Path> paths{
+      {},        {0},       {0, 127, 128},     {0, 127, 16'383, 16'384}, {0, 127},
+      {0, 127},  {},        {2'097'151, 5, 6}, {2'097'152, 5, 6},        {268'435'456},
+      {1, 2, 3}, {1, 2, 4}, {0xFFFFFFFFU, 0},  {0xFFFFFFFFU, 0, 1}};
+  FoundList<Numbers> list;
+  const auto add = [&](std::size_t number) { list.push_back({paths[number], number}); };
+  const auto expect_next = [&](std::size_t& number, const FoundSolution<Numbers>& found) {
+    EXPECT_EQ(found.path, paths[number]);
+    EXPECT_EQ(found.solution, number++);
+  };
+  for (std::size_t number = 0; number < 8; ++number) add(number);
+  const auto position = list.position();
+  for (const std::size_t number : {3U, 12U, 8U}) add(number);
+  list.return_to(position);
+  for (std::size_t number = 8; number < paths.size(); ++number) add(number);
+  ASSERT_EQ(list.size(), paths.size());
+  std::size_t seen = 0;
+  list.for_each([&](const auto& found) { expect_next(seen, found); });
+  EXPECT_EQ(seen, paths.size());
+  for (int round = 0; round < 2; ++round) {
+    std::size_t taken = 0;
+    list.take_each([&](auto&& found) { expect_next(taken, found); });
+    EXPECT_EQ(taken, paths.size());
+    EXPECT_EQ(list.size(), 0U);
+    for (std::size_t number = 0; number < paths.size(); ++number) add(number);
+  }
+}
 
 Options for_the_best(const Pool& pool = {}) {
   Options options;

@@ -26,6 +26,21 @@ TEST(Search, FindsAllPlacementsOfQueens) {
   }
 }
 
+// Messages of one search are not received in another one (mpi_tests/collectives_mpi_test.cpp).
+TEST(Search, BeginsOnTheTransportOnce) {
+  class Counter final : public SingleProcess {
+   public:
+    void begin_search() override { ++begun; }
+    int begun = 0;
+  };
+  Counter transport;
+  for (int number = 1; number <= 3; ++number) {
+    Queens queens(4);
+    search(queens, transport);
+    EXPECT_EQ(transport.begun, number);
+  }
+}
+
 TEST(Search, ReportsSolutionsInDepthFirstOrder) {
   Queens queens(6);
   const auto outcome = search(queens);

@@ -10,6 +10,7 @@
 namespace kusabi::test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 using ExampleCommand = Command;
@@ -97,6 +98,19 @@ TEST_F(BenchCommand, PredictsTheTimeOfARecordedTree) {
   const auto wrong = shell(call + quoted(tree));
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("tree, line 2: expected a depth from 1 to 1"));
+}
+
+TEST_F(Command, RecordsTheTreeOfPatterns) {
+  const auto file = in_folder("truss.toml");
+  const auto tree = in_folder("tree");
+  shell(command + " example space-truss --output " + quoted(file));
+  const auto call = command + " patterns " + quoted(file) + " --mu 0.65 --record " + quoted(tree);
+  EXPECT_THAT(shell(call + " --serial").output, ContainsRegex("\n0 +237 +100.0 %"));
+  EXPECT_THAT(shell(command + " bench scaling --most-ranks 1 --trace " + quoted(tree)).output,
+              HasSubstr("A tree of 237 nodes"));
+  const auto wrong = shell(call + " --order breadth-first");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("--record: is not possible with"));
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ class NodeStack {
   }
 
   void emplace_back(Node&& node, std::uint32_t depth, std::uint32_t branch) {
+    if (nodes_.size() == nodes_.capacity()) [[unlikely]]
+      return grow(std::move(node), depth, branch);
     nodes_.emplace_back(std::move(node), depth, branch);
   }
 
@@ -91,6 +93,11 @@ class NodeStack {
   }
 
  private:
+  // Apart, so that the frequent case needs no registers for a reallocation.
+  [[gnu::noinline]] void grow(Node&& node, std::uint32_t depth, std::uint32_t branch) {
+    nodes_.emplace_back(std::move(node), depth, branch);
+  }
+
   [[nodiscard]] std::ptrdiff_t signed_front() const { return static_cast<std::ptrdiff_t>(front_); }
 
   void reclaim() {

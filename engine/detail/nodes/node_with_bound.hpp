@@ -53,12 +53,13 @@ struct NodeStorage<P> {
 template <class P>
 using StoredNode = typename NodeStorage<P>::Type;
 
+/// The node in this form, or a reference to it if it is that form already.
 template <class P>
-StoredNode<P> stored(typename P::Node&& node) {
+decltype(auto) stored(typename P::Node&& node) {
   if constexpr (std::is_same_v<StoredNode<P>, typename P::Node>) {
     return std::move(node);
   } else {
-    return {std::move(node)};
+    return StoredNode<P>{std::move(node)};
   }
 }
 

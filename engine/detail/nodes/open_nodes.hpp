@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -49,9 +49,7 @@ struct OpenNode {
   // numbers.
   OpenNode(Node&& waiting, std::uint32_t its_depth,
            std::uint32_t its_branch) requires std::is_trivially_copyable_v<Node>
-      : depth(its_depth), branch(its_branch) {
-    std::memcpy(&node, &waiting, sizeof node);
-  }
+      : node(std::bit_cast<Node>(waiting)), depth(its_depth), branch(its_branch) {}
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
