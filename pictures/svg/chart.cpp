@@ -181,7 +181,9 @@ void write_chart(std::ostream& out, const Chart& chart) {
 
 std::string inline_chart(const std::string& id, const Chart& chart) {
   Canvas canvas;
+  canvas.begin_group("chart");
   const double y = draw_chart(canvas, chart, 1.6 * row, inline_width);
+  canvas.end_group();
   return svg_element({id, chart.title, chart.description, true}, {inline_width, std::round(y)},
                      canvas);
 }

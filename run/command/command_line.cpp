@@ -106,6 +106,10 @@ std::string left_over_of_all(const CLI::App& app) {
   return words.empty() ? std::string{} : words.front();
 }
 
+bool given(const CommandList& list, std::string_view option) {
+  return list.own().find(option)->given.has_value();
+}
+
 // @param files arguments after "--"
 void check_words(const CommandList& list, const Parser& parser,
                  const std::vector<std::string>& files) {
@@ -121,7 +125,8 @@ void check_words(const CommandList& list, const Parser& parser,
   if (!group.empty()) {
     if (const auto word = left_over(*parser.groups.at(group)); !word.empty())
       throw WrongCall(no_such_subcommand(list, group, word));
-    if (parser.asked() == nullptr) throw WrongCall(subcommand_missing(list, group));
+    if (parser.asked() == nullptr && !given(list, "--manual"))
+      throw WrongCall(subcommand_missing(list, group));
   }
   auto* const entry = parser.asked();
   if (entry == nullptr) return;
@@ -146,8 +151,10 @@ std::string help_on(const CommandList& list, const std::vector<std::string>& wor
   throw WrongCall(no_such_subcommand(list, group, name.substr(group.size() + 1)));
 }
 
-bool given(const CommandList& list, std::string_view option) {
-  return list.own().find(option)->given.has_value();
+std::string manual_of(const CommandList& list, const Parser& parser) {
+  if (const auto* const entry = parser.asked()) return manual(list, *entry);
+  const auto* const group = list.group(parser.asked_group());
+  return group != nullptr ? manual(list, *group) : manual(list);
 }
 
 }  // namespace
@@ -174,8 +181,7 @@ Asked parse(CommandList& list, int argc, const char* const* argv) {
   if (given(list, "--version")) return {nullptr, version()};
   if (const auto& shell = list.own().find("--completion")->given)
     return {nullptr, completion(list, *shell)};
-  if (given(list, "--manual"))
-    return {nullptr, entry == nullptr ? manual(list) : manual(list, *entry)};
+  if (given(list, "--manual")) return {nullptr, manual_of(list, parser)};
   if (entry == nullptr) return {nullptr, overview(list), true};
   if (const auto wrong = entry->table.replace_former_names(); !wrong.empty())
     throw WrongCall(wrong);

@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "run/command/help.hpp"
+#include "run/command/version.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/session/progress_text.hpp"
 
 namespace kusabi::run {
@@ -44,7 +46,8 @@ Layout and colours of output on a terminal.
 constexpr std::string_view signals_and_files = R"(.SH SIGNALS
 .TP
 .BR SIGTERM ", " SIGINT ", " SIGXCPU ", " SIGUSR2
-The run ends as at its time limit: bounds and partial results are printed and written, the state of
+The run ends as at its time limit: bounds and partial results are printed and
+written, the state of
 .B \-\-resume
 is saved, and the exit status is 3.
 .TP
@@ -55,18 +58,19 @@ is saved, and the run continues.
 .SH FILES
 .TP
 .I *.toml
-Problem files: nodes, members, elements or a mesh, supports, contact candidates and loads.
+Problem files: nodes, members, elements or a mesh, supports, contact candidates
+and loads.
 .TP
 .I ~/.config/kusabi/config.toml
-Defaults of options: a table for each subcommand, whose keys are the options without their dashes.
-Options on the command line override the file.
+Defaults of options: a table for each subcommand, whose keys are the options
+without their dashes. Options on the command line override the file.
 .TP
 .I /usr/share/doc/kusabi/
 Documentation and examples, if they are installed.
 )";
 
 // Text of a manual page: hyphens are ASCII hyphens, and no line begins with a macro.
-std::string roff(std::string_view text) {
+std::string verbatim(std::string_view text) {
   std::string escaped;
   bool line_begins = true;
   for (const char c : text) {
@@ -75,6 +79,12 @@ std::string roff(std::string_view text) {
     line_begins = c == '\n';
   }
   return escaped;
+}
+
+// Such a text in lines of at most 80 characters, unless it has more than eight hyphens a line.
+std::string roff(std::string_view text) {
+  constexpr std::size_t longest_line = 72;
+  return verbatim(folded(text, longest_line));
 }
 
 std::string paragraph(const OptionRow& row) {
@@ -92,11 +102,12 @@ std::string title(std::string name) {
   std::ranges::transform(name, name.begin(), [](char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   });
-  return fmt::format(".TH {} 1 \"\" \"kusabi {}\" \"Kusabi\"\n", roff(name), KUSABI_VERSION);
+  return fmt::format(".TH {} 1 {} \"kusabi {}\" \"Kusabi\"\n", roff(name), release_date(),
+                     KUSABI_VERSION);
 }
 
-std::string page_name(const CommandList::Entry& entry) {
-  auto name = fmt::format("kusabi-{}", entry.name());
+std::string page_name(std::string_view command) {
+  auto name = fmt::format("kusabi-{}", command);
   std::ranges::replace(name, ' ', '-');
   return name;
 }
@@ -123,8 +134,8 @@ std::string described(const CommandList::Entry& entry) {
 std::string manual(const CommandList& list) {
   auto text = title("kusabi");
   text +=
-      ".SH NAME\nkusabi \\- wedged configurations and worst\\-case limit loads, by parallel tree "
-      "search\n.SH SYNOPSIS\n";
+      ".SH NAME\nkusabi \\- wedged configurations and worst\\-case limit loads, by tree search\n"
+      ".SH SYNOPSIS\n";
   const auto out = std::back_inserter(text);
   for (const auto& entry : list.entries()) text += synopsis(entry) + ".br\n";
   text += R"(mpirun \-np \fIranks\fR kusabi ...
@@ -132,8 +143,8 @@ std::string manual(const CommandList& list) {
 .B kusabi help
 [\fIsubcommand\fR]
 .SH DESCRIPTION
-All wedged configurations of a structure with Coulomb friction, worst\-case limit loads of trusses,
-and mixed zero\-one linear programs.
+All wedged configurations of a structure with Coulomb friction,
+worst\-case limit loads of trusses, and mixed zero\-one linear programs.
 Each search runs in one process, or on all ranks of an MPI job.
 .SH OPTIONS
 )";
@@ -148,10 +159,11 @@ Each search runs in one process, or on all ranks of an MPI job.
     for (const auto name : chapter.names) {
       const auto& entry = *list.find(name);
       const auto purpose = roff(entry.text.purpose);
-      fmt::format_to(out, ".TP\n.BR {} (1)\n{}\n", roff(page_name(entry)), purpose);
+      fmt::format_to(out, ".TP\n.BR {} (1)\n{}\n", roff(page_name(entry.name())), purpose);
       examples +=
           fmt::format(".TP\n{}:\n.B kusabi {} {}\n", purpose, roff(name), roff(entry.text.example));
-      pages += fmt::format("{}.BR {} (1)", pages.empty() ? "" : ",\n", roff(page_name(entry)));
+      pages +=
+          fmt::format("{}.BR {} (1)", pages.empty() ? "" : ",\n", roff(page_name(entry.name())));
     }
   }
   return fmt::format("{}{}.SH EXAMPLES\n{}{}.SH SEE ALSO\n{},\n.BR mpirun (1)\n", text,
@@ -159,7 +171,7 @@ Each search runs in one process, or on all ranks of an MPI job.
 }
 
 std::string manual(const CommandList& list, const CommandList::Entry& entry) {
-  const auto name = page_name(entry);
+  const auto name = page_name(entry.name());
   auto text = title(name);
   const auto out = std::back_inserter(text);
   fmt::format_to(out, ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name), roff(entry.text.purpose),
@@ -170,7 +182,7 @@ std::string manual(const CommandList& list, const CommandList::Entry& entry) {
                  roff(entry.text.example));
   if (const auto progress = entry.text.progress; progress != ProgressLines::none) {
     fmt::format_to(out, ".SH PROGRESS\n.nf\n{}\n.fi\n",
-                   roff(progress_explained(progress == ProgressLines::bounds)));
+                   verbatim(progress_explained(progress == ProgressLines::bounds)));
   }
   text += signals_and_files;
   text += ".SH SEE ALSO\n.BR kusabi (1)";
@@ -178,10 +190,27 @@ std::string manual(const CommandList& list, const CommandList::Entry& entry) {
     if (std::ranges::find(chapter.names, entry.name()) == chapter.names.end()) continue;
     for (const auto other : chapter.names) {
       if (other == entry.name()) continue;
-      fmt::format_to(out, ",\n.BR {} (1)", roff(page_name(*list.find(other))));
+      fmt::format_to(out, ",\n.BR {} (1)", roff(page_name(other)));
     }
   }
   return text + '\n';
+}
+
+std::string manual(const CommandList& list, const CommandList::Group& group) {
+  const auto name = page_name(group.name);
+  auto text = title(name);
+  fmt::format_to(std::back_inserter(text), ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n", roff(name),
+                 roff(group.purpose));
+  std::string described, pages;
+  for (const auto& entry : list.entries()) {
+    if (group_of(entry.name()) != group.name) continue;
+    text += (described.empty() ? "" : ".br\n") + synopsis(entry);
+    const auto page = roff(page_name(entry.name()));
+    described += fmt::format(".TP\n.BR {} (1)\n{}\n", page, roff(entry.text.purpose));
+    pages += fmt::format(",\n.BR {} (1)", page);
+  }
+  return fmt::format("{}.SH DESCRIPTION\n{}.SH SEE ALSO\n.BR kusabi (1){}\n", text, described,
+                     pages);
 }
 
 }  // namespace kusabi::run

@@ -48,4 +48,8 @@ std::string version() {
       BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
 }
 
+std::string_view release_date() {
+  return KUSABI_RELEASE_DATE;
+}
+
 }  // namespace kusabi::run

@@ -74,6 +74,12 @@ std::vector<std::string_view> owners(const CommandList& list, std::string_view o
   return names;
 }
 
+// "; it is an option of kusabi itself: kusabi --manual patterns"; empty: it is none.
+std::string own_option(const CommandList& list, std::string_view option, std::string_view name) {
+  if (!option.starts_with('-') || list.own().find(option) == nullptr) return {};
+  return fmt::format("; it is an option of kusabi itself: kusabi {} {}", option, name);
+}
+
 std::string called(std::string_view group) {
   return group.empty() ? "kusabi" : fmt::format("kusabi {}", group);
 }
@@ -87,6 +93,7 @@ std::string no_such_subcommand(const CommandList& list, std::string_view group,
   names.emplace_back("help");
   const auto what = fmt::format("{}no subcommand {}", group.empty() ? "" : called(group) + " has ",
                                 as_typed(word));
+  if (const auto own = own_option(list, word, group); !own.empty()) return what + own;
   if (const auto meant = meant_by(word, names); !meant.empty())
     return fmt::format("{}; did you mean {}?", what, meant);
   for (const auto& entry : list.entries()) {
@@ -111,6 +118,7 @@ std::string no_such_option(const CommandList& list, const CommandList::Entry& en
   const auto what = fmt::format("{} has no option {}", entry.name(), option);
   if (const auto others = owners(list, option); !others.empty())
     return fmt::format("{}; it is one of {}", what, fmt::join(others, ", "));
+  if (const auto own = own_option(list, option, entry.name()); !own.empty()) return what + own;
   const auto bare = without_dashes(word);
   if (const auto meant = meant_by(bare, names_of(entry.table)); !meant.empty())
     return fmt::format("{}; did you mean --{}?", what, meant);

@@ -19,8 +19,11 @@ std::string slipping(const Answer& answer, const ShortNames& names) {
                      answer.slips.size() == 1 ? "slips" : "slip");
 }
 
+// "contact at all 16 candidates", "contact at a…c".
 std::string contact(const Answer& answer, const ShortNames& names) {
-  return "in contact: " + names.of(answer.contact, longest);
+  const auto text = names.of(answer.contact, longest);
+  const bool all = text.starts_with("all ") && !text.starts_with("all but ");
+  return fmt::format("contact at {}{}", text, all ? " candidates" : "");
 }
 
 bool is_complete(const ResultReader& reader) {
@@ -40,16 +43,16 @@ std::string first_sentence(const ResultReader& reader, const Answer* leading,
   const auto command = reader.text(reader.all(), "command");
   if (command == "critical") {
     if (!leading->order) return {};
-    const auto head = fmt::format("It sticks from friction coefficient {} on ({})",
+    const auto head = fmt::format("It sticks from friction coefficient {} on, with {}",
                                   friction_text(*leading->order), contact(*leading, names));
     if (leading->slips.empty()) return head + ".";
     return fmt::format("{}; with less friction {}.", head, slipping(*leading, names));
   }
   if (command == "hold") {
     if (!leading->order || leading->slips.empty()) return {};
-    return fmt::format("It can hold the load from friction coefficient {} on ({}); with less, {}.",
-                       friction_text(*leading->order), contact(*leading, names),
-                       slipping(*leading, names));
+    return fmt::format(
+        "It can hold the load from friction coefficient {} on, with {}; with less, {}.",
+        friction_text(*leading->order), contact(*leading, names), slipping(*leading, names));
   }
   if (!leading->needed) return {};
   const auto* const known = is_complete(reader) ? "" : " known";

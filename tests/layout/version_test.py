@@ -1,8 +1,9 @@
 """The version of CMakeLists.txt is that of the citation, of the Debian changelog, and of the newest
-section of NEWS.md.
+section of NEWS.md; its date in the citation is that of the changelog.
 
     python3 version_test.py SOURCES
 """
+import email.utils
 import pathlib
 import re
 import sys
@@ -23,6 +24,10 @@ class Version(unittest.TestCase):
         self.assertEqual(found("CITATION.cff", r"^version: (.*)$"), version)
         self.assertEqual(found("cmake/debian/changelog.Debian", r"^kusabi \((.*)-\d+\)"), version)
         self.assertEqual(found("NEWS.md", r"^## (.*)$"), version)
+
+    def test_has_one_date(self):
+        changed = email.utils.parsedate_to_datetime(found("cmake/debian/changelog.Debian", r"^ -- .*>  (.*)$"))
+        self.assertEqual(found("CITATION.cff", r"^date-released: (.*)$"), changed.date().isoformat())
 
 
 if __name__ == "__main__":

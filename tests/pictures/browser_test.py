@@ -142,6 +142,12 @@ class Pages(unittest.TestCase):
                     self.assertGreaterEqual(seen["contrast"]["ratio"], 4.5, seen["contrast"]["of"])
         self.assertNotEqual(self.light["body"]["paper"], self.dark["body"]["paper"])
 
+    def test_letters_in_pictures_are_large_enough_on_a_phone(self):
+        for name in ("patterns", "body", "limit", "sweep", "taper"):
+            with self.subTest(name):
+                letters = self.light[name]["letters"]
+                self.assertGreater(letters["height"], 8, letters["of"])
+
     def test_all_controls_can_be_reached_by_keyboard(self):
         for name in ("patterns", "body", "limit", "taper"):
             self.assertEqual(self.light[name]["reach"], [], name)

@@ -38,6 +38,16 @@ const worst_contrast = () => {
   return worst;
 };
 
+// Height of the smallest letters of pictures, in pixels of the screen.
+const smallest_letters = () => {
+  let smallest = { height: Infinity, of: "" };
+  for (const text of document.querySelectorAll("svg.picture text")) {
+    const height = shown(text) ? parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a : Infinity;
+    if (height < smallest.height) smallest = { height, of: who(text.closest("svg")) + " " + text.textContent };
+  }
+  return smallest;
+};
+
 // Interactive elements: each has a name and can have the keyboard focus.
 const controls = () => [...document.querySelectorAll("input, select, button, summary, a[href], [tabindex]")].filter(shown);
 const name_of = element => (element.getAttribute("aria-label") || [...(element.labels || [])].map(each => each.textContent).join() ||
@@ -95,7 +105,7 @@ const look = () => {
     folded: [...document.querySelectorAll("details:not([open])")].filter(shown).length };
   if (document.documentElement.dataset.look === "briefly") return { ...seen, gallery: work_with_the_gallery() };
   for (const each of document.querySelectorAll("details")) each.open = true;
-  return { ...seen, open: width(), turning: turned_view(), contrast: worst_contrast(), reach: out_of_reach(), gallery: work_with_the_gallery() };
+  return { ...seen, open: width(), turning: turned_view(), contrast: worst_contrast(), letters: smallest_letters(), reach: out_of_reach(), gallery: work_with_the_gallery() };
 };
 addEventListener("load", () => setTimeout(() => {
   let found;

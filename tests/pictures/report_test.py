@@ -215,7 +215,7 @@ class Report(KusabiCase):
         self.solve("critical", "wedge-in-groove.toml")
         page = self.page()
         self.assertEqual(page.with_id("answer").text(),
-                         "It sticks from friction coefficient 0.2679 (an angle of friction of 15°) on (in contact: all 10); "
+                         "It sticks from friction coefficient 0.2679 (an angle of friction of 15°) on, with contact at all 10 candidates; "
                          "with less friction all 10 slip at once.")
         self.assertEqual(len(page.with_class("gallery")), 0)  # one pattern is large, and no card
         self.assertIn("viewBox=\"0 0 720", (self.folder / "page.html").read_text())

@@ -4,6 +4,7 @@ accept it, and man reports no errors. Shells and man that are not installed are 
     python3 completion_test.py KUSABI SOURCES
 """
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -11,7 +12,7 @@ import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import KUSABI, KusabiCase, main  # noqa: E402: beside the folder of this file
+from kusabi_case import KUSABI, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
 
 
 def printed(*words):
@@ -81,6 +82,22 @@ class Completion(KusabiCase):
 
     def test_fish_accepts_the_script(self):
         self.check_syntax("fish", "--no-execute")
+
+    def test_each_subcommand_and_group_has_a_manual_page(self):
+        help_text = printed("help").split("Options of kusabi itself")[0]
+        names = re.findall(r"^  (\w+(?: [\w-]+)?)  ", help_text, re.MULTILINE)
+        self.assertIn("bench uts", names)
+        groups = {name.split()[0] for name in names if " " in name}
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run(["cmake", "-D", f"kusabi={KUSABI}", "-D", f"output={folder}", "-P", SOURCES / "cmake/manual.cmake"], check=True)
+            pages = {path.stem: path.read_text() for path in pathlib.Path(folder, "man").iterdir()}
+            self.assertEqual(set(pages), {"kusabi", *("kusabi-" + name.replace(" ", "-") for name in {*names, *groups})})
+            for page, text in pages.items():
+                for other in re.findall(r"\.BR (kusabi\S*) \(1\)", text):
+                    self.assertIn(other.replace("\\-", "-"), pages, page)
+            if shutil.which("mandoc") is not None:
+                run = subprocess.run(["mandoc", "-T", "lint", *pathlib.Path(folder, "man").iterdir()], capture_output=True, text=True)
+                self.assertEqual(run.stdout + run.stderr, "")
 
     def test_manual_pages_have_no_errors(self):
         if shutil.which("groff") is None:

@@ -72,9 +72,8 @@ void add_bracket(Markup& page, const CriticalBracket& found) {
   auto facts = ResultJson::object();
   const auto take = [&](const std::optional<Bound>& bound, const std::string& name) {
     if (!bound) return;
-    facts[name] = bound->value;
-    facts[name + ": standing"] =
-        bound->standing == Standing::proved ? "proved" : "computed, not proved";
+    const bool proved = bound->standing == Standing::proved;
+    facts[fmt::format("{} ({})", name, proved ? "proved" : "computed, not proved")] = bound->value;
   };
   take(found.bracket.lower, "cannot stick at");
   take(found.bracket.upper, "sticks at");

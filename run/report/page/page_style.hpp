@@ -54,6 +54,10 @@ dd { margin: 0; }
 input, select, button { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--faint); border-radius: .3rem; padding: .25rem .5rem; max-width: 100%; }
 :focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
 summary { cursor: pointer; }
+@media screen and (max-width: 30rem) {
+svg.picture .large .name { font-size: 18px; }
+svg.picture .chart text { font-size: 18px; }
+}
 @media screen and (min-width: 60rem) {
 .beside { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 2rem; align-items: start; }
 .beside > :only-child, #choice { grid-column: 1 / 3; }
