@@ -218,7 +218,9 @@ WholeState WholeStructure::under(std::span<const double> reactions,
   state.displacements = everywhere.reshaped(dimension_, coordinates_.cols());
   state.reactions = (support_forces_ * r).reshaped(dimension_, coordinates_.cols());
   state.axial_forces = axial_forces_ * r;
-  state.imbalance = imbalance(state.reactions + contact_forces(reactions));
+  const double sizes =
+      state.reactions.cwiseAbs().sum() + (contact_forces_.cwiseAbs() * r.cwiseAbs()).sum();
+  state.imbalance = imbalance(state.reactions + contact_forces(reactions), sizes);
   return state;
 }
 
@@ -232,9 +234,8 @@ bool WholeStructure::is_supported(int node) const {
   return supported_[static_cast<std::size_t>(node)];
 }
 
-double WholeStructure::imbalance(const Eigen::MatrixXd& forces) const {
-  const double all = forces.cwiseAbs().sum();
-  if (all == 0) return 0;
+double WholeStructure::imbalance(const Eigen::MatrixXd& forces, double sizes) const {
+  if (sizes == 0) return 0;
   double worst = forces.rowwise().sum().cwiseAbs().maxCoeff();
   const Eigen::MatrixXd arms = coordinates_.colwise() - coordinates_.rowwise().mean();
   const double size = arms.cwiseAbs().maxCoeff();
@@ -246,7 +247,7 @@ double WholeStructure::imbalance(const Eigen::MatrixXd& forces) const {
       worst = std::max(worst, std::abs(moment) / size);
     }
   }
-  return worst / all;
+  return worst / sizes;
 }
 
 }  // namespace kusabi::problems

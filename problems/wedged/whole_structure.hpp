@@ -21,7 +21,7 @@ struct WholeState {
   Eigen::VectorXd axial_forces;  ///< of the members, in their order, force; positive in tension
   /// Error of the equilibrium between the reactions of the obstacle and of the supports: the
   /// largest component of their resultant or of their moment (divided by the size of the
-  /// structure), relative to the sum of their sizes.
+  /// structure), relative to the sum of their sizes, of which those of one node may cancel.
   double imbalance = 0;
 };
 
@@ -48,7 +48,8 @@ class WholeStructure {
   void set_reactions(const Structure& structure, const numbers::PreciseMatrix& displacements,
                      const numbers::PreciseMatrix& internal_unknowns);
   void set_motions(const CheckedStructure& structure, const WedgedProblem& problem);
-  [[nodiscard]] double imbalance(const Eigen::MatrixXd& forces) const;
+  /// @param forces on the nodes, d x nodes  @param sizes sum of the components of all reactions
+  [[nodiscard]] double imbalance(const Eigen::MatrixXd& forces, double sizes) const;
 
   int dimension_;
   Eigen::MatrixXd coordinates_;     // d x nodes

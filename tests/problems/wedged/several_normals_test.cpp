@@ -2,6 +2,7 @@
 // whole structure; refusals.
 #include "problems/structure/model/several_normals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -86,6 +87,35 @@ TEST(SeveralNormals, HaveOneDisplacementAndTheSumOfReactions) {
     }
     EXPECT_LE(sum.norm(), 1e-11 * state.reactions.norm());
   }
+}
+
+// Two rigid walls press a node between them: the forces on it cancel, and the supports carry
+// rounding errors alone.
+TEST(SeveralNormals, AreInEquilibriumIfTheReactionsCancel) {
+  std::mt19937 bits(6);
+  int corners = 0;
+  for (int draw = 0; draw < 20; ++draw) {
+    SCOPED_TRACE(draw);
+    const Structure structure = test::random_corners(2 + draw % 2, bits);
+    const Eigen::Index d = structure.dimension;
+    const auto problem = wedged_problem(checked(structure));
+    const WholeStructure whole(checked(structure), problem);
+    for (std::size_t i = 0; i + 1 < structure.contact.size(); ++i) {
+      const auto& wall = structure.contact[i];
+      const auto& next = structure.contact[i + 1];
+      if (wall.node != next.node || !wall.against.empty() || !next.against.empty()) continue;
+      ++corners;
+      const Eigen::VectorXd force = test::random_vector(d, bits);
+      std::vector<double> reactions(static_cast<std::size_t>(problem.compliance.matrix.rows()));
+      Eigen::VectorXd both(2 * d);
+      both << problem.frames[i].transpose() * force, -problem.frames[i + 1].transpose() * force;
+      std::ranges::copy(both, reactions.begin() + d * static_cast<Eigen::Index>(i));
+      const auto state = whole.under(reactions);
+      EXPECT_LE(state.reactions.norm(), 1e-11 * force.norm());
+      EXPECT_LE(state.imbalance, 1e-11);
+    }
+  }
+  EXPECT_GE(corners, 20);
 }
 
 // Each node has a truss of its own, except one that touches both: they are one block.
