@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "nodes/limit/splitting/safe_bound.hpp"
-
 namespace kusabi::limit {
 namespace {
 
@@ -47,7 +45,8 @@ bool is_one_for_each(std::span<const StaticCut> cuts, const problems::LimitModel
   return true;
 }
 
-std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& model, double alpha,
+std::optional<StaticProof> proof_of_fixed_shares(splitting::SafeStates& states,
+                                                 const problems::LimitModel& model, double alpha,
                                                  std::span<const StaticCut> cuts, double room,
                                                  bool for_all) {
   const int members = model.member_count();
@@ -61,22 +60,21 @@ std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& mod
     }
     taken.back() += share * std::abs(cut.factor);
   }
-  splitting::SafeStates bound(model);
   const Eigen::VectorXd yield = model.yield();
   Eigen::VectorXd of_member(members);  // at most half of the yield force
   for (int i = 0; i < members; ++i) {
     const double left = yield(i) - taken[static_cast<std::size_t>(i)];
     of_member(i) = std::clamp(left / 2, 0.0, room);
   }
-  auto state = bound.state(taken, of_member);
+  auto state = states.state(taken, of_member);
   while (!state && !for_all) {
     bool any = false;
-    for (const int member : bound.members_in_the_way()) {
+    for (const int member : states.members_in_the_way()) {
       any = any || of_member(member) != 0;
       of_member(member) = 0;
     }
     if (!any) break;
-    state = bound.state(taken, of_member);
+    state = states.state(taken, of_member);
   }
   if (!state) return {};
   proof.signs.assign(model.uncertain.size(), 0);

@@ -9,6 +9,7 @@
 #include "nodes/limit/model/static_cut.hpp"
 #include "nodes/limit/root/master.hpp"
 #include "nodes/limit/splitting/column_blocks.hpp"
+#include "nodes/limit/splitting/safe_bound.hpp"
 
 namespace kusabi::limit {
 
@@ -23,8 +24,9 @@ bool is_one_for_each(std::span<const StaticCut> cuts, const problems::LimitModel
 
 /// The proof without decided signs, for yield forces reduced by `room`; members whose force is
 /// determined by equilibrium are not reduced. Nothing if there is none.
-/// @param for_all reduction for those as well
-std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& model, double alpha,
+/// @param states of the model @param for_all reduction for those as well
+std::optional<StaticProof> proof_of_fixed_shares(splitting::SafeStates& states,
+                                                 const problems::LimitModel& model, double alpha,
                                                  std::span<const StaticCut> cuts, double room,
                                                  bool for_all);
 

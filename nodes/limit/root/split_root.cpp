@@ -30,6 +30,7 @@ using problems::LimitModel;
 /// collapses. Steps between two polls for a stop.
 constexpr int steps_a_look = 50;
 constexpr int first_steps_a_look = 10;
+constexpr int first_steps = 50;
 constexpr int steps_a_question = 10;
 
 /// Random motions near the known collapse from which a worse one is searched: at the beginning and
@@ -46,12 +47,11 @@ constexpr double factor_metric = 0.1;
 constexpr double near = 1e-3;
 
 /// Steps after which the face of a collapse is examined: once for each collapse, and again when the
-/// number of steps has grown by a factor, since fewer steps on the face are needed from there.
-constexpr int first_face = 50;
+/// number of steps has grown by a factor, and to a minimum, since fewer steps on the face are
+/// needed from there. A face may take as many steps, unless it is almost solved.
+constexpr int first_face = 20;
 constexpr int again_after = 8;
-
-/// A face may take as many times more steps than came before it, unless it is almost solved.
-constexpr int face_steps_a_step = 8;
+constexpr int min_again = 400;
 constexpr double almost_solved = 1e-5;
 
 /// Criteria for leaving a face: its residual has not fallen to a share in so many steps. Far from
@@ -72,12 +72,17 @@ constexpr double share_at_the_end = 0.1;
 constexpr double milliseconds_at_the_end = 300;
 constexpr int steps_a_bound = 10;
 
-/// Gap at which the iteration ends at the next evaluation, even if the bounds do not meet.
+/// Gap at which a face ends at once, and gap at which it ends at the next regular evaluation.
+constexpr double small_gap = 5e-8;
 constexpr double good_gap = 2e-7;
 
 /// Maximum number of steps; then static cuts most likely do not suffice, or the collapse is
 /// unknown.
 constexpr int max_steps = 4000;
+
+int steps_until_again(int steps) {
+  return std::max(min_again, again_after * steps);
+}
 
 class SplitRoot {
  public:
@@ -204,19 +209,25 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
       program_, projection_, sharing_,
       splitting::face_of(program_, collapse.factor, collapse.motion, std::move(signs)), iteration);
   double last = std::numeric_limits<double>::infinity();
+  double expected = 0;  // residual at the small gap, in proportion; zero: not known
   int last_steps = 0;
   bool good = false;
   for (;;) {
     if (face.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
     face.step();
     const bool done = face.residual() <= no_residual;
-    if (face.steps() % steps_a_look != 0 && !done) continue;
+    const bool regular = face.steps() % steps_a_look == 0 || done;
+    const bool almost = face.steps() % first_steps_a_look == 0 && face.residual() <= expected;
+    if (!regular && !almost) continue;
     bound(face.affine_point());
     show(iteration.steps() + face.steps());
+    if (gap() <= small_gap) return RootStatus::closed;
+    expected = small_gap / gap() * face.residual();
+    if (!regular) continue;
     const bool ends = good || done;
     good = gap() <= good_gap;
-    if (gap() <= closed_gap || (ends && good)) return RootStatus::closed;
-    const bool too_long = face.steps() >= face_steps_a_step * iteration.steps() &&
+    if (ends && good) return RootStatus::closed;
+    const bool too_long = face.steps() >= steps_until_again(iteration.steps()) &&
                           face.residual() > almost_solved && !good;
     if (done || too_long) return RootStatus::open;
     const bool far = face.residual() > far_residual;
@@ -257,7 +268,7 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
   while (iteration.steps() < max_steps) {
     if (!try_disturbed(tries)) return RootStatus::not_carried;
     tries = 1;
-    const int look = iteration.steps() < first_face ? first_steps_a_look : steps_a_look;
+    const int look = iteration.steps() < first_steps ? first_steps_a_look : steps_a_look;
     for (int k = 0; k < look && !enough(); ++k) {
       if (iteration.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
       iteration.step(result_.worst->collapse.factor);
@@ -273,7 +284,7 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
     improved_ = false;
     const auto status = look_at_face(iteration);
     if (status != RootStatus::open) return status;
-    next_face = again_after * steps;
+    next_face = steps_until_again(steps);
     tries = first_tries;
   }
   return RootStatus::open;
@@ -296,7 +307,8 @@ RootResult SplitRoot::run(const Collapse& nominal) {
   }
   if (best_ && result_.status != RootStatus::enough) {
     result_.cuts = cuts_of_point(*best_, sharing_, model_, alpha_);
-    if (auto proof = proof_of_fixed_shares(model_, alpha_, result_.cuts, 1e-9, false)) {
+    bound_.set_stop({});
+    if (auto proof = proof_of_fixed_shares(bound_, model_, alpha_, result_.cuts, 1e-9, false)) {
       result_.proof = std::move(*proof);
     }
   }

@@ -258,7 +258,8 @@ std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha
   const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
   // The master program is too large for such problems and has weaker proofs.
   if (!decided && model.uncertain_count() >= usual_split_from && is_one_for_each(cuts, model)) {
-    return proof_of_fixed_shares(model, alpha, cuts, share, for_all);
+    splitting::SafeStates states(model);
+    return proof_of_fixed_shares(states, model, alpha, cuts, share, for_all);
   }
   Master master(model, alpha);
   for (const auto& cut : cuts) master.add(cut);

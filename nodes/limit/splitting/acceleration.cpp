@@ -11,7 +11,7 @@ namespace kusabi::limit::splitting {
 namespace {
 
 /// Number of differences.
-constexpr std::size_t maximum = 4;
+constexpr std::size_t maximum = 6;
 
 /// Regularisation of the normal equations, relative to their diagonal.
 constexpr double regularisation = 1e-10;
@@ -81,13 +81,15 @@ void Acceleration::remember(const MixedPoint& result) {
 Eigen::VectorXd Acceleration::coefficients() {
   Eigen::MatrixXd regular = gram_;
   regular.diagonal() *= 1 + regularisation;
-  return regular.ldlt().solve(products(change_, changes_, sharing_));
+  return regular.ldlt().solve(products(last_[0], changes_, sharing_));
 }
 
 void Acceleration::advance(MixedPoint& point) {
   combine(change_, -1, 1, point);
   if (!last_.empty()) remember(point);
-  last_ = {change_, point};
+  last_.clear();
+  last_.push_back(std::move(change_));
+  last_.push_back(point);
   extrapolates_ = false;
   if (!changes_.empty()) {
     const Eigen::VectorXd g = coefficients();

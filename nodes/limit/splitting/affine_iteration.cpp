@@ -55,7 +55,7 @@ KUSABI_ALSO_FOR_AVX2 void AffineIteration::move(double relaxation, double share)
       [&](const BlockPlace& place, int row, const Segment& z) {
         return reflected(is_first(place), row, z);
       },
-      [&](const BlockPlace& place, int row, Segment& y) {
+      [&](const BlockPlace& place, int row, const Segment& w, Segment& y) {
         auto* const result = results.data() + 2 * static_cast<std::size_t>(place.group);
         const double weight = 1 / metric(row);
         if (row == members && is_first(place)) {
@@ -122,7 +122,7 @@ const ColumnBlocks& AffineIteration::affine_point() {
       [&](const BlockPlace& place, int row, const Segment& z) {
         return reflected(place.first_column() == 0, row, z);
       },
-      [&](const BlockPlace& place, int row, const Segment& y) {
+      [&](const BlockPlace& place, int row, const Segment& /*w*/, const Segment& y) {
         y_.block(place.group, place.number)[row] = y;
       });
   return y_;

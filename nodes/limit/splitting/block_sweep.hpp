@@ -18,7 +18,7 @@ struct BlockPlace {
 
 /// @param right_sides by column
 /// @param reflect (place, row, z) -> Segment: 2 x - z
-/// @param visit (place, row, y): y may be changed
+/// @param visit (place, row, 2 x - z, y)
 template <class Reflect, class Visit>
 KUSABI_INLINE void sweep(AffineProjection& projection, const std::vector<SparseLoad>& right_sides,
                          const ColumnBlocks& z, const Reflect& reflect, const Visit& visit) {
@@ -34,9 +34,10 @@ KUSABI_INLINE void sweep(AffineProjection& projection, const std::vector<SparseL
       }
       projection.solve();
       for (int i = 0; i < z.rows(); ++i) {
-        auto& row = w[static_cast<std::size_t>(i)];
-        projection.project(i, row);
-        visit(place, i, row);
+        const auto& row = w[static_cast<std::size_t>(i)];
+        Segment y = row;
+        projection.project(i, y);
+        visit(place, i, row, y);
       }
     }
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr double relaxation = 1.2;
 
 /// Steps of a cycle, after which the point is extrapolated.
-constexpr int cycle = 10;
+constexpr int cycle = 5;
 
 /// Shift of the diagonal, since members without elongation may not support all displacements.
 constexpr double shift = 1e-11;
@@ -135,12 +135,11 @@ KUSABI_ALSO_FOR_AVX2 void FaceIteration::plain_step() {
       [this](const BlockPlace& place, int row, const Segment& z) {
         return reflected(place.first_column(), row, z);
       },
-      [&](const BlockPlace& place, int row, const Segment& y) {
+      [&](const BlockPlace& place, int row, const Segment& w, const Segment& y) {
         Segment& z = point_.columns.block(place.group, place.number)[row];
-        const Segment cut = rows_.cut_off(row, z, rows_.works(place.first_column()));
         const double weight = 1 / metric(row);
         for (int h = 0; h < block_lanes; ++h) {
-          const Lanes apart = y.part[h] - z.part[h] + cut.part[h];
+          const Lanes apart = y.part[h] - 0.5 * (z.part[h] + w.part[h]);
           sum.part[h] += weight * apart * apart;
           z.part[h] += relaxation * apart;
         }
@@ -158,7 +157,7 @@ const ColumnBlocks& FaceIteration::affine_point() {
       [this](const BlockPlace& place, int row, const Segment& z) {
         return reflected(place.first_column(), row, z);
       },
-      [&](const BlockPlace& place, int row, const Segment& y) {
+      [&](const BlockPlace& place, int row, const Segment& /*w*/, const Segment& y) {
         Segment& target = y_.block(place.group, place.number)[row];
         for (int h = 0; h < block_lanes; ++h) {
           Lanes signs{};
