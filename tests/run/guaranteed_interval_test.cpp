@@ -86,7 +86,7 @@ TEST_F(GuaranteedInterval, OfACableThatGoesSlack) {
   proved(file, " --alpha 1");
 }
 
-// Both vertices, by the simplex method in rational numbers (bench/hostile/trusses.py).
+// All vertices, by the simplex method in rational numbers (bench/hostile/trusses.py).
 TEST_F(GuaranteedInterval, OfForcesThatMustBeExactlyZero) {
   const auto cables = case_file("unloaded_cables.toml");
   expect_interval(result_of(cables + " --alpha 0.065")["guaranteed_interval"], -0.1442679324541749,
@@ -96,6 +96,11 @@ TEST_F(GuaranteedInterval, OfForcesThatMustBeExactlyZero) {
   expect_interval(result_of(strut + " --alpha 0.101")["guaranteed_interval"], -0.4910943865010687,
                   0.22534719099479553);
   proved(strut, " --alpha 0.101");
+  const auto triangle = case_file("unloaded_triangle.toml");
+  const std::string half_widths = " --alpha 0.031 --group-alpha a=0.033,b=0.044";
+  expect_interval(result_of(triangle + half_widths)["guaranteed_interval"], -1.5829354237880804,
+                  2.9944798855665513);
+  proved(triangle, half_widths);
 }
 
 // All eight vertices, by another program (HiGHS in SciPy).
