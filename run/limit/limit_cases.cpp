@@ -83,17 +83,29 @@ std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> ca
   return all;
 }
 
+namespace {
+
+bool is_claimed(const std::optional<limit::LossAnswer>& loss) {
+  return loss && loss->statement && loss->proved;
+}
+
+}  // namespace
+
 bool have_loss_statements(std::span<const LimitCase> cases) {
-  return std::ranges::all_of(cases, [](const auto& each) {
-    return each.found.loss && each.found.loss->statement && each.found.loss->proved;
-  });
+  return std::ranges::all_of(cases, [](const auto& each) { return is_claimed(each.found.loss); });
 }
 
 std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases) {
+  const bool residual = std::ranges::all_of(
+      cases, [](const auto& each) { return is_claimed(each.found.residual_loss); });
   std::vector<verify::LossStatement> all;
   for (const auto& each : cases) {
     all.push_back(*each.found.loss->statement);
     all.back().load_case = each.name;
+    if (!residual) continue;
+    all.push_back(*each.found.residual_loss->statement);
+    all.back().load_case = each.name;
+    all.back().residual = true;
   }
   return all;
 }

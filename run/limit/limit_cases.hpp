@@ -40,7 +40,8 @@ std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> ca
 /// True if the loss of members has its requested result proved in each case.
 bool have_loss_statements(std::span<const LimitCase> cases);
 
-/// The proved claims on the loss of members. @pre have_loss_statements()
+/// The proved claims on the loss of members, and those at residual strength if each case has one.
+/// @pre have_loss_statements()
 std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases);
 
 /// Load factors carried in all cases, under every admissible load. @pre a worst case was requested

@@ -125,7 +125,9 @@ std::string of_held(const CertificateCheck::Held& held) {
   return text;
 }
 
-std::string of_loss(const CertificateCheck::Loss& loss) {
+}  // namespace
+
+std::string loss_claim(const CertificateCheck::Loss& loss) {
   const auto lost = loss.lost.empty()
                         ? std::string("without any loss")
                         : fmt::format("after the loss of {}", fmt::join(loss.lost, " and "));
@@ -140,8 +142,6 @@ std::string of_loss(const CertificateCheck::Loss& loss) {
       loss.kept == 0 ? std::string() : fmt::format(" except {} that are kept", loss.kept),
       loss.uncertain ? " and under every admissible load" : "", *loss.lower, upper);
 }
-
-}  // namespace
 
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
   switch (found.state) {
@@ -203,7 +203,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim))
     return of_held(*held);
   if (const auto* const loss = std::get_if<CertificateCheck::Loss>(&found.claim))
-    return of_loss(*loss);
+    return loss_claim(*loss);
   return "NOT PROVED";
 }
 

@@ -25,6 +25,9 @@ std::vector<Reservation> reservations(const Verdict& verdict);
 /// The claim of a certificate of load factors: "the least load factor for alpha = 1 is between …".
 std::string factor_claim(const CertificateCheck::Factor& factor);
 
+/// The claim of a certificate of the loss of members: "PROVED: after the loss of any member …".
+std::string loss_claim(const CertificateCheck::Loss& loss);
+
 /// A critical friction coefficient for a table: both bounds and their standing.
 std::string bracket_line(const CriticalBracket& found);
 

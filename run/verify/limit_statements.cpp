@@ -15,7 +15,6 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "support/input_error.hpp"
-#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 #include "verify/wedged/lines.hpp"
 
@@ -63,9 +62,6 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
                                                 const problems::CheckedStructure& structure,
                                                 const Eigen::VectorXd& residual) {
-  if (statement.residual && residual.size() == 0)
-    return "the claim is for residual strength, but no member of the problem file has `residual`; "
-           "expected the file that was analysed";
   std::vector<std::string> whys;
   for (const auto& name : cases_for(statement, structure)) {
     const auto of_case =
@@ -75,8 +71,9 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
     if (statement.claim == LimitClaim::minimum) {
       truss = verify::with_reversed_reference(std::move(truss));
     }
-    for (std::size_t i = 0; statement.residual && i < truss.bars.size(); ++i)
-      truss.bars[i].compression = residual(static_cast<Eigen::Index>(i));
+    if (statement.residual) {
+      if (auto why = set_residual(truss, residual)) return *std::move(why);
+    }
     auto found = verify::limit_consistency(statement.evidence, truss);
     if (auto* const agreed = std::get_if<verify::LimitTruss>(&found))
       return AgreedTruss{std::move(*agreed), name, fingerprint, std::move(truss.load_names)};
@@ -201,6 +198,15 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
 }
 
 }  // namespace
+
+std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual) {
+  if (residual.size() == 0)
+    return "the claim is for residual strength, but no member of the problem file has `residual`; "
+           "expected the file that was analysed";
+  for (std::size_t i = 0; i < truss.bars.size(); ++i)
+    truss.bars[i].compression = residual(static_cast<Eigen::Index>(i));
+  return {};
+}
 
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
                                    const std::optional<problems::CheckedStructure>& structure,

@@ -15,6 +15,7 @@
 #include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/limit_consistency.hpp"
 
 namespace kusabi::run {
 
@@ -35,6 +36,10 @@ struct CheckedStatements {
   std::vector<CheckedStatement> statements;
   engine::Status status = engine::Status::solved;  ///< not solved: some were not checked
 };
+
+/// Replaces the compression strengths by those after buckling. @return the refusal if there are
+/// none
+std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual);
 
 /// Proves all statements on all ranks, in pieces of one node.
 /// @param structure of the problem file to prove them for, if any

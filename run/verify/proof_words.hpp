@@ -18,6 +18,11 @@ inline constexpr const char* large_displacements_column = "but for far motion";
 inline constexpr std::string_view truss_of_certificate =
     "the truss is that of the certificate; --problem FILE proves the result for a problem file\n";
 
+/// Strengths of the claims after buckling. @param of_file as compared with a problem file
+constexpr std::string_view residual_strength(bool of_file) {
+  return of_file ? "their residual strength" : "the residual strengths of the certificate";
+}
+
 /// The certificate as a whole is refused.
 VerifyFindings refusal_of_certificate(const VerifyOptions& options, const std::string& why);
 

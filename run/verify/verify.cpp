@@ -107,13 +107,14 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
+  const auto residual = [this]() -> Eigen::VectorXd {
+    if (!structure_) return {};
+    return problems::residual_strengths(problem_text_.toml, options_.problem, *structure_);
+  };
   if (text_.starts_with(verify::loss_first_words)) {
-    findings_ = verify_loss(run, options_, structure_, text_);
+    findings_ = verify_loss(run, options_, structure_, residual(), text_);
   } else if (text_.starts_with(verify::limit_first_words)) {
-    Eigen::VectorXd residual;
-    if (structure_)
-      residual = problems::residual_strengths(problem_text_.toml, options_.problem, *structure_);
-    findings_ = verify_limit(run, options_, structure_, residual, text_);
+    findings_ = verify_limit(run, options_, structure_, residual(), text_);
   } else if (text_.starts_with(verify::hold_first_words)) {
     findings_ = verify_hold(run, options_, structure_, text_);
   } else {

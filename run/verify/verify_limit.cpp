@@ -210,10 +210,9 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   statements.erase(split, statements.end());
   if (!after_buckling.empty()) {
     summary += cases_at_residual_text(statements, after_buckling);
-    summary += fmt::format(
-        "all struts at {}, PROVED: {}\n",
-        structure ? "their residual strength" : "the residual strengths of the certificate",
-        factor_claim(factor_of(after_buckling)));
+    summary +=
+        fmt::format("all struts at {}, PROVED: {}\n", residual_strength(structure.has_value()),
+                    factor_claim(factor_of(after_buckling)));
   }
   findings.check.claim = factor_of(statements);
   return findings;

@@ -2,6 +2,7 @@
 #include "run/verify/verify_loss.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -16,6 +17,8 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/verdict/words.hpp"
+#include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
 #include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
@@ -85,7 +88,8 @@ struct CheckedLoss {
 
 CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
                             const LossStatement& statement,
-                            const std::optional<problems::CheckedStructure>& structure) {
+                            const std::optional<problems::CheckedStructure>& structure,
+                            const Eigen::VectorXd& residual) {
   std::optional<verify::Structure> truss;
   if (structure) {
     const auto of_case = in_case_of(statement, *structure);
@@ -94,6 +98,9 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
                                        support::in_quotes(statement.load_case))}};
     problems::limit_problem(*of_case);
     truss = evidence::verified_structure(*of_case);
+    if (statement.residual) {
+      if (auto why = set_residual(*truss, residual)) return {.refusals = {*std::move(why)}};
+    }
   }
   const verify::LossClaim claim(statement, std::move(truss));
   if (const auto& why = claim.difference()) return {.refusals = {*why}};
@@ -140,25 +147,34 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
 
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
-                           const std::string& text) {
+                           const Eigen::VectorXd& residual, const std::string& text) {
   const auto statements = losses_in(text, options.certificate);
+  const auto cases =
+      static_cast<std::uint64_t>(std::ranges::count(statements, false, &LossStatement::residual));
+  const auto after_buckling = statements.size() - cases;
   VerifyFindings findings;
-  CertificateCheck::Loss all{.maximum = statements.front().maximum,
-                             .cases = statements.size(),
-                             .lower = std::numeric_limits<double>::infinity(),
-                             .upper = std::numeric_limits<double>::infinity()};
+  const CertificateCheck::Loss none{.maximum = statements.front().maximum,
+                                    .cases = cases,
+                                    .lower = std::numeric_limits<double>::infinity(),
+                                    .upper = std::numeric_limits<double>::infinity()};
+  std::array all{none, none};  // at strength, and at residual strength
   for (const auto& statement : statements) {
-    auto [refusals, upper] = check_statement(run, options, statement, structure);
-    if (statement.maximum != all.maximum)
+    auto [refusals, upper] = check_statement(run, options, statement, structure, residual);
+    if (statement.residual && after_buckling != cases)
+      refusals.emplace_back("some load cases have no claim at residual strength");
+    if (statement.maximum != none.maximum)
       refusals.emplace_back("its load cases have different numbers of lost members");
     for (const auto& why : refusals)
       findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);
     findings.check.refusals += refusals.size();
-    if (refusals.empty()) add(statement, upper, structure, all);
+    if (refusals.empty()) add(statement, upper, structure, all[statement.residual ? 1 : 0]);
   }
   if (findings.check.refusals > 0) return findings;
   findings.summary = summary_of(options, statements, structure);
-  findings.check.claim = std::move(all);
+  if (after_buckling > 0)
+    findings.summary += fmt::format("all struts at {}, {}\n",
+                                    residual_strength(structure.has_value()), loss_claim(all[1]));
+  findings.check.claim = std::move(all[0]);
   return findings;
 }
 

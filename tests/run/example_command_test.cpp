@@ -100,7 +100,7 @@ TEST_F(BenchCommand, PredictsTheTimeOfARecordedTree) {
   EXPECT_THAT(wrong.output, HasSubstr("tree, line 2: expected a depth from 1 to 1"));
 }
 
-TEST_F(Command, RecordsTheTreeOfPatterns) {
+TEST_F(BenchCommand, PredictsTheTimeOfATreeOfPatterns) {
   const auto file = in_folder("truss.toml");
   const auto tree = in_folder("tree");
   shell(command + " example space-truss --output " + quoted(file));

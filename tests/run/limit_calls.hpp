@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shell.hpp"
+#include "support/sha1.hpp"
 
 namespace kusabi::test {
 
@@ -16,6 +17,12 @@ inline std::string case_file(const std::string& name) {
 
 inline std::string example(const std::string& name) {
   return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+}
+
+/// A certificate with a correct digest.
+inline std::string sealed(const std::string& text) {
+  const auto body = text.substr(0, text.rfind("digest "));
+  return body + "digest " + support::hexadecimal(support::sha1(body)) + "\n";
 }
 
 class LimitCalls : public Command {

@@ -12,6 +12,7 @@
 namespace kusabi::test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -228,6 +229,30 @@ TEST_F(LossCommand, ProvesBothFactorsOfStruts) {
   }
 }
 
+// By hand as in GivesBothFactorsOfStruts. Other residual strengths are refused.
+TEST_F(LossCommand, ProvesBothFactorsOfStrutsAfterALoss) {
+  for (const std::string share : {", residual = 0.3", ", residual = 0.301", ""})
+    std::ofstream(in_folder("hanger" + std::to_string(share.size()) + ".toml"))
+        << hanger_with_strut(share);
+  const auto run = shell(command + " limit " + argument("hanger16.toml") +
+                         " --lose 1 --certificate " + argument("cert"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto verify = command + " verify " + argument("cert");
+  for (const std::string& call : {verify, verify + " --problem " + argument("hanger16.toml")}) {
+    const auto proved = shell(call);
+    EXPECT_EQ(proved.exit_code, 0) << proved.output;
+    EXPECT_THAT(proved.output, HasSubstr("strength"));
+    EXPECT_THAT(proved.output, ContainsRegex("PROVED: after the loss of any member the load factor "
+                                             "is at least (3.89999|3.9)"));
+    EXPECT_THAT(proved.output, ContainsRegex("at least (5.99999|6)"));
+  }
+  for (const char* const other : {"hanger18.toml", "hanger0.toml"}) {
+    const auto refused = shell(verify + " --problem " + argument(other));
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr("NOT PROVED"));
+  }
+}
+
 // By hand: case "hang" has 3 at both strengths; case "push" has 4, and 0.4 after buckling.
 std::string tie_and_strut(const std::string& more = {}) {
   return R"(name = "tie and strut"
@@ -279,6 +304,25 @@ TEST_F(LossCommand, ReportsTheGoverningCaseBeforeAndAfterBuckling) {
   EXPECT_THAT(proved.output, Not(HasSubstr("only")));
   EXPECT_THAT(sentences(" --lose 1"),
               HasSubstr("With all struts at their residual strength it is at least"));
+}
+
+// Without the claim of the second case the factor of the first one would be that of both.
+TEST_F(LossCommand, RefusesResidualClaimsOfSomeCasesAfterALoss) {
+  std::ofstream(in_folder("two.toml")) << tie_and_strut();
+  const auto run = shell(command + " limit " + argument("two.toml") + " --lose 1 --certificate " +
+                         argument("cert"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto verify =
+      command + " verify " + argument("cert") + " --problem " + argument("two.toml");
+  EXPECT_THAT(shell(verify).output, HasSubstr("all struts at their residual strength, PROVED"));
+  auto text = content(in_folder("cert"));
+  const auto claim = text.rfind("\nresidual");
+  ASSERT_LT(claim, text.size());
+  text.erase(claim, text.rfind("\nend") - claim);
+  std::ofstream(in_folder("cert")) << sealed(text);
+  const auto refused = shell(verify);
+  EXPECT_EQ(refused.exit_code, 1) << refused.output;
+  EXPECT_THAT(refused.output, HasSubstr("no claim at residual strength"));
 }
 
 TEST_F(LossCommand, NamesTheLossInTheSentenceOnStruts) {

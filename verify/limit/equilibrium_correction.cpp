@@ -198,12 +198,21 @@ std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defe
   return forces;
 }
 
-}  // namespace
+// The slack of members that act only on displacements with a defect.
+std::vector<double> slack_on_defects(const MemberColumns& members, std::vector<double> slack,
+                                     const std::vector<double>& defect) {
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    each_displacement(members, i, [&](std::size_t e) {
+      if (defect[e] == 0) slack[i] = 0;
+    });
+  }
+  return slack;
+}
 
-std::variant<std::vector<double>, std::string> forces_against_defects(
-    const MemberColumns& members, const std::vector<double>& slack_of_all,
-    const std::vector<double>& defect) {
-  const auto slack = slack_of_use(members, slack_of_all, defect);
+// By the members with slack.
+std::variant<std::vector<double>, std::string> forces_by(const MemberColumns& members,
+                                                         const std::vector<double>& slack,
+                                                         const std::vector<double>& defect) {
   const auto part = part_with_defects(members, slack, defect);
   if (!part) return "forces are not in equilibrium where no member has slack";
   if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);
@@ -229,6 +238,19 @@ std::variant<std::vector<double>, std::string> forces_against_defects(
   }
   if (best.empty()) return "no bound of motions by elongations was found";
   return best;
+}
+
+}  // namespace
+
+// Members beside the defects may be a mechanism whose forces are zero.
+std::variant<std::vector<double>, std::string> forces_against_defects(
+    const MemberColumns& members, const std::vector<double>& slack_of_all,
+    const std::vector<double>& defect) {
+  const auto slack = slack_of_use(members, slack_of_all, defect);
+  auto forces = forces_by(members, slack, defect);
+  if (std::holds_alternative<std::vector<double>>(forces)) return forces;
+  auto fewer = forces_by(members, slack_on_defects(members, slack, defect), defect);
+  return std::holds_alternative<std::vector<double>>(fewer) ? fewer : forces;
 }
 
 double double_above(const Dyadic& value) {

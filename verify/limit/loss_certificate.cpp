@@ -178,6 +178,21 @@ void read_claim(Lines& lines, LossStatement& statement) {
   }
 }
 
+// The claim at residual strength, from the current line on.
+LossStatement read_residual(Lines& lines, LossStatement statement) {
+  const std::string what = "'residual' and a strength for each member, not negative";
+  lines.expect_word("residual", what);
+  std::vector<double> strengths;
+  lines.numbers(statement.truss.bars.size(), strengths, what);
+  for (std::size_t i = 0; i < strengths.size(); ++i) {
+    if (strengths[i] < 0) lines.refuse(what);
+    statement.truss.bars[i].compression = strengths[i];
+  }
+  statement.residual = true;
+  read_claim(lines, statement);
+  return statement;
+}
+
 }  // namespace
 
 std::vector<LossStatement> read_loss_certificate(std::string_view text, const std::string& file) {
@@ -194,11 +209,14 @@ std::vector<LossStatement> read_loss_certificate(std::string_view text, const st
     const std::string name(lines.remainder());
     if (std::ranges::find(statements, name, &LossStatement::load_case) != statements.end())
       lines.refuse(what);
-    auto& statement = statements.emplace_back();
-    statement.load_case = name;
-    statement.truss = truss;
-    read_loads(lines, statement.truss);
-    read_claim(lines, statement);
+    LossStatement without_claim;
+    without_claim.load_case = name;
+    without_claim.truss = truss;
+    read_loads(lines, without_claim.truss);
+    read_claim(lines, statements.emplace_back(without_claim));
+    lines.next();
+    if (!lines.text().starts_with("residual")) continue;
+    statements.push_back(read_residual(lines, std::move(without_claim)));
     lines.next();
   } while (lines.text() != "end");
   if (!lines.done()) {

@@ -30,11 +30,13 @@ struct LossStatement {
   std::vector<double> load;       ///< zeta, one for each uncertain load
   std::vector<double> motion;     ///< u after that loss, by displacement
   bool fatal = false;             ///< no factor remains after it, with a motion that shows it
+  bool residual = false;          ///< the compression strengths are those of buckled struts
   std::optional<double> lower;    ///< claimed lower bound; nothing: none
   std::vector<StressState> states;
 };
 
-/// The text of a file. @param statements of one truss, at least one
+/// The text of a file. @param statements of one truss, at least one; one at residual strength
+///        follows that of its load case at strength
 std::string loss_certificate_text(std::span<const LossStatement> statements);
 
 /// The statements of a file. @param file for messages

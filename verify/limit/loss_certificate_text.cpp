@@ -112,9 +112,14 @@ std::string loss_certificate_text(std::span<const LossStatement> statements) {
   text += '1';
   put_truss(text, statements.front().truss);
   for (const auto& statement : statements) {
-    text += "\ncase";
-    if (!statement.load_case.empty()) text += ' ' + on_one_line(statement.load_case);
-    put_loads(text, statement.truss);
+    if (statement.residual) {
+      LineWriter strengths(text, "residual");
+      for (const auto& bar : statement.truss.bars) strengths << bar.compression;
+    } else {
+      text += "\ncase";
+      if (!statement.load_case.empty()) text += ' ' + on_one_line(statement.load_case);
+      put_loads(text, statement.truss);
+    }
     put_claim(text, statement);
   }
   text += "\nend\n";
