@@ -132,7 +132,7 @@ class Dictionary:
             self.rows.append([-value for value in own])
             self.constants.append(constant)
         self.costs, self.unit = self._integers(c)
-        self.least, self.denominator = 0, 1
+        self.minimum, self.denominator = 0, 1
         self.free = list(range(len(c)))
         self.basic = list(range(len(c), len(c) + len(b)))
 
@@ -144,7 +144,7 @@ class Dictionary:
 
     @property
     def value(self):
-        return Fraction(self.least, self.denominator * self.unit)
+        return Fraction(self.minimum, self.denominator * self.unit)
 
     def constant(self, i):
         """Value of the basic variable of a row, which is no slack variable"""
@@ -170,7 +170,7 @@ class Dictionary:
         for k in range(len(self.rows)):
             if k != i:
                 self.rows[k], self.constants[k] = replaced(self.rows[k], self.constants[k])
-        self.costs, self.least = replaced(self.costs, self.least)
+        self.costs, self.minimum = replaced(self.costs, self.minimum)
         self.rows[i], self.constants[i], self.denominator = row, constant, size
         self.basic[i], self.free[j] = self.free[j], self.basic[i]
 

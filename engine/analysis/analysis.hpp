@@ -153,8 +153,12 @@ class Analysis {
   /// use inside by_first_rank(). The caller of that counts the nodes.
   template <class P>
   OutcomeOf<P> search_alone(P& problem, Options options) {
+    const auto nodes = options.limits.nodes;
     complete<P>(options, {});
-    return engine::search(problem, options);
+    auto outcome = engine::search(problem, options);
+    cut_short_ =
+        cut_short_ || (outcome.status == Status::node_limit && options.limits.nodes < nodes);
+    return outcome;
   }
 
   void say(const std::string& line) {
@@ -183,7 +187,7 @@ class Analysis {
     if (const auto known = recording_->known(kind, budget_.spent(), true))
       return unpack<Value>(std::span<const char>(known->data(), known->size()));
     Value value = make();
-    if (recording_->sound(budget_.spent()))
+    if (recording_->sound(budget_.spent() || cut_short_))
       recording_->keep(kind, is_first() ? pack(value) : Bytes());
     return value;
   }
@@ -224,6 +228,7 @@ class Analysis {
   Budget budget_;
   std::chrono::steady_clock::time_point said_ = std::chrono::steady_clock::now();
   std::optional<Recording> recording_;
+  bool cut_short_ = false;  // the nodes of the analysis ended a search of this rank alone
 };
 
 }  // namespace kusabi::engine

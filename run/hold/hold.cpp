@@ -153,12 +153,17 @@ wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
 }
 
 void Hold::check() const {
+  const auto tightening = options_.parameters.tightening;
   const bool others = options_.grip || options_.parameters.total || !options_.load_case.empty() ||
-                      !options_.certificate.empty();
+                      !options_.certificate.empty() || tightening != wedged::Tightening::automatic;
   if (options_.diagram && others) {
     throw WrongInput(
-        "--diagram: cannot be combined with --case, --total, --grip or --certificate; expected "
-        "--diagram alone");
+        "--diagram: cannot be combined with --case, --total, --grip, --cuts or --certificate; "
+        "expected --diagram alone");
+  }
+  if (tightening == wedged::Tightening::always && !options_.certificate.empty()) {
+    throw WrongInput(
+        "--cuts always: certificates have no bounds of candidates; expected --cuts auto or none");
   }
   if (options_.mu.empty() || sweep_points("--mu", options_.mu, true).size() == 1) return;
   if (options_.diagram || !options_.certificate.empty()) {

@@ -70,14 +70,14 @@ TEST(EnclosedSum, IsNotBelowTheExactSumAndHardlyAbove) {
   for (int trial = 0; trial < 300; ++trial) {
     EnclosedSum sum;
     Dyadic expected;
-    double errors = 0;
+    Dyadic errors;
     const auto add = [&](double b) {
       const Dyadic a = Dyadic(number(generator)) + Dyadic(number(generator)).scaled(-60) +
                        Dyadic(number(generator)).scaled(-200);
       const double error = trial % 2 == 0 ? 0 : 1e-10;
       sum.add(TwoDoubles::of(a, Dyadic(error)), b);
       expected.add_product(a, b);
-      errors += 1.0001 * error * std::abs(b);
+      errors.add_product(Dyadic(error), std::abs(b));
     };
     for (int k = 0; k <= trial % 50; ++k) add(std::ldexp(number(generator), exponent(generator)));
     const int last = trial % 3;
@@ -89,10 +89,18 @@ TEST(EnclosedSum, IsNotBelowTheExactSumAndHardlyAbove) {
     const auto above = sum.size_above();
     if (last == 2 && !above) continue;
     ASSERT_TRUE(above);
-    EXPECT_FALSE(Dyadic(*above) < absolute(expected) + Dyadic(errors / 1.001));
+    EXPECT_FALSE(Dyadic(*above) < absolute(expected) + errors);
     if (last == 2) continue;
-    EXPECT_LE(*above, 1.001 * absolute(expected).nearest() + 1.001 * errors);
+    EXPECT_LE(*above, 1.001 * absolute(expected).nearest() + 1.001 * errors.nearest());
   }
+}
+
+TEST(EnclosedSum, CountsTheErrorOfAZero) {
+  EnclosedSum sum;
+  sum.add(TwoDoubles::of({}, Dyadic(1e-3)), 2);
+  EXPECT_FALSE(sum.size_above());
+  sum.add({1}, 1);
+  EXPECT_GE(sum.size_above().value_or(0), 1.002);
 }
 
 TEST(EnclosedSum, HasNoBoundIfItMayBeZero) {

@@ -30,6 +30,7 @@ class EnclosedSum {
  public:
   /// Adds a * b.
   void add(const TwoDoubles& a, double b) {
+    if ((a.high == 0 && a.error == 0) || b == 0) return;
     const double product = a.high * b;
     const double sum = sum_ + product;
     const double part = sum - sum_;
@@ -43,13 +44,13 @@ class EnclosedSum {
   /// Upper bound of the size of the sum; nothing if the sum of the middles may be zero.
   [[nodiscard]] std::optional<double> size_above() const {
     if (terms_ == 0) return 0;
-    // Each addition to low_ has at most 3 n roundings of numbers below 5 * 2^-53 times the size.
-    // Underflow is far below this for the smallest size.
-    constexpr double smallest = 1e-200;
+    // A term has four roundings of numbers below (n + 4) 2^-53 times the size, n the number of
+    // terms. Underflow is far below this bound for the minimum size.
+    constexpr double min_size = 1e-200;
     const double roundings = static_cast<double>(terms_ + 2) * 0x1p-53;
     const double bound = 32 * roundings * roundings * size_;
     const double computed = std::abs(sum_ + low_);
-    if (!(size_ >= smallest && computed > 2 * bound && std::isfinite(computed + error_))) return {};
+    if (!(size_ >= min_size && computed > 2 * bound && std::isfinite(computed + error_))) return {};
     return (computed + bound + error_) * (1 + 8 * roundings);
   }
 

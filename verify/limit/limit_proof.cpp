@@ -86,11 +86,8 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
     // d + k f_R - B y
     std::vector<EnclosedSum> sums(certificate.displacements);
     for (const auto& [e, value] : uncertain_[cut.column].direction) sums[e].add({value}, 1);
-    for (std::size_t e = 0; e < sums.size() && cut.factor != 0; ++e) {
-      if (reference[e].high != 0) sums[e].add(reference[e], cut.factor);
-    }
+    for (std::size_t e = 0; e < sums.size(); ++e) sums[e].add(reference[e], cut.factor);
     for (const auto& [member, force] : cut.forces) {
-      if (force == 0) continue;
       for (const auto& [e, entry] : columns[member]) sums[e].add(entry, -force);
     }
     defects_.push_back(defect_of(cut, sums));

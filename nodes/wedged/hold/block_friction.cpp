@@ -25,10 +25,10 @@ double min_of_factors(const problems::WedgedProblem& problem) {
 
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
 // another leaf has a state there, which is then the upper bound of the answer.
-bool BlockHold::prove_lower(HoldingFriction& found, double most_infeasible) {
+bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
   const std::array share{LoadShare{1, 0}};
   for (const double step : steps_below) {
-    const double mu = most_infeasible * (1 - step);
+    const double mu = max_infeasible * (1 - step);
     const auto outcome = search(share, mu, 0, 0);
     if (outcome.status != engine::Status::solved) {
       found.status = outcome.status;

@@ -104,7 +104,7 @@ class BlockHold {
   bool first_bracket(HoldingFriction& found);
   void follow(HoldingFriction& found, double minimum);
   void narrow(HoldingFriction& found);
-  bool prove_lower(HoldingFriction& found, double most_infeasible);
+  bool prove_lower(HoldingFriction& found, double max_infeasible);
   [[nodiscard]] double factor_scale() const;
   // True on all ranks if the analysis is to end: long bisections then do so.
   [[nodiscard]] bool ended() const {

@@ -12,8 +12,8 @@
 namespace kusabi::wedged {
 
 /// Searches a tree until its first leaf. Every rank makes the same call and gets the same result.
-/// @param tree the question  @param recorded true: the tree receives its evidence, and bounds,
-///        which a certificate of states does not have, are not used
+/// @param tree loads, friction coefficient and restriction; receives the closed nodes if `recorded`
+/// @param recorded true: without bounds, since certificates have none under load
 HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& block,
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded);
 

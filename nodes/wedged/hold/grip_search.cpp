@@ -155,9 +155,10 @@ std::optional<GripOfBlock> BlockGrip::range() {
   GripOfBlock own;
   const auto wedged = search({}, {});
   // A multiple of a wedged configuration can be added to a state if it resists all modes; otherwise
-  // their signs may contradict each other.
-  own.maximum.unbounded =
-      !wedged.leaf.empty() && resists_all(block_.problem, wedged.leaf.front().pattern.contact, mu_);
+  // their signs may contradict each other. Without a dead load it is a state itself.
+  own.maximum.unbounded = !wedged.leaf.empty() &&
+                          (!is_under_dead(block_) ||
+                           resists_all(block_.problem, wedged.leaf.front().pattern.contact, mu_));
   own.maximum.out_proved = own.maximum.unbounded || wedged.is_infeasible();
   if (!own.maximum.unbounded && (!wedged.leaf.empty() || !wedged.tally.limits.empty()))
     own.maximum = unknown_end;

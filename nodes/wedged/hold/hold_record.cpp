@@ -9,8 +9,8 @@
 namespace kusabi::wedged {
 namespace {
 
-// @param outcome of rank 0
-HoldOutcome in_order(const engine::OutcomeOf<HoldTree>& outcome) {
+// The result with its leaves in one order. @param outcome of rank 0
+HoldOutcome outcome_of(const engine::OutcomeOf<HoldTree>& outcome) {
   HoldOutcome result;
   result.status = outcome.status;
   for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
@@ -25,7 +25,7 @@ HoldOutcome in_order(const engine::OutcomeOf<HoldTree>& outcome) {
 }
 
 HoldOutcome on_all_ranks(engine::Analysis& analysis, const engine::OutcomeOf<HoldTree>& outcome) {
-  return engine::from_first_rank(analysis.transport(), [&] { return in_order(outcome); });
+  return engine::from_first_rank(analysis.transport(), [&] { return outcome_of(outcome); });
 }
 
 void report_nodes(HoldTree& tree, TreeEvidence& evidence) {
@@ -52,7 +52,7 @@ HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std:
     engine::Options options;
     options.goal = engine::Goal::first;
     options.limits.nodes = maximum;
-    return in_order(analysis.search_alone(tree, options));
+    return outcome_of(analysis.search_alone(tree, options));
   });
   analysis.count_nodes(outcome.opened);
   if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;

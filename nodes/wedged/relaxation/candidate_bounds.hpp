@@ -86,8 +86,8 @@ std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,
 std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
                                  std::span<const conic::Cut> cuts);
 
-/// The part of a problem that is no candidate: loads, its last candidates, and an equation, the
-/// last column of its modes (nodes/wedged/hold/load_program.hpp).
+/// Loads, which are the last candidates of a problem, and an equation, the last column of its modes
+/// (nodes/wedged/hold/load_program.hpp).
 struct LoadPart {
   int loads = 0;
   conic::SideEquation equation = conic::SideEquation::none;
@@ -113,8 +113,8 @@ class CandidateBounding {
   /// m.
   [[nodiscard]] int candidates() const { return static_cast<int>(bounds_.size()); }
   [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
-  /// All added bounds, in this order; each is proved with those before. Under loads without the
-  /// multipliers of the loads' equation.
+  /// All added bounds, in this order; each is proved with those before. Under loads their numbers
+  /// are no evidence.
   [[nodiscard]] const std::vector<ProvedBound>& proved() const { return proved_; }
 
  private:
