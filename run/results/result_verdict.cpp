@@ -146,6 +146,14 @@ class WrittenVerdict {
             .maximum = reader_.number(answer, "most"),
             .reason = hold_reason(answer)};
   }
+  [[nodiscard]] HoldingGrip holding_grip(const ResultJson& grip) const {
+    return {.held = truth(grip, "held"),
+            .held_standing = standing(grip, "held_standing"),
+            .minimum = bracket(grip, "least"),
+            .maximum = bracket(grip, "most"),
+            .unbounded = truth(grip, "unbounded"),
+            .unbounded_standing = standing(grip, "unbounded_standing")};
+  }
   [[nodiscard]] HoldingFactors holding_factors(const ResultJson& answer) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     HoldingFactors found{.friction = reader_.number(answer, "friction"),
@@ -162,6 +170,8 @@ class WrittenVerdict {
                                  standing(each, "standing"), bracket(each, "below"),
                                  bracket(each, "above")});
     }
+    if (const auto* const grip = ResultReader::find(answer, "grip"))
+      found.grip = holding_grip(*grip);
     return found;
   }
   [[nodiscard]] HoldingSweep holding_sweep(const ResultJson& answer) const {
