@@ -181,7 +181,7 @@ std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
   const bool partial = found.open || ended != engine::Status::solved;
   if (found.everything) return fmt::format("It can hold all {} {}.", pairs, where);
   if (found.pieces == 0) {
-    if (partial) return fmt::format("{} that it can hold {} are not known.", pairs, where);
+    if (partial) return fmt::format("The {} that it can hold {} are not known.", pairs, where);
     return fmt::format("It can hold no {} {}{}.", pairs, where, unless_proved(found.outside));
   }
   return fmt::format("It can hold the {} in {} {}{}.", pairs, counted(found.pieces, "convex piece"),

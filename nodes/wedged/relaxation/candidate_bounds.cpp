@@ -22,6 +22,9 @@ namespace {
 /// Smallest bound relative to the first one: smaller bounds would lead to cuts with reactions and
 /// gaps so small that t*, which no other inequality then limits, is close to the tolerance.
 constexpr double min_share = 1e-2;
+/// The same under loads, which have a share of s: with a hundred candidates each reaction is below
+/// a hundredth of s on average.
+constexpr double min_share_under_loads = 1e-3;
 
 /// Bounds are increased by this share, to leave the proofs a margin for rounding errors.
 constexpr double room = 1e-6;
@@ -113,6 +116,7 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
       bounds_(friction.size() - static_cast<std::size_t>(part.loads)),
       minimum_(bounds_.size()) {
   solver_.make_room(candidates() + 1);
+  const double share = part.loads > 0 ? min_share_under_loads : min_share;
   const Eigen::Index d = problem.dimension;
   for (int i = 0; i < candidates(); ++i) {
     double maximum = 0;
@@ -124,8 +128,8 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     }
     // Far larger than the error of F.
     maximum += room * problem.compliance.matrix.row(d * i).cwiseAbs().maxCoeff();
-    minimum_[static_cast<std::size_t>(i)] = {.gap = min_share * (maximum / solver_.unit()),
-                                             .reaction = min_share};
+    minimum_[static_cast<std::size_t>(i)] = {.gap = share * (maximum / solver_.unit()),
+                                             .reaction = share};
     if (mean_motion_.count() > 0) continue;
     std::vector<double> numbers(2 * bounds_.size() + 1);
     numbers[static_cast<std::size_t>(i)] = 1;

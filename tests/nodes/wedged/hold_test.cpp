@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "engine/transport/single_process.hpp"
@@ -19,26 +21,36 @@
 #include "solvers/linear/linear_program.hpp"
 #include "solvers/linear/simplex.hpp"
 #include "support/input_error.hpp"
+#include "tests/support/thorough.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
 constexpr double unlimited = linear::infinity;
 
+/// Edges of a friction cone in space, inside of that of mu and outside of that of mu times the
+/// cosine of half the angle between two.
+constexpr int edges_in_space = 16;
+
 using Interval = std::pair<double, double>;
 
-/// The program of one pattern in the plane: reactions as sums along the edges of the friction
-/// cones, the motion alpha, lambda; tau = 1.
+/// The program of one pattern: reactions as sums along edges of the friction cones, the motion
+/// alpha, lambda; tau = 1. In space the edges span a part of each cone.
 class PatternProgram {
  public:
   PatternProgram(const LoadedProblem& loaded, double mu, unsigned contact)
-      : loaded_(loaded), mu_(mu), contact_(contact) {
+      : loaded_(loaded), contact_(contact) {
     const auto m = static_cast<int>(loaded.clearance.size());
+    const int d = loaded.problem.dimension;
+    const int edges = d == 2 ? 2 : edges_in_space;
     for (int i = 0; i < m; ++i)
-      for (const double slope : {mu, -mu}) {
-        Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * m);
-        load[2 * i] = 1;
-        load[2 * i + 1] = slope * loaded.problem.friction[static_cast<std::size_t>(i)];
+      for (int edge = 0; edge < edges; ++edge) {
+        const double slope = mu * loaded.problem.friction[static_cast<std::size_t>(i)];
+        const double angle = 2 * std::numbers::pi * edge / edges;
+        Eigen::VectorXd load = Eigen::VectorXd::Zero(d * m);
+        load[d * i] = 1;
+        load[d * i + 1] = slope * std::cos(angle);
+        if (d == 3) load[d * i + 2] = slope * std::sin(angle);
         forces_.push_back(load);
         program_.add_column({.lower = 0, .upper = touches(i) ? unlimited : 0});
       }
@@ -72,16 +84,17 @@ class PatternProgram {
     const Eigen::MatrixXd w = loaded_.loads.displacements.cast<double>();
     const Eigen::MatrixXd b = loaded_.loads.motions.cast<double>();
     const auto p = problem.modes.matrix.cols();
+    const int d = problem.dimension;
     for (int j = 0; j < static_cast<int>(loaded_.clearance.size()); ++j) {
       std::vector<linear::LinearTerm> terms;
       for (std::size_t k = 0; k < forces_.size(); ++k)
         terms.push_back(
-            {static_cast<int>(k), problem.compliance.matrix.row(2 * j).dot(forces_[k])});
+            {static_cast<int>(k), problem.compliance.matrix.row(d * j).dot(forces_[k])});
       for (Eigen::Index l = 0; l < p; ++l)
         terms.push_back({static_cast<int>(forces_.size()) + static_cast<int>(l),
-                         problem.modes.matrix(2 * j, l)});
-      terms.push_back({lambda_, w(2 * j, 1)});
-      const double fixed = -w(2 * j, 0) - loaded_.clearance[j];
+                         problem.modes.matrix(d * j, l)});
+      terms.push_back({lambda_, w(d * j, 1)});
+      const double fixed = -w(d * j, 0) - loaded_.clearance[j];
       program_.add_row({.lower = fixed, .upper = touches(j) ? fixed : unlimited}, terms);
     }
     for (Eigen::Index l = 0; l < p; ++l) {
@@ -94,7 +107,6 @@ class PatternProgram {
   }
 
   const LoadedProblem& loaded_;
-  double mu_;
   unsigned contact_;
   linear::LinearProgram program_;
   std::vector<Eigen::VectorXd> forces_;
@@ -125,27 +137,25 @@ bool near(double a, double b) {
   return a == b || std::abs(a - b) <= 1e-6 * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-/// A random unconstrained body of bars in the plane, moved off the integers, with two loads and
-/// clearances. Nothing: the seed gives a mechanism, a constrained body, or too few or many
-/// contacts.
-std::optional<LoadedProblem> loaded_body(std::uint64_t seed) {
-  auto structure = random_unconstrained_structure(2, seed);
+/// A random unconstrained body of bars, moved off the integers, with two loads and clearances.
+/// Nothing: the seed gives a mechanism, a constrained body, or too few or many contacts.
+std::optional<LoadedProblem> loaded_body(std::uint64_t seed, int dimension = 2) {
+  auto structure = random_unconstrained_structure(dimension, seed);
   std::mt19937_64 generator(seed + 77);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  structure.coordinates += 0.2 * Eigen::MatrixXd::NullaryExpr(2, structure.coordinates.cols(),
-                                                              [&] { return uniform(generator); });
+  const auto any = [&] { return uniform(generator); };
+  structure.coordinates +=
+      0.2 * Eigen::MatrixXd::NullaryExpr(dimension, structure.coordinates.cols(), any);
   if (structure.contact.size() < 2 || structure.contact.size() > 6) return {};
   const bool gaps = generator() % 2 == 0;
   for (auto& candidate : structure.contact) {
     candidate.normal =
-        (candidate.normal + 0.2 * Eigen::Vector2d(uniform(generator), uniform(generator)))
-            .normalized();
+        (candidate.normal + 0.2 * Eigen::VectorXd::NullaryExpr(dimension, any)).normalized();
     if (gaps) candidate.clearance = 0.3 * uniform(generator);
   }
   for (const auto kind : {problems::Load::Kind::dead, problems::Load::Kind::reference})
     for (int node = 0; node < static_cast<int>(structure.coordinates.cols()); ++node)
-      structure.loads.push_back(
-          {kind, node, Eigen::Vector2d(uniform(generator), uniform(generator))});
+      structure.loads.push_back({kind, node, Eigen::VectorXd::NullaryExpr(dimension, any)});
   try {
     auto loaded = loaded_problem(checked(structure));
     const bool of_interest =
@@ -156,6 +166,9 @@ std::optional<LoadedProblem> loaded_body(std::uint64_t seed) {
   }
 }
 
+// Automatically no body of this size has bounds of its candidates.
+constexpr std::array with_and_without_bounds{Tightening::automatic, Tightening::always};
+
 TEST(HeldFactors, AreThoseOfAllPatterns) {
   int compared = 0, bounded = 0, empty = 0, several = 0, proved = 0;
   for (std::uint64_t seed = 1; seed <= 160; ++seed) {
@@ -164,16 +177,17 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const double mu = 0.1 + 0.15 * static_cast<double>(seed % 7);
     const auto wanted = by_all_patterns(*loaded, mu);
-    engine::SingleProcess alone;
-    engine::Analysis analysis(alone);
-    const auto tightening = seed % 2 == 0 ? Tightening::always : Tightening::automatic;
-    const auto found = held_factors(analysis, *loaded, mu, {.tightening = tightening});
-    EXPECT_FALSE(found.unresolved);
-    proved += found.proved ? 1 : 0;
-    ASSERT_EQ(found.intervals.size(), wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      EXPECT_PRED2(near, found.intervals[i].low, wanted[i].first);
-      EXPECT_PRED2(near, found.intervals[i].high, wanted[i].second);
+    for (const auto tightening : with_and_without_bounds) {
+      engine::SingleProcess alone;
+      engine::Analysis analysis(alone);
+      const auto found = held_factors(analysis, *loaded, mu, {.tightening = tightening});
+      EXPECT_FALSE(found.unresolved);
+      proved += found.proved ? 1 : 0;
+      ASSERT_EQ(found.intervals.size(), wanted.size());
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_PRED2(near, found.intervals[i].low, wanted[i].first);
+        EXPECT_PRED2(near, found.intervals[i].high, wanted[i].second);
+      }
     }
     ++compared;
     empty += wanted.empty() ? 1 : 0;
@@ -184,9 +198,49 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
   RecordProperty("compared", compared);
   EXPECT_GT(compared, 60);
   EXPECT_GT(bounded, 10);
-  EXPECT_GE(proved, compared - compared / 10);
+  EXPECT_GE(proved, 2 * (compared - compared / 10));
   fmt::print("{} compared, {} proved, {} with an end, {} empty, {} with several\n", compared,
              proved, bounded, empty, several);
+}
+
+/// True if each interval is within one of the others.
+bool within(const std::vector<Interval>& inner, const std::vector<Interval>& outer) {
+  return std::ranges::all_of(inner, [&](const Interval& each) {
+    return std::ranges::any_of(outer, [&](const Interval& other) {
+      return (other.first <= each.first || near(other.first, each.first)) &&
+             (each.second <= other.second || near(each.second, other.second));
+    });
+  });
+}
+
+TEST(HeldFactors, InSpaceAreBetweenThoseOfConesInsideAndAround) {
+  int compared = 0, bounded = 0, proved = 0;
+  for (std::uint64_t seed = 1; seed <= (test::thorough ? 2000 : 30); ++seed) {
+    const auto loaded = loaded_body(seed, 3);
+    if (!loaded) continue;
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    const double mu = 0.1 + 0.15 * static_cast<double>(seed % 7);
+    const auto inner = by_all_patterns(*loaded, mu);
+    const auto outer = by_all_patterns(*loaded, mu / std::cos(std::numbers::pi / edges_in_space));
+    for (const auto tightening : with_and_without_bounds) {
+      engine::SingleProcess alone;
+      engine::Analysis analysis(alone);
+      const auto found = held_factors(analysis, *loaded, mu, {.tightening = tightening});
+      std::vector<Interval> held;
+      for (const auto& each : found.intervals) held.emplace_back(each.low, each.high);
+      EXPECT_TRUE(within(held, outer)) << fmt::format("{} not within {}", held, outer);
+      proved += found.proved && !found.unresolved ? 1 : 0;
+      if (found.unresolved) continue;
+      EXPECT_TRUE(within(inner, held)) << fmt::format("{} not within {}", inner, held);
+    }
+    ++compared;
+    for (const auto& [low, high] : inner)
+      bounded += std::isfinite(low) || std::isfinite(high) ? 1 : 0;
+  }
+  fmt::print("{} compared, {} proved, {} with an end\n", compared, proved, bounded);
+  EXPECT_GT(compared, 10);
+  EXPECT_GT(bounded, 2);
+  EXPECT_GE(proved, 2 * (compared - compared / 10));
 }
 
 TEST(HoldingFriction, IsTheLeastAtWhichSomePatternHoldsTheDeadLoad) {
@@ -197,7 +251,8 @@ TEST(HoldingFriction, IsTheLeastAtWhichSomePatternHoldsTheDeadLoad) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
-    const auto found = holding_friction(analysis, *loaded, {.maximum = 100});
+    const auto found = holding_friction(
+        analysis, *loaded, {.maximum = 100, .tightening = with_and_without_bounds.at(seed % 2)});
     const auto holds = [&](double mu) {
       return std::ranges::any_of(by_all_patterns(*loaded, mu), [](const Interval& each) {
         return each.first <= 0 && each.second >= 0;

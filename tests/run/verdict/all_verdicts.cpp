@@ -76,6 +76,57 @@ void add_critical(std::vector<AnyAnswer>& all) {
   }
 }
 
+void add_holding_brackets(std::vector<AnyAnswer>& all) {
+  for (const double lower : {0.33333332, 1000.0}) {
+    for (const auto& bracket : brackets(lower, 0.33333334)) {
+      if (lower > 1 && bracket.upper) continue;  // would lie below the lower bound
+      for (const bool factor : {false, true})
+        all.push_back(HoldingBracket{.bracket = bracket, .factor = factor, .maximum = 1000});
+    }
+  }
+  for (const auto standing : {Standing::computed, Standing::proved})
+    all.push_back(HoldingBracket{.bracket = {std::nullopt, Bound{0, standing}}, .maximum = 1000});
+  for (const auto reason : {HoldReason::supports, HoldReason::unbalanced})
+    all.push_back(HoldingBracket{.maximum = 1000, .reason = reason});
+}
+
+void add_grips(std::vector<AnyAnswer>& all) {
+  HoldingFactors factors{.friction = 0.4, .intervals = {{.low = -1, .high = 2}}};
+  for (const auto standing : {Standing::computed, Standing::proved}) {
+    factors.grip = HoldingGrip{.held = false, .held_standing = standing};
+    all.push_back(factors);
+    HoldingGrip grip{.minimum = {Bound{3, standing}, Bound{4, Standing::proved}}};
+    for (const bool unbounded : {false, true}) {
+      grip.unbounded = unbounded;
+      grip.unbounded_standing = standing;
+      if (!unbounded) grip.maximum = {Bound{5, Standing::proved}, Bound{6, standing}};
+      factors.grip = grip;
+      all.push_back(factors);
+      grip.maximum = {};
+    }
+  }
+}
+
+void add_diagrams(std::vector<AnyAnswer>& all) {
+  for (const std::uint64_t pieces : {0U, 1U, 3U}) {
+    for (const auto standing : {Standing::computed, Standing::proved}) {
+      for (const bool open : {false, true}) {
+        HoldingDiagram diagram{.friction = 0.5,
+                               .cases = {"moment", "side"},
+                               .pieces = pieces,
+                               .outside = standing,
+                               .open = open};
+        all.push_back(diagram);
+        if (pieces == 0) continue;
+        diagram.coarse = pieces;
+        all.push_back(diagram);
+        diagram.everything = true;
+        all.push_back(diagram);
+      }
+    }
+  }
+}
+
 void add_holding(std::vector<AnyAnswer>& all) {
   const double end = std::numeric_limits<double>::infinity();
   for (const auto standing : {Standing::computed, Standing::proved}) {
@@ -90,15 +141,7 @@ void add_holding(std::vector<AnyAnswer>& all) {
         some.friction = 0.45;
         some.total = 2;
         some.intervals = {{.low = -1, .high = 2, .standing = standing}};
-        HoldingFactors gripped = held;
-        gripped.grip = HoldingGrip{.held_standing = standing,
-                                   .minimum = {Bound{0.1, standing}, Bound{0.2, standing}},
-                                   .maximum = {Bound{0.3, standing}, Bound{0.4, standing}}};
-        HoldingFactors unlimited = gripped;
-        unlimited.grip->maximum = {};
-        unlimited.grip->unbounded = open;
-        unlimited.grip->unbounded_standing = standing;
-        all.insert(all.end(), {none, held, gripped, unlimited});
+        all.insert(all.end(), {none, held});
         if (reference) all.push_back(some);
         for (const std::uint64_t requested : {3U, 4U})
           all.push_back(HoldingSweep{.requested = requested,
@@ -230,7 +273,10 @@ std::vector<Verdict> all_verdicts() {
   std::vector<AnyAnswer> answers{std::monostate()};
   add_sticking(answers);
   add_critical(answers);
+  add_holding_brackets(answers);
   add_holding(answers);
+  add_grips(answers);
+  add_diagrams(answers);
   add_steps(answers);
   add_loads(answers);
   add_losses(answers);

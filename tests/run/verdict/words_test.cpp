@@ -2,6 +2,7 @@
 #include "run/verdict/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <string>
 
@@ -53,6 +54,12 @@ bool names_what_is_not_proved(const Verdict& verdict) {
     return empty ? is_computed(found->minimum.lower) || is_computed(found->maximum.upper)
                  : is_computed(found->maximum.lower);
   }
+  if (const auto* const found = std::get_if<HoldingBracket>(&verdict.answer))
+    return is_computed(found->bracket.lower) || is_computed(found->bracket.upper);
+  if (const auto* const found = std::get_if<HoldingDiagram>(&verdict.answer)) {
+    return found->outside == Standing::computed && !found->open && !found->everything &&
+           verdict.ended == engine::Status::solved;
+  }
   if (const auto* const found = std::get_if<MemberLoss>(&verdict.answer)) {
     if (found->fatal) return found->fatal == Standing::computed;
     return !found->target && (is_computed(found->factor.lower) || is_computed(found->factor.upper));
@@ -74,6 +81,16 @@ TEST(Verdicts, MarkEveryBoundThatIsNotProved) {
       EXPECT_TRUE(has(sentence, "computed, not proved") || has(sentence, "numerically undecided"))
           << all_words(verdict);
     }
+  }
+}
+
+// Except those of programs, which are in the form of the table.
+TEST(Verdicts, BeginWithACapital) {
+  for (const auto& verdict : all_verdicts()) {
+    if (std::holds_alternative<MixedOptimum>(verdict.answer)) continue;
+    const auto sentence = headline(verdict);
+    EXPECT_TRUE(sentence.empty() || std::isupper(static_cast<unsigned char>(sentence.front())) != 0)
+        << sentence;
   }
 }
 
