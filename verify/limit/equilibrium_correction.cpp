@@ -216,8 +216,8 @@ std::variant<std::vector<double>, std::string> forces_by(const MemberColumns& me
   const auto part = part_with_defects(members, slack, defect);
   if (!part) return "forces are not in equilibrium where no member has slack";
   if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);
-  double maximum = 0;
-  for (const auto i : part->members) maximum = std::max(maximum, slack[i]);
+  double max_slack = 0;
+  for (const auto i : part->members) max_slack = std::max(max_slack, slack[i]);
   std::vector<double> best;
   double min_excess = std::numeric_limits<double>::infinity();
   // Weights in proportion to the slack are tried first; if they are too uneven for doubles, more
@@ -225,7 +225,7 @@ std::variant<std::vector<double>, std::string> forces_by(const MemberColumns& me
   for (const double power : {1.0, 0.5, 0.0}) {
     std::vector<double> weight(slack.size(), 0.0);
     for (const auto i : part->members)
-      weight[i] = std::max(std::pow(slack[i] / maximum, power), tiny);
+      weight[i] = std::max(std::pow(slack[i] / max_slack, power), tiny);
     auto forces = Reach(members, *part, weight).forces(defect);
     if (!forces) continue;
     double excess = 0;
