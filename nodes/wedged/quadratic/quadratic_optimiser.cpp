@@ -40,6 +40,10 @@ constexpr int max_halvings = 25;
 constexpr double reduction = 0.3;
 constexpr int max_reductions = 4;
 
+/// Logarithms of s for S = F_nt, where s only lowers the coefficient: as small as the least
+/// eigenvalue of F_nn requires and the proof permits.
+constexpr std::array log_squares_of_spectral_form{-14.0, -11.0, -8.0};
+
 /// Root of P_ij at the start.
 constexpr double first_root = 0.02;
 /// Share of the largest coefficient of the first multipliers at which the search starts.
@@ -117,6 +121,7 @@ class Optimiser {
     return form_.potential(std::exp(point.log_factor()), weight);
   }
   bool step(double weight);
+  // @return largest_factor(above)
   double clip(double threshold, double log_square, double above);
 
   QuadraticForm& form_;
@@ -127,7 +132,7 @@ class Optimiser {
   int evaluations_ = 0;
 };
 
-// Start: P = -I, and S is F_nt after soft thresholding.
+// Start: P = -I, and S is F_nt after soft thresholding; F_nt itself gives the spectral form.
 double Optimiser::clip(double threshold, double log_square, double above) {
   const auto m = form_.candidates();
   Eigen::MatrixXd excess = Eigen::MatrixXd::Zero(m, m);
@@ -152,17 +157,20 @@ void Optimiser::start() {
   std::ranges::sort(sizes);
   double best = 0;
   std::pair<double, double> chosen{0, 0};
+  const auto try_one = [&](double threshold, double log_square) {
+    const double own = clip(threshold, log_square, best);
+    if (!(own > best)) return;
+    best = own;
+    chosen = {threshold, log_square};
+  };
   const auto try_all = [&] {
+    for (const double log_square : log_squares_of_spectral_form) try_one(0, log_square);
     for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
       for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
+        if (ended() && best > 0) return;
         const auto place =
             static_cast<std::size_t>(quantile * static_cast<double>(sizes.size() - 1));
-        const double threshold = std::sqrt(sizes[place]);
-        const double own = clip(threshold, log_square, best);
-        if (!(own > best)) continue;
-        best = own;
-        chosen = {threshold, log_square};
-        if (ended()) return;
+        try_one(std::sqrt(sizes[place]), log_square);
       }
   };
   try_all();
