@@ -13,7 +13,7 @@ namespace kusabi::engine {
 /// Goal of a search.
 enum class Goal {
   all,    ///< all solutions
-  best,   ///< the solution of least objective; among equals the first in depth-first order
+  best,   ///< the solution of the best objective; among equals the first in depth-first order
   first,  ///< the first solution in depth-first order, whichever rank finds one first
 };
 
@@ -86,7 +86,7 @@ struct Progress {
 };
 
 struct Options {
-  Goal goal = Goal::all;             ///< Goal::best requires a minimising problem
+  Goal goal = Goal::all;             ///< Goal::best requires an objective()
   Order order = Order::depth_first;  ///< other orders require a bounded problem
   Limits limits;
   Pool pool;

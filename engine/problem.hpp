@@ -27,7 +27,7 @@ concept Problem = requires(P& problem, const P& looked_at, typename P::Node node
 /// A problem with an objective, required by Goal::best. It is minimised unless the problem has
 /// `static constexpr bool maximises = true`.
 template <class P>
-concept Minimising = Problem<P> &&
+concept Optimising = Problem<P> &&
     requires(const P& problem, const typename P::Solution& solution) {
   { problem.objective(solution) } -> std::convertible_to<double>;
 };
@@ -36,7 +36,7 @@ concept Minimising = Problem<P> &&
 /// minimises and an upper one if it maximises, computed without opening the node. Nodes whose bound
 /// is worse than the incumbent's objective are pruned.
 template <class P>
-concept Bounded = Minimising<P> && requires(const P& problem, const typename P::Node& node) {
+concept Bounded = Optimising<P> && requires(const P& problem, const typename P::Node& node) {
   { problem.bound(node) } -> std::convertible_to<double>;
 };
 

@@ -24,7 +24,7 @@ enum RequestFlag : std::uint64_t {
 struct Reduction {
   std::uint64_t ranks = 0;  ///< number of merged ranks
   std::uint64_t idle = 0;   ///< ranks that open no nodes: they have none, or they pause
-  std::uint64_t quiet = 0;  ///< ranks that neither open nodes nor request any (termination.hpp)
+  std::uint64_t quiet = 0;  ///< ranks that are quiet (engine/detail/protocol/termination.hpp)
   /// ranks that received a counted message sent after its sender had joined this wave
   std::uint64_t crossed = 0;
   std::uint64_t sent = 0;           ///< counted messages sent: transfers, incumbents

@@ -32,8 +32,8 @@ concept Fingerprinted = requires(const P& problem) {
   { problem.fingerprint() } -> std::convertible_to<std::uint64_t>;
 };
 
-/// Searches the tree of `problem` as the options of the command line say (`--help` lists them). A
-/// minimising problem has the goal `best` unless `--goal` says otherwise. All other words are left
+/// Searches the tree of `problem` as the options of the command line say (`--help` lists them). If
+/// it has an objective, the goal is `best` unless `--goal` says otherwise. All other words are left
 /// to the program (`own_words`), which constructs the problem from them, equally on all ranks.
 /// @param report called with the outcome on rank 0, also if the search has stopped early
 /// @param options of the program itself; those of the command line take precedence
@@ -42,7 +42,7 @@ concept Fingerprinted = requires(const P& problem) {
 template <class P, class Report>
 int run(int argc, char** argv, P& problem, Report report, const Options& options = {}) {
   try {
-    Program program(argc, argv, {.minimising = Minimising<P>, .bounded = Bounded<P>}, options);
+    Program program(argc, argv, {.has_objective = Optimising<P>, .bounded = Bounded<P>}, options);
     if (program.exit_code()) return *program.exit_code();
     std::uint64_t instance = 0;
     if constexpr (Fingerprinted<P>) instance = problem.fingerprint();

@@ -28,7 +28,7 @@ struct TraceEvent {
     refusal_arrived,   ///< `peer` has no nodes to spare
     transfer_sent,     ///< sent `value` nodes to `peer`
     transfer_arrived,  ///< received `value` nodes from `peer`
-    /// sent `value` nodes, unasked, to a rank registered with this lifeline (lifelines.hpp)
+    /// sent `value` nodes, unasked, to a rank registered with this lifeline
     lifeline_transfer_sent,
     lifeline_transfer_arrived,
     improved,  ///< found a solution better than the incumbent of this rank

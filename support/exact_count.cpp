@@ -55,8 +55,8 @@ double ExactCount::log10() const {
 }
 
 std::string ExactCount::text() const {
-  constexpr std::size_t at_a_glance = 21;
-  if (digits_.size() <= at_a_glance) return digits_;
+  constexpr std::size_t max_readable_digits = 21;
+  if (digits_.size() <= max_readable_digits) return digits_;
   return fmt::format("{}.{}e+{}", digits_.front(), digits_.substr(1, 4), digits_.size() - 1);
 }
 

@@ -41,9 +41,9 @@ void describe_pool(CLI::App& app, Options& options) {
 void describe(CLI::App& app, ProblemKind kind, CommandLine& line) {
   auto& options = line.options;
   std::map<std::string, Goal> goals{{"all", Goal::all}, {"first", Goal::first}};
-  if (kind.minimising) goals["best"] = Goal::best;
+  if (kind.has_objective) goals["best"] = Goal::best;
   add_choice(app, "--goal", goals, options.goal, "solutions that are requested");
-  if (kind.minimising) describe_pool(app, options);
+  if (kind.has_objective) describe_pool(app, options);
   if (kind.bounded) {
     const std::map<std::string, Order> orders{
         {"depth", Order::depth_first}, {"best", Order::best_first}, {"hybrid", Order::hybrid}};
@@ -87,7 +87,7 @@ CommandLine read_command_line(int argc, const char* const* argv, ProblemKind kin
                               const Options& options) {
   CommandLine line;
   line.options = options;
-  if (kind.minimising && line.options.goal == Goal::all) line.options.goal = Goal::best;
+  if (kind.has_objective && line.options.goal == Goal::all) line.options.goal = Goal::best;
   CLI::App app("Parallel tree search, in one process or under mpirun.", name_of_program(argv[0]));
   describe(app, kind, line);
   try {
@@ -102,7 +102,7 @@ CommandLine read_command_line(int argc, const char* const* argv, ProblemKind kin
 
 std::vector<std::string> own_words(int argc, const char* const* argv) {
   try {
-    return read_command_line(argc, argv, {.minimising = true, .bounded = true}).words;
+    return read_command_line(argc, argv, {.has_objective = true, .bounded = true}).words;
   } catch (const std::invalid_argument&) {
     return {};  // `run` says what is wrong
   }

@@ -79,7 +79,7 @@ class Explorer {
         expansion_(
             frontier_, solutions_.incumbent(),
             [this](Solution&& solution) { report(std::move(solution)); }, std::move(serve)) {
-    if (goal_ == Goal::best && !Minimising<P>) {
+    if (goal_ == Goal::best && !Optimising<P>) {
       throw std::invalid_argument("Goal::best requires a problem with an objective()");
     }
     if (record_ && order_ != Order::depth_first) {
@@ -140,8 +140,8 @@ class Explorer {
 
   // ---- giving and taking ------------------------------------------------------------------------
 
-  [[nodiscard]] bool can_give() const {
-    return heap_.can_give() || frontier_.can_give() || stores() >= 2;
+  [[nodiscard]] bool can_transfer() const {
+    return heap_.can_transfer() || frontier_.can_transfer() || stores() >= 2;
   }
 
   /// Half of the nodes for another rank, but not more than about `maximum` pieces of about `limit`
@@ -154,11 +154,11 @@ class Explorer {
         transfers.emplace_back().push_back(std::move(piece));
       }
     };
-    if (heap_.can_give()) {
+    if (heap_.can_transfer()) {
       transfers.push_back(heap_.give(limit));
     } else if (waiting_.size() >= 2) {
       for (auto& bundle : give_waiting(maximum)) add(std::move(bundle));
-    } else if (frontier_.can_give()) {
+    } else if (frontier_.can_transfer()) {
       add(frontier_.give(limit * maximum));
     } else if (!heap_.empty()) {
       add(heap_.take());

@@ -44,11 +44,11 @@ class LocalSearch {
     Bytes body;
     std::uint64_t nodes = 0;
   };
-  [[nodiscard]] virtual bool can_give() const = 0;
+  [[nodiscard]] virtual bool can_transfer() const = 0;
   /// Half of the nodes, in one or more pieces.
   /// @param limit of a piece, in bytes (Options::message_bytes) @param maximum number of pieces,
   /// about
-  /// @pre can_give()
+  /// @pre can_transfer()
   virtual std::vector<PackedTransfer> give(std::size_t limit, std::size_t maximum) = 0;
   /// @return number of nodes
   virtual std::uint64_t take(const Bytes& transfer) = 0;

@@ -64,9 +64,9 @@ consteval Fault fault_of() {
     return Fault::root;
   } else if constexpr (!Problem<P>) {
     return Fault::expand;
-  } else if constexpr (NamesObjective<P> && !Minimising<P>) {
+  } else if constexpr (NamesObjective<P> && !Optimising<P>) {
     return Fault::objective;
-  } else if constexpr (NamesBound<P> && !Minimising<P>) {
+  } else if constexpr (NamesBound<P> && !Optimising<P>) {
     return Fault::bound_without_objective;
   } else if constexpr (NamesBound<P> && !Bounded<P>) {
     return Fault::bound;

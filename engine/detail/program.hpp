@@ -28,7 +28,7 @@ struct CommandLine {
 
 /// Abilities of a problem type.
 struct ProblemKind {
-  bool minimising = false;
+  bool has_objective = false;
   bool bounded = false;
 };
 

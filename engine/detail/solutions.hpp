@@ -177,7 +177,7 @@ class Solutions {
   }
 
   [[nodiscard]] double objective(const Solution& solution) const {
-    if constexpr (Minimising<P>) {
+    if constexpr (Optimising<P>) {
       if (goal_ == Goal::best) return oriented<P>(std::as_const(problem_).objective(solution));
     }
     return 0;  // Goal::first: all objectives are equal, the smaller path is better

@@ -40,7 +40,7 @@ class LocalExplorer final : public LocalSearch {
   [[nodiscard]] double closed() const override { return explorer_.closed(); }
   [[nodiscard]] RankStatistics& statistics() override { return explorer_.statistics(); }
 
-  [[nodiscard]] bool can_give() const override { return explorer_.can_give(); }
+  [[nodiscard]] bool can_transfer() const override { return explorer_.can_transfer(); }
   std::vector<PackedTransfer> give(std::size_t limit, std::size_t maximum) override {
     std::vector<PackedTransfer> pieces;
     for (auto& transfer : explorer_.give(limit, maximum)) {

@@ -18,7 +18,7 @@ namespace kusabi::limit {
 namespace {
 
 /// Samples in one unit of work: some milliseconds.
-constexpr std::uint64_t samples_a_piece = 16;
+constexpr std::uint64_t samples_per_piece = 16;
 
 // A sample with a generator of its own, |zeta|_inf = alpha. @param alpha scaled
 Eigen::VectorXd sampled_zeta(std::uint64_t seed, std::uint64_t sample, int count, double alpha) {
@@ -48,8 +48,8 @@ SampledLoads sampled_loads(RootSearch& search, const LimitParameters& parameters
   using Factors = std::vector<std::pair<std::uint64_t, double>>;
   const auto piece = [&](std::uint64_t number) {
     Factors factors;
-    const auto first = number * samples_a_piece;
-    const auto last = std::min(first + samples_a_piece, parameters.samples);
+    const auto first = number * samples_per_piece;
+    const auto last = std::min(first + samples_per_piece, parameters.samples);
     for (auto sample = first; sample < last && !budget.spent(); ++sample) {
       const auto status = solve(sample);
       if (status == LoadStatus::undetermined) continue;
@@ -61,7 +61,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitParameters& parameters
   };
   SampledLoads result;
   std::optional<std::pair<double, std::uint64_t>> minimum;
-  const auto pieces = (parameters.samples + samples_a_piece - 1) / samples_a_piece;
+  const auto pieces = (parameters.samples + samples_per_piece - 1) / samples_per_piece;
   for (const auto& some : search.analysis().share<Factors>(pieces, piece)) {
     for (const auto& [sample, factor] : some) {
       result.factors.push_back(factor);

@@ -248,7 +248,7 @@ engine::Status CriticalBounds::list(CriticalFindings& findings) {
   std::ranges::copy_if(decided.leaves, std::back_inserter(cones), &Configuration::is_cone);
   const bool own_limit = decided.status == engine::Status::node_limit && !analysis_.ended();
   if (!decided.solved()) {
-    findings.doubts.push_back(CriticalDoubt::list_not_complete);
+    findings.open_points.push_back(OpenPoint::list_not_complete);
     for (const auto& leaf : cones)
       if (known_.empty() || !(leaf.pattern == known_.front().pattern)) known_.push_back(leaf);
     return own_limit ? engine::Status::solved : decided.status;
@@ -282,10 +282,10 @@ void CriticalBounds::note_undecided(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
   const double width = parameters_.grid.width;
   if (!findings.upper && findings.lower < parameters_.grid.maximum)
-    findings.doubts.push_back(CriticalDoubt::no_upper_bound);
+    findings.open_points.push_back(OpenPoint::no_upper_bound);
   if (findings.upper && *findings.upper - findings.lower > wide * width)
-    findings.doubts.push_back(CriticalDoubt::wide_bracket);
-  if (!findings.lower_proved) findings.doubts.push_back(CriticalDoubt::lower_not_proved);
+    findings.open_points.push_back(OpenPoint::wide_bracket);
+  if (!findings.lower_proved) findings.open_points.push_back(OpenPoint::lower_not_proved);
 }
 
 void CriticalBounds::prove(CriticalFindings& findings) {

@@ -45,8 +45,8 @@ class CriticalBounds {
   /// hold exactly, the bound stays.
   void prove_by_forms(QuadraticForms forms);
 
-  /// Proves the bounds or widens the bracket. Stores the doubts and the phase of a stop; patterns
-  /// are stored on rank 0.
+  /// Proves the bounds or widens the bracket. Stores the open points and the phase of a stop;
+  /// patterns are stored on rank 0.
   void prove(CriticalFindings& findings);
 
  private:

@@ -28,12 +28,12 @@ namespace {
 
 /// Maximum number of nodes of a global search for each candidate, and in all; larger trees use
 /// descent.
-constexpr std::uint64_t trial_nodes_a_candidate = 15;
+constexpr std::uint64_t trial_nodes_per_candidate = 15;
 constexpr std::uint64_t max_trial_nodes = 600;
 
 /// In doubles a leaf is numerically undecided within this many cells of its critical coefficient,
 /// for every tree.
-constexpr double cells_in_doubt = 16;
+constexpr double undecided_cells = 16;
 
 double or_infinity(const std::optional<double>& number) {
   return number.value_or(std::numeric_limits<double>::infinity());
@@ -74,7 +74,7 @@ BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedPr
     options.goal = engine::Goal::best;
     options.order = engine::Order::best_first;
     options.limits.nodes = parameters.trial_nodes.value_or(std::min(
-        max_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
+        max_trial_nodes, trial_nodes_per_candidate * std::uint64_t{problem.contact_names.size()}));
     auto outcome = analysis.search_alone(tree, options);
     return BelowTrial{.smallest = smallest_coefficient(outcome, grid, known),
                       .opened = outcome.opened(),
@@ -90,12 +90,12 @@ class SmallestStrategies {
  public:
   SmallestStrategies(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                      const CriticalParameters& parameters, const CriticalGrid& grid,
-                     CriticalBounds& ends, NarrowingBracket& bracket, CriticalFindings& findings)
+                     CriticalBounds& bounds, NarrowingBracket& bracket, CriticalFindings& findings)
       : analysis_(analysis),
         problem_(problem),
         parameters_(parameters),
         grid_(grid),
-        ends_(ends),
+        bounds_(bounds),
         bracket_(bracket),
         findings_(findings) {}
 
@@ -132,13 +132,13 @@ class SmallestStrategies {
     findings_.costs.push_back({CriticalPhase::start, 0, 0, programs});
     bracket_.show();
     if (stopped(CriticalPhase::start)) return true;
-    ends_.prove_at_once();
+    bounds_.prove_at_once();
     if (stopped(CriticalPhase::start)) return true;
     return is_answered();
   }
 
   [[nodiscard]] bool is_answered() const {
-    const double cells = grid_.precision == Precision::doubles ? cells_in_doubt : 1;
+    const double cells = grid_.precision == Precision::doubles ? undecided_cells : 1;
     return bracket_.is_one_cell(cells * grid_.width) || bracket_.lower() >= grid_.maximum;
   }
 
@@ -151,7 +151,7 @@ class SmallestStrategies {
     if (programs == 0) return false;
     findings_.costs.push_back({CriticalPhase::primal, 0, 0, programs});
     if (stopped(CriticalPhase::primal)) return true;
-    if (bracket_.upper() != before) ends_.prove_at_once();
+    if (bracket_.upper() != before) bounds_.prove_at_once();
     return stopped(CriticalPhase::primal) || is_answered();
   }
 
@@ -160,7 +160,7 @@ class SmallestStrategies {
     if (problem_.contact_names.size() < min_candidates_for_forms) return false;
     auto forms = quadratic_forms(analysis_, problem_, grid_, bracket_, rounds);
     findings_.costs.push_back({CriticalPhase::form, forms.factor, 0, forms.evaluations});
-    if (forms.factor > 0) ends_.prove_by_forms(std::move(forms));
+    if (forms.factor > 0) bounds_.prove_by_forms(std::move(forms));
     return stopped(CriticalPhase::form) || is_answered();
   }
 
@@ -205,7 +205,7 @@ class SmallestStrategies {
   const problems::WedgedProblem& problem_;
   const CriticalParameters& parameters_;
   CriticalGrid grid_;
-  CriticalBounds& ends_;
+  CriticalBounds& bounds_;
   NarrowingBracket& bracket_;
   CriticalFindings& findings_;
 };
@@ -309,13 +309,13 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   const auto grid = grid_of(problem, parameters);
   CriticalFindings findings;
   NarrowingBracket bracket(analysis, grid.maximum);
-  CriticalBounds ends(analysis, structure, problem,
-                      {.grid = grid,
-                       .tightening = parameters.tightening,
-                       .list = parameters.list && finds_smallest_only(parameters.strategy),
-                       .list_nodes = parameters.list_nodes},
-                      recorder, bracket, findings.costs);
-  SmallestStrategies strategies(analysis, problem, parameters, grid, ends, bracket, findings);
+  CriticalBounds bounds(analysis, structure, problem,
+                        {.grid = grid,
+                         .tightening = parameters.tightening,
+                         .list = parameters.list && finds_smallest_only(parameters.strategy),
+                         .list_nodes = parameters.list_nodes},
+                        recorder, bracket, findings.costs);
+  SmallestStrategies strategies(analysis, problem, parameters, grid, bounds, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
     auto costs = std::move(findings.costs);
     auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.maximum, costs);
@@ -343,7 +343,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
       by_patterns(CriticalMethod::bisection);
       break;
   }
-  ends.prove(findings);
+  bounds.prove(findings);
   return findings;
 }
 

@@ -46,7 +46,7 @@ struct ExactTest {
   std::uint64_t unproved = 0;  ///< closed nodes without claim that it does not prove either
 
   /// True if the list may be incomplete although all its patterns are decided.
-  [[nodiscard]] bool leaves_doubt() const {
+  [[nodiscard]] bool is_open() const {
     return !unable.empty() || doubted > 0 || (asked && unproved > 0);
   }
 };

@@ -17,13 +17,13 @@ using linear::rounded::sum_up;
 
 constexpr std::uint64_t max_rounds = 20;
 // Another round follows if one reduces the Ms by at least this share.
-constexpr double worth_a_round = 0.01;
+constexpr double min_round_gain = 0.01;
 // Smallest M other than 0, relative to the largest term of its row and to its given value; smaller
 // ones would be rounding errors.
 constexpr double min_share = 1e-6;
 constexpr double min_share_of_given = 1e-12;
 // An M that decreases by less than this share is not changed.
-constexpr double worth_a_change = 1e-3;
+constexpr double min_change = 1e-3;
 
 }  // namespace
 
@@ -116,7 +116,7 @@ class BigMs::Round {
     const double needed =
         range.upper <= tight ? tight : std::max(range.upper, sum_up(tight, minimum));
     const double m = big.m > 0 ? sum_down(needed, -tight) : -sum_up(needed, -tight);
-    if (!(now - std::abs(m) > worth_a_change * now)) return 0;
+    if (!(now - std::abs(m) > min_change * now)) return 0;
     replace(big, m, big.m > 0 ? needed : big.upper);
     result_.proved = result_.proved && range.proved;
     return (now - std::abs(m)) / now;
@@ -156,7 +156,7 @@ TighteningResult BigMs::tighten(linear::MixedProgram& mixed, double cutoff, bool
   while (result.rounds < max_rounds && !result.nothing_left && !support::asked(stop)) {
     ++result.rounds;
     Round round(mixed, cutoff, proofs_only, stop, result);
-    if (round.apply(rows_) < worth_a_round) break;
+    if (round.apply(rows_) < min_round_gain) break;
   }
   return result;
 }

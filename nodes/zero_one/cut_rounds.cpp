@@ -13,7 +13,7 @@ namespace {
 using linear::LinearStatus;
 
 // The limit of remark 5.2, in rounds for each binary.
-constexpr double rounds_a_binary = 1.8;
+constexpr double rounds_per_binary = 1.8;
 
 std::vector<double> residuals(const Relaxation& relaxation) {
   std::vector<double> list(relaxation.binaries());
@@ -68,7 +68,7 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
   auto point = relaxation.values();
   CutOrder order(residual.size());
   const auto maximum =
-      static_cast<std::uint64_t>(rounds_a_binary * static_cast<double>(residual.size()));
+      static_cast<std::uint64_t>(rounds_per_binary * static_cast<double>(residual.size()));
   while (result.rounds < maximum && fractional(residual) > 0 &&
          !support::asked(relaxation.stop())) {
     const auto chosen = order.next(residual);

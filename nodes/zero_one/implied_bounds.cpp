@@ -66,7 +66,7 @@ class Propagation {
     return times(row.terms[k].value, bounds_.lower[j], bounds_.upper[j]);
   }
 
-  // least <= a x <= most
+  // minimum <= a x <= maximum
   bool narrow(const linear::LinearTerm& at, double minimum, double maximum) {
     if (std::isnan(minimum)) minimum = -linear::infinity;
     if (std::isnan(maximum)) maximum = linear::infinity;

@@ -46,7 +46,8 @@ engine::Outcome<ZeroOneTree> outcome_of_root(const ZeroOneTree& tree, int ranks,
 // objective does not change the binaries. The search then only needs a point.
 bool without_bound(ZeroOneRoot& root, const linear::MixedProgram& mixed,
                    const ZeroOneRootOptions& options) {
-  if (root.status != linear::LinearStatus::unbounded || !falls_for_ever(mixed, options.stop)) {
+  if (root.status != linear::LinearStatus::unbounded ||
+      !decreases_without_bound(mixed, options.stop)) {
     return false;
   }
   auto any_point = mixed;

@@ -56,8 +56,8 @@ Relaxation::Relaxation(linear::MixedProgram mixed)
     lower = std::ceil(lower);
     upper = std::floor(upper);
     simplex_.set_column_bounds(column, lower, upper);
-    held_.lower.push_back(lower);
-    held_.upper.push_back(upper);
+    fixed_.lower.push_back(lower);
+    fixed_.upper.push_back(upper);
   }
   proves_ = all_bounded();
   steps_ = ObjectiveSteps(min_cost(mixed_.program));
@@ -83,22 +83,22 @@ void Relaxation::drop_last_row() {
   simplex_.drop_rows_from(last);
 }
 
-void Relaxation::matters_below(double cutoff) {
+void Relaxation::limit_objective(double cutoff) {
   implied_ = implied_bounds(mixed_.program, cutoff);
   proves_ = all_bounded();
 }
 
-void Relaxation::hold(const Fixings& fixings) {
+void Relaxation::fix(const Fixings& fixings) {
   node_ = implied_;
   for (std::size_t k = 0; k < binaries(); ++k) {
     const auto j = static_cast<std::size_t>(column(k));
     const auto& own = mixed_.program.columns[j];
     const double lower = fixings.at_one(k) ? 1 : own.lower;
     const double upper = fixings.at_zero(k) ? 0 : own.upper;
-    if (lower != held_.lower[k] || upper != held_.upper[k]) {
+    if (lower != fixed_.lower[k] || upper != fixed_.upper[k]) {
       simplex_.set_column_bounds(column(k), lower, upper);
-      held_.lower[k] = lower;
-      held_.upper[k] = upper;
+      fixed_.lower[k] = lower;
+      fixed_.upper[k] = upper;
     }
     node_.lower[j] = lower;
     node_.upper[j] = upper;
@@ -107,7 +107,7 @@ void Relaxation::hold(const Fixings& fixings) {
 
 LinearStatus Relaxation::solve(const Fixings& fixings, const linear::Basis& basis,
                                const linear::SolveLimits& limits) {
-  hold(fixings);
+  fix(fixings);
   if (basis.empty()) {
     simplex_.use_slack_basis();
   } else {
@@ -255,8 +255,8 @@ linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
   }
   for (std::size_t k = 0; k < binaries(); ++k) {
     auto& column = program.columns[static_cast<std::size_t>(this->column(k))];
-    column.lower = held_.lower[k];
-    column.upper = held_.upper[k];
+    column.lower = fixed_.lower[k];
+    column.upper = fixed_.upper[k];
   }
   for (std::size_t i = 0; i < rows; ++i) {
     program.rows.push_back(

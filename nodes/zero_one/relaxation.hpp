@@ -55,7 +55,7 @@ class Relaxation {
   void drop_last_row();
 
   /// Restricts the relevant points to an objective of at most `cutoff`, which may bound columns.
-  void matters_below(double cutoff);
+  void limit_objective(double cutoff);
 
   /// Fixes binaries by `fixings`, and solves from `basis` (an empty one: from slacks).
   linear::LinearStatus solve(const Fixings& fixings, const linear::Basis& basis,
@@ -93,14 +93,14 @@ class Relaxation {
   [[nodiscard]] bool proves() const { return proves_; }
   /// Makes the bounds those of the simplex method, for programs whose columns have bounds so wide
   /// that the safe bounds are useless.
-  void do_without_proof() { proves_ = false; }
+  void use_unproved_bounds() { proves_ = false; }
 
   /// Number of linear programs solved.
   [[nodiscard]] std::uint64_t programs() const { return simplex_.solves() + precise_programs_; }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
-  void hold(const Fixings& fixings);
+  void fix(const Fixings& fixings);
   void conclude();
   void conclude_in_doubles();
   void conclude_precisely();
@@ -116,7 +116,7 @@ class Relaxation {
   linear::Simplex simplex_;
   ColumnBounds implied_;  // at the root
   ColumnBounds node_;     // with the fixings
-  ColumnBounds held_;     // of the binaries, in their order, in the simplex method
+  ColumnBounds fixed_;    // of the binaries, in their order, in the simplex method
   ObjectiveSteps steps_;
   support::Stop stop_;
   bool proves_ = false;

@@ -135,9 +135,10 @@ ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& o
   if (root.status == LinearStatus::optimal && !support::asked(options.stop)) {
     if (root.point) {
       const double objective = root.point->objective;
-      root.relaxation.matters_below(objective + root.relaxation.steps().width(objective));
+      root.relaxation.limit_objective(objective + root.relaxation.steps().width(objective));
     }
-    if (root.relaxation.proves() && !safe_bound_is_of_use(root)) root.relaxation.do_without_proof();
+    if (root.relaxation.proves() && !safe_bound_is_of_use(root))
+      root.relaxation.use_unproved_bounds();
     if (options.cuts == ZeroOneCuts::disjunctive) {
       auto cuts = add_disjunctive_cuts(root.relaxation, root.basis);
       root.counts.cut_rounds = cuts.rounds;

@@ -56,9 +56,9 @@ ZeroOneTally ZeroOneTree::tally() const {
 double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
   if (!std::isfinite(outcome_bound)) return std::min(outcome_bound, total.least_bound.value);
   constexpr double half = 0.5 * (1 + 1e-9);
-  const double half_a_step = half * steps().width(outcome_bound);
+  const double half_step = half * steps().width(outcome_bound);
   if (in_steps(total.least_bound.value) < outcome_bound) return total.least_bound.value;
-  return raised(outcome_bound - half_a_step);
+  return raised(outcome_bound - half_step);
 }
 
 // If objectives lie on a grid, a bound between two of its points is raised to the upper one.
@@ -97,7 +97,7 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
   for (;;) {
     if (settle(node, out)) return;
     const double bound = root_.relaxation.bound();
-    hold_by_cost(node);
+    fix_by_reduced_cost(node);
     const auto free = free_binaries(node);
     const bool whole = std::all_of(free.begin(), free.end(), [this](std::size_t k) {
       const double at = root_.relaxation.value(k);
@@ -202,7 +202,7 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
 // Reduced-cost fixing of binaries whose other value would bring the bound above the point known
 // from the root. (The incumbent is not used, since the result of a node must not depend on the time
 // when it is opened.)
-void ZeroOneTree::hold_by_cost(Node& node) {
+void ZeroOneTree::fix_by_reduced_cost(Node& node) {
   if (!root_.point || root_.as_printed) return;
   for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
     if (!node.fixings.free(k)) continue;
@@ -232,11 +232,11 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
   std::optional<Split> best;
   double maximum = -1;
   const double minimum = min_rise * steps().width(before);
-  bool held = false;
+  bool fixed = false;
   const std::size_t count = std::min(candidates.size(), look_ahead_candidates);
   for (std::size_t i = 0; i < count; ++i) {
     Split split{candidates[i], {}, {}};
-    std::array<bool, 2> dead{};
+    std::array<bool, 2> closed{};
     for (const bool at_one : {false, true}) {
       const std::size_t side = at_one ? 1 : 0;
       Fixings fixings = node.fixings;
@@ -247,14 +247,14 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
       split.basis[side] = failed ? node.basis : relaxation.basis();
       split.bound[side] = std::max(node.bound, raised(relaxation.bound()));
       split.rise[side] = std::max(relaxation.bound() - before, minimum);
-      dead[side] = (status == LinearStatus::infeasible && relaxation.contradiction()) ||
-                   worse_than_root_point(split.bound[side]);
+      closed[side] = (status == LinearStatus::infeasible && relaxation.contradiction()) ||
+                     worse_than_root_point(split.bound[side]);
     }
-    if (dead[0] || dead[1]) {
-      node.fixings.fix(split.binary, dead[0]);
+    if (closed[0] || closed[1]) {
+      node.fixings.fix(split.binary, closed[0]);
       ++tally_.held;
-      held = true;
-      if (dead[0] && dead[1]) break;
+      fixed = true;
+      if (closed[0] && closed[1]) break;
       continue;
     }
     const double score = split.rise[0] * split.rise[1];
@@ -263,7 +263,7 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
       best = std::move(split);
     }
   }
-  if (held) return {};
+  if (fixed) return {};
   return best;
 }
 

@@ -121,7 +121,7 @@ class ZeroOneTree {
   bool close_if_whole(const Node& node, Out& out);
   void close(const Node& node, std::uint64_t& how);
   void close_without_proof(const Node& node);
-  void hold_by_cost(Node& node);
+  void fix_by_reduced_cost(Node& node);
   void try_rounding(const Node& node, Out& out);
   std::optional<Split> look_ahead(Node& node, const std::vector<std::size_t>& candidates,
                                   double before);

@@ -9,7 +9,7 @@
 
 namespace kusabi::zero_one {
 
-bool falls_for_ever(const linear::MixedProgram& mixed, const support::Stop& stop) {
+bool decreases_without_bound(const linear::MixedProgram& mixed, const support::Stop& stop) {
   const auto end = [](double bound, double otherwise) {
     return std::isfinite(bound) ? 0 : otherwise;
   };

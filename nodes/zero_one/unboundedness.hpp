@@ -8,6 +8,6 @@ namespace kusabi::zero_one {
 
 /// True if there is a direction, found in 104 bits, along which the objective decreases and which
 /// no row, bound or binary limits: the program is then unbounded if it has a point.
-bool falls_for_ever(const linear::MixedProgram& mixed, const support::Stop& stop = {});
+bool decreases_without_bound(const linear::MixedProgram& mixed, const support::Stop& stop = {});
 
 }  // namespace kusabi::zero_one

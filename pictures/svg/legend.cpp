@@ -117,7 +117,7 @@ bool has(const Scene& scene, DrawnLoad::Kind kind) {
 /// Meaning of the shades of cones.
 constexpr const char* shades_text = "used up to 50, 75, 95, 100 %";
 
-// "mu 0.65", or the range of mu over the candidates in contact.
+// "friction cone, μ = 0.65; …", or the range of mu over the candidates in contact.
 std::string friction_text(const Scene& scene) {
   double minimum = HUGE_VAL;
   double maximum = 0;
@@ -142,8 +142,7 @@ void add_supports(std::vector<LegendEntry>& entries, const Scene& scene) {
     entries.push_back({scene.dimension == 2 ? support_sample : support_sample_in_space, "support"});
   if (!scene.inclined.empty()) entries.push_back({inclined_sample, "inclined support"});
   if (!scene.springs.empty()) entries.push_back({spring_sample, "spring"});
-  if (!scene.ties.empty())
-    entries.push_back({line_of("support", "tie"), "tie: a node that follows others"});
+  if (!scene.ties.empty()) entries.push_back({line_of("support", "tie"), "tie: a dependent node"});
 }
 
 void add_obstacle(std::vector<LegendEntry>& entries, const Scene& scene) {
@@ -158,7 +157,7 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
   const bool moves = scales.displacement > 0;
   const char* const kind = moves ? "rest" : "rest still";
   entries.push_back({bodies ? area_of(kind) : line_of(kind, "bar"),
-                     moves ? "the structure at rest" : "the structure"});
+                     moves ? "the undeformed structure" : "the structure"});
   if (moves) {
     const auto text =
         scene.collapse ? fmt::format("collapse mode: velocities × {:g}", scales.displacement)
@@ -224,7 +223,8 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
   const auto any = [&](auto&& holds) { return std::ranges::any_of(scenes, holds); };
   const bool bodies = !scenes.front().faces.empty();
   std::vector<LegendEntry> entries;
-  entries.push_back({bodies ? area_of("rest") : line_of("rest", "bar"), "the structure at rest"});
+  entries.push_back(
+      {bodies ? area_of("rest") : line_of("rest", "bar"), "the undeformed structure"});
   if (any([](const Scene& its) { return its.displacements.cols() > 0; })) {
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"),
                        "moved, each by a factor of its own"});

@@ -102,7 +102,7 @@ void write_svg(std::ostream& out, const Picture& picture, const Scene& scene) {
 }
 
 void write_sheet(std::ostream& out, const Picture& picture, const std::vector<Scene>& scenes) {
-  const auto count = std::min(scenes.size(), max_on_a_sheet);
+  const auto count = std::min(scenes.size(), max_per_sheet);
   double shape = 0;
   for (std::size_t i = 0; i < count; ++i)
     shape =

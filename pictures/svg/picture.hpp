@@ -10,7 +10,7 @@
 namespace kusabi::pictures {
 
 /// Maximum number of scenes on a sheet.
-inline constexpr std::size_t max_on_a_sheet = 60;
+inline constexpr std::size_t max_per_sheet = 60;
 
 struct Picture {
   std::string title;
@@ -21,7 +21,7 @@ struct Picture {
 /// Draws a scene in all detail; its name follows the title, its lines follow those of the picture.
 void write_svg(std::ostream& out, const Picture& picture, const Scene& scene);
 
-/// Draws the first scenes, up to `max_on_a_sheet`, small, each with its name and its note.
+/// Draws the first scenes, up to `max_per_sheet`, small, each with its name and its note.
 /// @pre at least one
 void write_sheet(std::ostream& out, const Picture& picture, const std::vector<Scene>& scenes);
 

@@ -1,5 +1,5 @@
-// Scales: the largest displacement is drawn as a twelfth of the structure's size, the longest arrow
-// as a sixth.
+// Scales: the largest displacement is drawn with at most 0.09 of the structure's size (the scale is
+// 1, 2 or 5 times a power of ten), the longest arrow with 0.16 of it.
 #include "pictures/svg/scales.hpp"
 
 #include <algorithm>

@@ -39,7 +39,7 @@ struct DrawnSpring {
 /// A dependent node of a multi-point constraint.
 struct DrawnTie {
   int node;
-  std::vector<int> followed;
+  std::vector<int> masters;
 };
 
 struct DrawnCandidate {

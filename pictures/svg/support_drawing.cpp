@@ -102,9 +102,9 @@ void draw_supports(Canvas& canvas, const Scene& scene, const View& view, const D
 
 void draw_ties(Canvas& canvas, const Scene& scene, const Scales& scales, const View& view) {
   canvas.begin_group("support");
-  for (const auto& [node, followed] : scene.ties) {
+  for (const auto& [node, masters] : scene.ties) {
     const PixelPoint from = view(moved(scene, scales, node));
-    for (const int other : followed) {
+    for (const int other : masters) {
       const PixelPoint to = view(moved(scene, scales, other));
       if (from != to) canvas.line("tie", from, to);
     }

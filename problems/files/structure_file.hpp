@@ -27,7 +27,7 @@ CheckedStructure read_structure(std::string_view toml_text, const std::string& f
 CheckedStructure read_structure(const ProblemText& text, const std::string& file_name);
 
 /// The same, with data for warnings on normals that depend on the friction coefficient
-/// (facet_doubt.hpp).
+/// (draft/facet_doubt.hpp).
 struct StructureAndFacets {
   CheckedStructure structure;
   std::vector<FacetDoubt> facets;

@@ -12,8 +12,9 @@ using linear::LinearProgram;
 
 class DualProgram {
  public:
-  DualProgram(const LimitModel& model, const Eigen::VectorXd& big_m, std::span<const HeldTau> held)
-      : model_(model), big_m_(big_m), held_(held) {}
+  DualProgram(const LimitModel& model, const Eigen::VectorXd& big_m,
+              std::span<const FixedTau> fixed)
+      : model_(model), big_m_(big_m), fixed_(fixed) {}
 
   LinearProgram write(double alpha, std::span<const RelaxationCut> cuts) {
     program_.name = "dual (45) of the relaxation of (29)";
@@ -26,7 +27,7 @@ class DualProgram {
   }
 
  private:
-  [[nodiscard]] HeldTau held(int j) const { return held_[static_cast<std::size_t>(j)]; }
+  [[nodiscard]] FixedTau fixed(int j) const { return fixed_[static_cast<std::size_t>(j)]; }
   void entry(int row, int column, double value) {
     program_.entries.push_back({row, column, value});
   }
@@ -41,11 +42,11 @@ class DualProgram {
     for (int i = 0; i < 2 * members_; ++i) multiplier(0);
     // For tau_j = 1 the constant M of row j of (42e) vanishes.
     for (int j = 0; j < m_; ++j) {
-      multiplier(held(j) == HeldTau::not_held ? big_m_(j) : 0, held(j) == HeldTau::at_zero);
+      multiplier(fixed(j) == FixedTau::not_fixed ? big_m_(j) : 0, fixed(j) == FixedTau::at_zero);
     }
-    for (int j = 0; j < m_; ++j) multiplier(0, held(j) == HeldTau::at_one);
-    for (int j = 0; j < m_; ++j) multiplier(0, held(j) != HeldTau::not_held);
-    for (int j = 0; j < m_; ++j) multiplier(1, held(j) != HeldTau::not_held);
+    for (int j = 0; j < m_; ++j) multiplier(0, fixed(j) == FixedTau::at_one);
+    for (int j = 0; j < m_; ++j) multiplier(0, fixed(j) != FixedTau::not_fixed);
+    for (int j = 0; j < m_; ++j) multiplier(1, fixed(j) != FixedTau::not_fixed);
   }
 
   void write_rows(double alpha) {
@@ -58,7 +59,7 @@ class DualProgram {
       program_.add_row({.lower = share, .upper = share}, {});
     }
     for (int j = 0; j < m_; ++j) {
-      const bool kept = held(j) == HeldTau::not_held;
+      const bool kept = fixed(j) == FixedTau::not_fixed;
       program_.add_row({.lower = kept ? 0 : -infinity, .upper = kept ? 0 : infinity}, {});
     }
   }
@@ -104,8 +105,8 @@ class DualProgram {
     const int first_z = degrees_;
     const int first_gamma = degrees_ + members_;
     for (const auto& [column, value] : cut.terms) {
-      if (column >= first_tau && held(column - first_tau) != HeldTau::not_held) {
-        if (held(column - first_tau) == HeldTau::at_one) lower -= value;
+      if (column >= first_tau && fixed(column - first_tau) != FixedTau::not_fixed) {
+        if (fixed(column - first_tau) == FixedTau::at_one) lower -= value;
         continue;
       }
       // In (45b), (45d) and (45e) A mu is on the right-hand side, in (45c) on the left.
@@ -117,7 +118,7 @@ class DualProgram {
 
   const LimitModel& model_;
   const Eigen::VectorXd& big_m_;
-  std::span<const HeldTau> held_;
+  std::span<const FixedTau> fixed_;
   const int degrees_ = model_.free_count();
   const int members_ = model_.member_count();
   const int m_ = model_.uncertain_count();
@@ -128,8 +129,8 @@ class DualProgram {
 }  // namespace
 
 LinearProgram dual_program(const LimitModel& model, double alpha, const Eigen::VectorXd& big_m,
-                           std::span<const HeldTau> held, std::span<const RelaxationCut> cuts) {
-  return DualProgram(model, big_m, held).write(alpha, cuts);
+                           std::span<const FixedTau> fixed, std::span<const RelaxationCut> cuts) {
+  return DualProgram(model, big_m, fixed).write(alpha, cuts);
 }
 
 }  // namespace kusabi::problems

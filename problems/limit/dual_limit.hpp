@@ -22,7 +22,7 @@
 namespace kusabi::problems {
 
 /// Value of tau_j fixed at a node: J_0, J_1, or neither.
-enum class HeldTau { not_held, at_zero, at_one };
+enum class FixedTau { not_fixed, at_zero, at_one };
 
 /// A row of (42h): terms >= lower, in the columns of worst_case_program().
 struct RelaxationCut {
@@ -38,9 +38,9 @@ struct RelaxationCut {
 /// such that a basis fits every node.
 /// @param alpha scaled
 /// @param big_m M, m, scaled as for worst_case_program()
-/// @param held fixed values, m
+/// @param fixed fixed values, m
 linear::LinearProgram dual_program(const LimitModel& model, double alpha,
-                                   const Eigen::VectorXd& big_m, std::span<const HeldTau> held,
+                                   const Eigen::VectorXd& big_m, std::span<const FixedTau> fixed,
                                    std::span<const RelaxationCut> cuts = {});
 
 }  // namespace kusabi::problems

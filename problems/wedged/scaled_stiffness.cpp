@@ -130,14 +130,14 @@ int max_terms(const Structure& structure, const FreeDegrees& degrees) {
   if (degrees.master_degrees.empty()) return *std::ranges::max_element(terms);
   constexpr int weight_roundings = 8;
   auto all = terms;
-  std::vector<int> followers(terms.size(), 1);
+  std::vector<int> dependents(terms.size(), 1);
   for (std::size_t node = 0; node < terms.size(); ++node) {
-    for (const int leader : with_master_nodes(degrees, {static_cast<int>(node)})) {
-      all[static_cast<std::size_t>(leader)] += terms[node];
-      ++followers[static_cast<std::size_t>(leader)];
+    for (const int master : with_master_nodes(degrees, {static_cast<int>(node)})) {
+      all[static_cast<std::size_t>(master)] += terms[node];
+      ++dependents[static_cast<std::size_t>(master)];
     }
   }
-  return *std::ranges::max_element(all) * *std::ranges::max_element(followers) + weight_roundings;
+  return *std::ranges::max_element(all) * *std::ranges::max_element(dependents) + weight_roundings;
 }
 
 /// Adds a bar. Its entries have member_roundings rounding errors, and one for each term of a sum.

@@ -72,7 +72,8 @@ class Scaling final : public Bench {
         .number("--handling-us", &options_.handling_microseconds, above(0),
                 "time that the sender, and also the receiver, spends on a message")
         .unit("us");
-    table.number("--bandwidth", &options_.gigabytes_a_second, above(0), "bandwidth of the network")
+    table
+        .number("--bandwidth", &options_.gigabytes_per_second, above(0), "bandwidth of the network")
         .unit("GB/s");
     table.number("--least-ranks", &options_.min_ranks, above(0),
                  "number of ranks of the first row");
@@ -102,10 +103,10 @@ class Schedules final : public Bench {
 class Uts final : public Bench {
  public:
   void describe(OptionTable& table) override {
-    constexpr double about_a_second = 1e7;
+    constexpr double nodes_in_a_second = 1e7;
     constexpr double max_rounds = 1000;
     table.choice("--tree", options_.tree, standard_names(), "name of the standard tree");
-    table.number("--work", &options_.work, between(1, about_a_second),
+    table.number("--work", &options_.work, between(1, nodes_in_a_second),
                  "number of hashes per node, about 0.1 microseconds each");
     table.number("--rounds", &options_.rounds, between(1, max_rounds),
                  "number of searches; the fastest is reported");

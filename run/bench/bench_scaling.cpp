@@ -58,7 +58,7 @@ struct Subject {
 template <class Tree>
 void print_row(const BenchScalingOptions& options, const Subject<Tree>& subject, int ranks) {
   const engine::MachineModel machine{.latency = options.latency_microseconds * micro,
-                                     .bandwidth = options.gigabytes_a_second * 1e9,
+                                     .bandwidth = options.gigabytes_per_second * 1e9,
                                      .node = options.node_microseconds * micro,
                                      .handling = options.handling_microseconds * micro,
                                      .machine = options.machine,
@@ -93,7 +93,7 @@ void print_table(const BenchScalingOptions& options, const Subject<Tree>& subjec
       "{:>6} {:>10} {:>12} {:>12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10}\n",
       subject.nodes, subject.seconds / micro / static_cast<double>(subject.nodes),
       options.latency_microseconds, options.near_latency_microseconds, options.machine,
-      options.handling_microseconds, options.gigabytes_a_second, "ranks", "efficiency", "seconds",
+      options.handling_microseconds, options.gigabytes_per_second, "ranks", "efficiency", "seconds",
       "last node s", "ramp-up", "between", "tail", "messages", "transfers", "refusals",
       "reports ms");
   for (int ranks = options.min_ranks; ranks <= options.max_ranks; ranks *= 4) {

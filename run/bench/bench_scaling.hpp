@@ -18,7 +18,7 @@ struct BenchScalingOptions {
   double near_latency_microseconds = 0.5;  ///< the same inside a machine
   int machine = 1;                         ///< ranks on one machine
   double handling_microseconds = 0.5;      ///< time per message of its sender, and of its receiver
-  double gigabytes_a_second = 10;          ///< bandwidth
+  double gigabytes_per_second = 10;        ///< bandwidth
   int min_ranks = 1;
   int max_ranks = 65536;  ///< largest number of ranks; four times as many in each row
   std::uint64_t seed = 1;

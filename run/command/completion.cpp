@@ -14,7 +14,7 @@ namespace {
 
 using Entry = CommandList::Entry;
 
-bool takes_a_file(const OptionRow& row) {
+bool is_file_option(const OptionRow& row) {
   return row.value == "FILE" || row.role == Role::input || row.role == Role::output;
 }
 
@@ -41,10 +41,10 @@ std::string bash_values(const OptionTable& table) {
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
     if (!row.named() || !row.shown() || row.value.empty()) continue;
-    const auto reply = !row.words.empty()   ? fmt::format("'{}'", fmt::join(row.words, " "))
-                       : row.value == "DIR" ? std::string("-d")
-                       : takes_a_file(row)  ? std::string("-f")
-                                            : std::string("''");
+    const auto reply = !row.words.empty()    ? fmt::format("'{}'", fmt::join(row.words, " "))
+                       : row.value == "DIR"  ? std::string("-d")
+                       : is_file_option(row) ? std::string("-f")
+                                             : std::string("''");
     fmt::format_to(out, "        {}) values={} ;;\n", fmt::join(row.names(), "|"), reply);
   }
   return text;
@@ -127,7 +127,7 @@ std::string zsh_text(std::string_view text) {
 std::string zsh_action(const OptionRow& row) {
   if (!row.words.empty()) return fmt::format("({})", fmt::join(row.words, " "));
   if (row.value == "DIR") return "_files -/";
-  return takes_a_file(row) ? "_files" : " ";
+  return is_file_option(row) ? "_files" : " ";
 }
 
 std::string zsh_arguments(const OptionTable& table) {
@@ -209,7 +209,7 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
     } else if (row.value == "DIR") {
       text += " -x -a '(__fish_complete_directories)'";
     } else if (!row.value.empty()) {
-      text += takes_a_file(row) ? " -r -F" : " -x";
+      text += is_file_option(row) ? " -r -F" : " -x";
     }
     text += '\n';
   }

@@ -46,11 +46,11 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
   found.grounds = findings.exact ? Grounds::exact_arithmetic : Grounds::solver_bounds;
-  using enum wedged::CriticalDoubt;
-  found.wide = std::ranges::find(findings.doubts, wide_bracket) != findings.doubts.end();
+  using enum wedged::OpenPoint;
+  found.wide = std::ranges::find(findings.open_points, wide_bracket) != findings.open_points.end();
   found.patterns_open =
       (findings.upper && findings.patterns.empty()) ||
-      std::ranges::find(findings.doubts, list_not_complete) != findings.doubts.end();
+      std::ranges::find(findings.open_points, list_not_complete) != findings.open_points.end();
   return found;
 }
 

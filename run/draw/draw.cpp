@@ -66,15 +66,15 @@ class Draw final : public Subcommand {
   void take_scenes(const ResultReader& reader) {
     drawn_ = result_scenes(
         reader, file_,
-        pattern_ > 0 ? SceneChoice{pattern_ - 1, 1} : SceneChoice{0, pictures::max_on_a_sheet});
+        pattern_ > 0 ? SceneChoice{pattern_ - 1, 1} : SceneChoice{0, pictures::max_per_sheet});
     const auto count = drawn_.count;
     if (pattern_ > count) {
       throw WrongInput(fmt::format("--pattern {}: expected 1 to {}, the {} of {}", pattern_, count,
                                    drawn_.things, file_));
     }
-    if (pattern_ == 0 && count > pictures::max_on_a_sheet) {
+    if (pattern_ == 0 && count > pictures::max_per_sheet) {
       drawn_.picture.lines.push_back(
-          fmt::format("the first {} of them; --pattern N draws any", pictures::max_on_a_sheet));
+          fmt::format("the first {} of them; --pattern N draws any", pictures::max_per_sheet));
     }
   }
 

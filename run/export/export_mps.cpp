@@ -93,7 +93,7 @@ void ExportMps::settle_half_widths() {
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
   if (!alpha_) throw WrongInput("--program worst-case: requires --alpha");
-  // Loads on supported displacements are not part of the program.
+  // Loads with a half-width of zero are not part of the program.
   std::erase_if(one->uncertain,
                 [&](const auto& column) { return *alpha_ * column.half_width == 0; });
 }

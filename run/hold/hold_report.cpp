@@ -95,7 +95,7 @@ ordered_json state_json(const wedged::LoadedProblem& loaded, std::uint32_t block
   return {{"factor", state->factor}, {"reactions", std::move(reactions)}};
 }
 
-// "foot 0.9, top 0.3 kN": normal reactions of a state.
+// "normal reactions at factor 0.5: foot 0.9 top 0.3", in the unit of the file.
 std::string reactions_text(const wedged::LoadedProblem& loaded, std::uint32_t block,
                            const std::optional<wedged::LoadedPattern>& pattern,
                            const std::optional<wedged::HeldState>& state) {

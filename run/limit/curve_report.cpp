@@ -28,7 +28,7 @@ struct NamedCurve {
   const char* key;    // in JSON
   const char* name;   // in CSV
   const char* title;  // in the table
-  double load;        // name of the load column at beta = 1
+  double load;        // size of the load at beta = 1, for the column `load`
 };
 
 std::vector<NamedCurve> curves_of(const CurveReport& report) {
@@ -82,8 +82,9 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
   double error = 0;
   for (const auto& piece : curve.pieces) {
     const auto mode = named_mode(problem, piece);
-    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {}, {} members yield\n", piece.from.at,
-                   piece.from.factor, mode.sway ? "sway" : "not sway", mode.yielding.size());
+    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {}, {} yielding\n", piece.from.at,
+                   piece.from.factor, mode.sway ? "sway" : "not sway",
+                   counted(mode.yielding.size(), "member"));
     if (!mode.tension.empty()) {
       fmt::format_to(out, "{:27}in tension:     {}\n", "", fmt::join(mode.tension, " "));
     }

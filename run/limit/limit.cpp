@@ -273,7 +273,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
 const char* Limit::why_no_certificate() const {
   const auto& worst = cases_.front().found.answer.worst;
   if (worst && worst->as_printed) return "the search stopped before both bounds were proved";
-  return "not every load case has its bounds proved";
+  return "not all bounds are proved";
 }
 
 Verdict Limit::verdict() const {

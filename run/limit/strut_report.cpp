@@ -136,10 +136,10 @@ std::string strut_sentence(std::span<const LimitCase> cases) {
     minimum.proved = minimum.proved && own.proved;
     minimum.is_nominal = own.is_nominal;
   }
-  if (!std::isfinite(minimum.lower)) return text + "it is not known.";
+  if (!std::isfinite(minimum.lower)) return text + "the load factor is not known.";
   const bool bound = !minimum.is_nominal;
-  return text + fmt::format("it is {}{:.8g}{}{}.", bound ? "at least " : "", minimum.lower,
-                            after_loss ? " after the worst loss" : "",
+  return text + fmt::format("the load factor is {}{:.8g}{}{}.", bound ? "at least " : "",
+                            minimum.lower, after_loss ? " after the worst loss" : "",
                             bound && !minimum.proved ? " (not proved)" : "");
 }
 

@@ -12,7 +12,7 @@
 namespace kusabi::run {
 namespace {
 
-constexpr std::size_t fewest = 3;
+constexpr std::size_t min_names = 3;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -62,7 +62,7 @@ std::string with_ranges(const std::vector<std::string>& names) {
       ++last->number;
     }
     if (!text.empty()) text += ' ';
-    if (count < fewest) {
+    if (count < min_names) {
       text += names[at++];
       continue;
     }

@@ -60,7 +60,7 @@ void remove_if_left(const fs::path& file, pid_t process) {
   close(descriptor);
 }
 
-void remove_what_the_dead_left(const fs::path& place) {
+void remove_abandoned_files(const fs::path& place) {
   std::error_code error;
   const auto name = place.filename().string();
   for (fs::directory_iterator entry(place.parent_path(), error), end; !error && entry != end;
@@ -97,7 +97,7 @@ OutputFile::OutputFile(const std::string& option, const std::string& name,
 }
 
 std::string OutputFile::open_beside() {
-  remove_what_the_dead_left(place_);
+  remove_abandoned_files(place_);
   const auto stem = fmt::format("{}.{}.{}", place_.string(), host_name(), getpid());
   constexpr mode_t for_all = 0666;
   constexpr mode_t all_bits = 07777;

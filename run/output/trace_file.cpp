@@ -192,7 +192,7 @@ class Writer {
 
 }  // namespace
 
-std::size_t trace_events_a_rank(int ranks) {
+std::size_t trace_events_per_rank(int ranks) {
   constexpr std::size_t maximum = 1'000'000;
   constexpr std::size_t max_together = 4'000'000;
   return std::min(maximum,

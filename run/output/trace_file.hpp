@@ -12,7 +12,7 @@ namespace kusabi::run {
 
 /// Maximum number of events per rank: a million, and four million over all ranks, which are half a
 /// gigabyte of JSON and near the limit of browsers.
-std::size_t trace_events_a_rank(int ranks);
+std::size_t trace_events_per_rank(int ranks);
 
 /// Writes one JSON object, event by event.
 /// @param traces one per rank, on one time axis (Outcome::traces)

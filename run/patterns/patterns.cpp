@@ -178,7 +178,7 @@ void Patterns::prepare(CommandRun& run) {
                    run.has_searched());
     parameters_.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
-  if (!options_.trace.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
+  if (!options_.trace.empty()) search.trace_events = trace_events_per_rank(run.session().ranks());
   if (!options_.record.empty()) record_nodes(run);
   search.warn = warn;
 }
@@ -292,7 +292,7 @@ Verdict Patterns::verdict() const {
 }
 
 double Patterns::seconds_to_write(std::uint64_t solutions) const {
-  if (options_.lines) return seconds_to_write_a_line * static_cast<double>(solutions);
+  if (options_.lines) return seconds_per_written_line * static_cast<double>(solutions);
   return Subcommand::seconds_to_write(solutions);
 }
 

@@ -74,7 +74,7 @@ void PatternsOptions::describe_tree(OptionTable& table) {
                "friction cones of the search: second-order cones (cones), or polyhedral cones that "
                "contain them (polyhedral, Algorithm 5.8); the resulting patterns are then tested "
                "with second-order cones");
-  Range even_facets = between(FacetBound::fewest, FacetBound::maximum);
+  Range even_facets = between(FacetBound::minimum, FacetBound::maximum);
   even_facets.even = true;
   table.number("--facets", &facets, even_facets, "number of facets of each polyhedral cone")
       .needs("--method");

@@ -95,7 +95,7 @@ Verdict PatternsReport::verdict() const {
   // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
   // test has decided them.
   const auto& exact = findings_.exact;
-  const bool proved = exact.done ? !exact.leaves_doubt() && exact.unproved == 0
+  const bool proved = exact.done ? !exact.is_open() && exact.unproved == 0
                                  : findings_.flat == 0 && problem_.modes.bodies.empty();
   // A pattern answers --exists; a search that is complete has listed all of them.
   const bool example = options_.exists && findings_.count() != 0U &&

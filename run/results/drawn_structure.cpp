@@ -183,7 +183,7 @@ class StructureReader {
     for (const auto& each : all("ties")) {
       pictures::DrawnTie tie{node(reader_.at(each, "node")), {}};
       for (const auto& share : reader_.list(each, "to"))
-        tie.followed.push_back(node(reader_.at(share, "node")));
+        tie.masters.push_back(node(reader_.at(share, "node")));
       scene().ties.push_back(std::move(tie));
     }
   }

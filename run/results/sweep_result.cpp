@@ -77,7 +77,7 @@ class SweptFriction : public SweepPage {
 
  private:
   [[nodiscard]] ChartSeries stairs(bool as_logarithms) const {
-    ChartSeries stairs{.name = "number of sign patterns, exact between its steps",
+    ChartSeries stairs{.name = "number of sign patterns, constant between its steps",
                        .line = {},
                        .dashed = !list("open").empty(),
                        .marks = {}};
@@ -165,7 +165,7 @@ class SweptLoads : public SweepPage {
 
  private:
   [[nodiscard]] ChartSeries curve() const {
-    ChartSeries line{.name = "worst case, exact between its breakpoints", .line = {}, .marks = {}};
+    ChartSeries line{.name = "worst case, linear between its breakpoints", .line = {}, .marks = {}};
     const auto& pieces = list("curve");
     for (const auto& piece : pieces)
       line.line.emplace_back(number(piece, "from"), number(piece, "factor_from"));

@@ -15,7 +15,7 @@ namespace {
 // In seconds. Idle ranks cause bursts of reductions; estimates need some distance in time.
 constexpr double sample_interval = 0.1;
 constexpr double bar_interval = 0.2;
-constexpr unsigned long rows_a_page = 30;
+constexpr unsigned long rows_per_page = 30;
 
 // Queried each time, since windows change. The last column stays free, since some terminals begin a
 // new line after it.
@@ -31,7 +31,7 @@ std::size_t terminal_width() {
 ProgressLine::ProgressLine(engine::Goal goal, const ShownObjective& shown)
     : terminal_(isatty(STDERR_FILENO) != 0),
       next_line_(terminal_ ? bar_interval : row_interval(0)) {
-  state_.minimising = goal == engine::Goal::best;
+  state_.has_objective = goal == engine::Goal::best;
   state_.shown = shown;
 }
 
@@ -67,8 +67,8 @@ void ProgressLine::show_bar() {
 }
 
 void ProgressLine::show_row() {
-  if (rows_++ % rows_a_page == 0) {
-    print_message("{}\n", progress_header(state_.minimising));
+  if (rows_++ % rows_per_page == 0) {
+    print_message("{}\n", progress_header(state_.has_objective));
   }
   print_message("{}\n", progress_row(state_));
 }

@@ -37,7 +37,7 @@ double bound(const ProgressState& state) {
 // True if no better solution is left and the open nodes are only discarded.
 bool proof_is_over(const ProgressState& state) {
   const double best = std::min(state.progress.objective, state.shown.upper);
-  return state.minimising && std::isfinite(best) && state.progress.bound >= best;
+  return state.has_objective && std::isfinite(best) && state.progress.bound >= best;
 }
 
 // The estimated remaining time, or the name of the last steps of a search.
@@ -83,10 +83,10 @@ std::string gap(double objective, double bound) {
   return share < 999.5 ? fmt::format("{:.3g} %", share) : "> 999 %";
 }
 
-std::string progress_header(bool minimising) {
+std::string progress_header(bool has_objective) {
   const std::string common =
       fmt::format("{:>9} {:>7} {:>7} {:>7}", "time", "nodes", "per s", "open");
-  const std::string answer = minimising
+  const std::string answer = has_objective
                                  ? fmt::format(" {:>12} {:>12} {:>7}", "objective", "bound", "gap")
                                  : fmt::format(" {:>7}", "found");
   return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, "idle", "done", "left");
@@ -99,16 +99,16 @@ std::string progress_row(const ProgressState& state) {
                   count(static_cast<double>(progress.opened)), count(state.nodes_per_second),
                   count(static_cast<double>(progress.open)));
   const std::string answer =
-      state.minimising ? fmt::format(" {:>12} {:>12} {:>7}", number(objective(state)),
-                                     number(bound(state)), gap(objective(state), bound(state)))
-                       : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
+      state.has_objective ? fmt::format(" {:>12} {:>12} {:>7}", number(objective(state)),
+                                        number(bound(state)), gap(objective(state), bound(state)))
+                          : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
   return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, idle(progress),
                      percent(progress.closed), left(state));
 }
 
-std::string progress_explained(bool minimising) {
+std::string progress_explained(bool has_objective) {
   ProgressState example;
-  example.minimising = minimising;
+  example.has_objective = has_objective;
   example.nodes_per_second = 4017;
   example.remaining = 8;
   auto& progress = example.progress;
@@ -131,11 +131,12 @@ std::string progress_explained(bool minimising) {
       "  done    closed share of the tree; the children of a node divide its share\n"
       "  left    estimated remaining time, from the growth of this share{}\n"
       "          ending: no open node is left, and the ranks terminate",
-      progress_header(minimising), progress_row(example),
-      minimising
+      progress_header(has_objective), progress_row(example),
+      has_objective
           ? "  objective, bound, gap   best value, proved bound, and their relative difference\n"
           : "  found   solutions found\n",
-      minimising ? "\n          closing: the proof is complete, and open nodes are discarded" : "");
+      has_objective ? "\n          closing: the proof is complete, and open nodes are discarded"
+                    : "");
 }
 
 std::string progress_bar(const ProgressState& state, std::size_t width) {
@@ -147,9 +148,9 @@ std::string progress_bar(const ProgressState& state, std::size_t width) {
       state.progress.open == 0 ? "ending: the ranks terminate"
       : proof_is_over(state)   ? "closing: the proof is complete"
                                : duration(state.remaining) + " left",
-      state.minimising ? fmt::format("best {}, gap {}", number(objective(state)),
-                                     gap(objective(state), bound(state)))
-                       : count(static_cast<double>(progress.found)) + " found",
+      state.has_objective ? fmt::format("best {}, gap {}", number(objective(state)),
+                                        gap(objective(state), bound(state)))
+                          : count(static_cast<double>(progress.found)) + " found",
       duration(progress.seconds),
       count(static_cast<double>(progress.opened)) + " nodes",
       count(state.nodes_per_second) + "/s",

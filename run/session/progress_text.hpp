@@ -18,7 +18,7 @@ struct ProgressState {
   engine::Progress progress;
   double nodes_per_second = 0;      ///< recent rate
   std::optional<double> remaining;  ///< seconds; empty: unknown
-  bool minimising = false;          ///< objective, bound and gap instead of solutions found
+  bool has_objective = false;       ///< objective, bound and gap instead of solutions found
   ShownObjective shown = {};        ///< format of objective and bound
 };
 
@@ -32,13 +32,13 @@ std::string count(double value);
 std::string gap(double objective, double bound);
 
 /// Column headings of `progress_row` for the same kind of search.
-std::string progress_header(bool minimising);
+std::string progress_header(bool has_objective);
 
 /// One line of the log, without a line end.
 std::string progress_row(const ProgressState& state);
 
 /// An example row with an explanation of each column, for help and the manual page.
-std::string progress_explained(bool minimising);
+std::string progress_explained(bool has_objective);
 
 /// The bar and as many figures as fit into `width` columns, the most important first.
 std::string progress_bar(const ProgressState& state, std::size_t width);

@@ -1,5 +1,5 @@
-// `kusabi sweep FILE --mu …`: number of sign patterns over the friction coefficient, exact between
-// points; `kusabi sweep FILE --alpha …`: worst-case limit load over the uncertainty of loads.
+// `kusabi sweep FILE --mu …`: number of sign patterns over the friction coefficient, also between
+// the points; `kusabi sweep FILE --alpha …`: worst-case limit load over the uncertainty of loads.
 // Options, and the choice between both.
 #include <optional>
 #include <string>
@@ -136,7 +136,7 @@ constexpr Registration sweep_subcommand{
      .purpose = "patterns over friction, or limit load over uncertainty",
      .description =
          "The number of sign patterns as a function of the friction coefficient, or the "
-         "worst-case limit load as a function of the load uncertainty, exact between the points.",
+         "worst-case limit load as a function of the load uncertainty, also between the points.",
      .example = "examples/two-bars.toml --mu 1.25:2.75:0.5"},
     make<Sweep>};
 

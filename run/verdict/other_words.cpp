@@ -45,7 +45,7 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   if (factor.at_none) {
     return fmt::format("for {} some admissible load is carried at no load factor", loads);
   }
-  auto text = fmt::format("the least load factor for {} is between {:.17g} and {:.17g}", loads,
+  auto text = fmt::format("the worst-case load factor for {} is between {:.17g} and {:.17g}", loads,
                           factor.lower, factor.upper);
   if (!factor.minimum) return text;
   const auto& [lower, upper] = *factor.minimum;

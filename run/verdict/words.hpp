@@ -22,7 +22,8 @@ struct Reservation {
 /// Open parts, then results that are computed only.
 std::vector<Reservation> reservations(const Verdict& verdict);
 
-/// The claim of a certificate of load factors: "the least load factor for alpha = 1 is between …".
+/// The claim of a certificate of load factors: "the worst-case load factor for alpha = 1 is between
+/// …".
 std::string factor_claim(const CertificateCheck::Factor& factor);
 
 /// The claim of a certificate of the loss of members: "PROVED: after the loss of any member …".

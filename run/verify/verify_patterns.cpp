@@ -118,7 +118,7 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
     fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
                    proved.unloaded);
   if (proved.open() > 0)
-    fmt::format_to(std::back_inserter(text), "undecided: {} not proved\n", proved.open());
+    fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.open());
 }
 
 // Signals stop it only if it can be resumed.

@@ -12,7 +12,7 @@ nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
 }
 
 std::optional<ExactDoubt> doubt_of(const wedged::ExactTest& test) {
-  if (!test.leaves_doubt()) return std::nullopt;
+  if (!test.is_open()) return std::nullopt;
   return ExactDoubt{test.scale_ratio, test.unable, test.doubted + test.unproved};
 }
 

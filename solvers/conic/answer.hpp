@@ -17,8 +17,8 @@ struct Tolerances {
   /// width of the bracket, relative to max(1, |t*|), at which the iteration ends
   double value = 1e-8;
   int iterations = 60;  ///< ordinary nodes need 10 to 20
-  /// Above this |t*| is classified by its sign even where it counts as a tie by `sign`: the
-  /// structure is meant as its numbers stand.
+  /// Above this |t*| is classified by its sign even where it is degenerate by `sign`: the numbers
+  /// of the file are then taken as exact.
   double resolution = std::numeric_limits<double>::infinity();
 
   /// |t*| above this is classified by its sign.

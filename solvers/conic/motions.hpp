@@ -28,7 +28,7 @@ inline constexpr double sliding = 1e-12;
 
 /// Threshold, relative to the largest mode, below which a mode does not displace the cones or rows
 /// of a node, up to the rounding of positions and directions in the file.
-inline constexpr double not_felt = 1e-10;
+inline constexpr double negligible_mode = 1e-10;
 
 /// A last column of G that is an equation for the reactions alone, with normal parts. A correction
 /// of normal displacements by normal forces changes it: by a negligible amount, or so that the last

@@ -201,19 +201,19 @@ template <int D, class Real>
 void NodeProgram<D, Real>::reduce_modes() {
   Matrix seen = normal_motions_(candidates_with_row(), Eigen::all);
   motion_basis_ = Matrix::Identity(seen.cols(), seen.cols());
-  const Eigen::Index visible = eliminate(seen, motion_basis_, 1, not_felt).pivots;
+  const Eigen::Index visible = eliminate(seen, motion_basis_, 1, negligible_mode).pivots;
   motion_basis_.conservativeResize(Eigen::NoChange, visible);
 
   const Eigen::Index p = motions_.count();
-  Matrix felt(D * static_cast<Eigen::Index>(cones_.size()), p);
+  Matrix effective(D * static_cast<Eigen::Index>(cones_.size()), p);
   Eigen::Index row = 0;
   for (const int k : cones_) {
-    felt.template middleRows<D>(row) = motions_.at_cones.template middleRows<D>(D * k);
-    felt.template middleRows<D - 1>(row + 1) *= Real(friction_[static_cast<std::size_t>(k)]);
+    effective.template middleRows<D>(row) = motions_.at_cones.template middleRows<D>(D * k);
+    effective.template middleRows<D - 1>(row + 1) *= Real(friction_[static_cast<std::size_t>(k)]);
     row += D;
   }
   equation_basis_ = Matrix::Identity(p, p);
-  const Eigen::Index independent = eliminate(felt, equation_basis_, 1, not_felt).pivots;
+  const Eigen::Index independent = eliminate(effective, equation_basis_, 1, negligible_mode).pivots;
   equation_basis_.rightCols(p - independent).setZero();
   for (Eigen::Index l = independent; l < p; ++l)
     empty_rows_.insert(candidates() + static_cast<int>(l));

@@ -101,7 +101,7 @@ ConicResult NodeSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& 
                                        StopEarly stop, const IndexSet& ignored,
                                        std::span<const Cut> cuts) {
   ConicResult answer = nothing_known();
-  const auto settled = [&](Side) { return is_settled(answer, stop, tolerances_); };
+  const auto settled = [&](ExaminedBound) { return is_settled(answer, stop, tolerances_); };
   do {
     if (!begin(contact, separated, ignored, cuts)) {  // the maximum over the empty set
       answer.sign = Sign::infeasible;
@@ -110,7 +110,7 @@ ConicResult NodeSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& 
     }
     if (!iterate(answer, Keep::best, settled) && extended<Real>) prove_contradiction(answer);
     prove_upper(answer);
-  } while (extended<Real> && !settled(Side::upper) && lift_off());
+  } while (extended<Real> && !settled(ExaminedBound::upper) && lift_off());
   multipliers_ = best_.head(multipliers_.size());
   answer.sign = sign_of(answer, tolerances_);
   answer.gap = answer.upper - answer.lower;
@@ -269,7 +269,7 @@ bool NodeSolver<D, Real>::lift_off() {
   }
   Matrix seen = program_.normal_motions()(held, Eigen::all);
   Matrix combination = Matrix::Identity(seen.cols(), seen.cols());
-  const Eigen::Index fixed = eliminate(seen, combination, 1, not_felt).pivots;
+  const Eigen::Index fixed = eliminate(seen, combination, 1, negligible_mode).pivots;
   const Matrix unseen = combination.rightCols(combination.cols() - fixed);
   if (lifted.empty() || unseen.cols() == 0) return false;
   const Matrix squares = unseen.transpose() * unseen;

@@ -119,7 +119,7 @@ class NodeSolver {
              const support::IndexSet& ignored, std::span<const Cut> cuts);
   ConicResult nothing_known();
   // Bound that has just been examined.
-  enum class Side { upper, lower };
+  enum class ExaminedBound { upper, lower };
   // Point stored as reaction(): the one that proves the best bound, or that of the last iteration.
   enum class Keep { best, latest };
   // Iterates until `ends(side)`. Returns false if the normal equations are singular.
@@ -173,12 +173,12 @@ bool NodeSolver<D, Real>::iterate(ConicResult& answer, Keep keep, Ends ends) {
   const int maximum = extended<Real> ? max_extended_iterations : tolerances_.iterations;
   for (int iteration = 0;; ++iteration) {
     sink_upper(answer);
-    if (ends(Side::upper) || iteration == maximum) return true;
+    if (ends(ExaminedBound::upper) || iteration == maximum) return true;
     ++answer.iterations;
     if (extended<Real> || program_.rows() >= rows_that_take_long) support::leave_if(stop_);
     if (!iteration_.factorise(program_)) return false;
     raise_lower(answer, keep);
-    if (ends(Side::lower) || !iteration_.advance(program_)) return true;
+    if (ends(ExaminedBound::lower) || !iteration_.advance(program_)) return true;
   }
 }
 

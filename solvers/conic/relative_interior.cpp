@@ -128,8 +128,8 @@ std::optional<RelativeInterior> NodeSolver<D, Real>::relative_interior(const Ind
                                                                        const IndexSet& ignored) {
   ConicResult answer = nothing_known();
   std::vector<Snapshot> path;
-  const auto ends = [&](Side side) {
-    if (side == Side::upper) return false;
+  const auto ends = [&](ExaminedBound side) {
+    if (side == ExaminedBound::upper) return false;
     // Bracket of the iteration itself, without the rounding errors of the bounds.
     const Real width = iteration_.complementarity() * program_.level(Real(0));
     path.push_back({numbers::rounded(width), sizes(), reaction_, motion_});

@@ -28,7 +28,7 @@ constexpr int max_corrections = 24;
 constexpr double on_it = 1e-21;
 constexpr int max_rounds = 24;
 // Largest increase of the scale factor per round; the remainder is 1e-9 in the scaled program.
-constexpr double scale_a_round = 0x1p40;
+constexpr double scale_per_round = 0x1p40;
 // The largest violation is scaled to one; bounds beyond this are then omitted.
 constexpr double far = 1e15;
 // Limit of scaled costs; larger ones are certainly positive. GLPK divides all costs by the largest,
@@ -370,7 +370,7 @@ class Refinement {
   void scale_up() {
     const auto scale = [](double worst, double before) {
       if (worst == 0) return before;
-      return std::min(std::exp2(-std::ilogb(worst)), before * scale_a_round);
+      return std::min(std::exp2(-std::ilogb(worst)), before * scale_per_round);
     };
     value_scale_ = scale(worst_value_, value_scale_);
     cost_scale_ = scale(worst_cost_, cost_scale_);

@@ -23,13 +23,13 @@ constexpr double dual_tolerance = 1e-9;
 
 // Limit of steps per row, since GLPK's methods can cycle. Ordinary programs take some steps per
 // row.
-constexpr int steps_a_row = 50;
+constexpr int steps_per_row = 50;
 constexpr int min_steps = 2000;
 
 // Size of a piece of a solve that may be stopped: a number of steps that take about a second at
 // most. A step costs as much as reading the program once or twice; at the beginning of a piece GLPK
 // copies the program, entry by entry, and discards its steepest-edge weights.
-constexpr double reading_a_piece = 2e8;
+constexpr double read_entries_per_piece = 2e8;
 constexpr double min_piece = 500;
 
 int bound_type(double lower, double upper) {
@@ -279,10 +279,10 @@ LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
   return status_;
 }
 
-int Simplex::steps_a_piece() const {
+int Simplex::steps_per_piece() const {
   const double size = static_cast<double>(rows()) + static_cast<double>(columns()) +
                       static_cast<double>(glp_get_num_nz(problem_->lp));
-  return static_cast<int>(std::max(min_piece, reading_a_piece / std::max(1.0, size)));
+  return static_cast<int>(std::max(min_piece, read_entries_per_piece / std::max(1.0, size)));
 }
 
 LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
@@ -294,11 +294,11 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   control.meth = method;
   control.tol_bnd = primal_tolerance;
   control.tol_dj = dual_tolerance;
-  const int enough = min_steps + steps_a_row * (rows() + columns());
+  const int enough = min_steps + steps_per_row * (rows() + columns());
   const int maximum = std::min(limits.iterations, enough);
   if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
   const int before = glp_get_it_cnt(problem_->lp);
-  const int piece = limits.stop ? steps_a_piece() : maximum;
+  const int piece = limits.stop ? steps_per_piece() : maximum;
   int done = 0;
   int code = 0;
   for (;;) {

@@ -132,7 +132,7 @@ class Simplex {
   [[nodiscard]] bool factorised();
   void refactorise();
   LinearStatus solve(int method, const SolveLimits& limits);
-  [[nodiscard]] int steps_a_piece() const;
+  [[nodiscard]] int steps_per_piece() const;
 
   std::unique_ptr<Problem> problem_;
   std::vector<bool> row_empty_;     // lower > upper, which GLPK does not accept

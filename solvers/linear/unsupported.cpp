@@ -52,7 +52,7 @@ std::string plain(std::string_view line) {
 }
 
 // A bracket at the beginning of a word; others are parts of a name.
-bool opens_a_square(std::string_view words) {
+bool begins_with_square_bracket(std::string_view words) {
   for (std::size_t at = words.find('['); at != std::string_view::npos;
        at = words.find('[', at + 1)) {
     constexpr std::string_view before = " +-:=";
@@ -83,7 +83,7 @@ std::optional<Feature> feature_in(std::string_view words, std::string_view next)
   }
   if (has("SEMI-CONTINUOUS")) return {{"SEMI-CONTINUOUS", semi_continuous}};
   if (has("->")) return {{"->", indicators}};
-  if (opens_a_square(words)) return {{has("[") ? "[" : "^", quadratic}};
+  if (begins_with_square_bracket(words)) return {{has("[") ? "[" : "^", quadratic}};
   return {};
 }
 

@@ -372,7 +372,7 @@ RayList first_list(const ReactionCone& cone) {
   return DoubleDescription(cone, cone.all(), 0).list();
 }
 
-Steps go_on(RayList& list, const ReactionCone& cone, const Conduct& conduct) {
+Steps resume(RayList& list, const ReactionCone& cone, const Conduct& conduct) {
   DoubleDescription description(cone, std::move(list), conduct);
   description.cut_by(cone.all(), Keep::complementary);
   const Steps steps = description.steps();
@@ -398,7 +398,7 @@ std::optional<std::array<RayList, 2>> divided(const RayList& list) {
 
 std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct) {
   auto list = first_list(cone);
-  const auto steps = go_on(list, cone, conduct);
+  const auto steps = resume(list, cone, conduct);
   if (steps.stopped || !has_ended(list, cone)) return std::nullopt;
   return Enumeration{std::move(list.zeros), steps.effort, steps.health};
 }
@@ -436,7 +436,7 @@ PatternRaysByTurns::PatternRaysByTurns(PatternRaysByTurns&&) noexcept = default;
 PatternRaysByTurns& PatternRaysByTurns::operator=(PatternRaysByTurns&&) noexcept = default;
 PatternRaysByTurns::~PatternRaysByTurns() = default;
 
-bool PatternRaysByTurns::go_on(std::uint64_t max_pairs) {
+bool PatternRaysByTurns::resume(std::uint64_t max_pairs) {
   if (state_->description.effort().pairs > max_pairs) return false;
   state_->max_pairs = max_pairs;
   auto& description = state_->description;
@@ -455,7 +455,7 @@ Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact) {
 std::optional<Enumeration> rays_of_pattern(const ReactionCone& cone, Candidates contact,
                                            std::function<bool()> stop) {
   PatternRaysByTurns turns(cone, contact, std::move(stop));
-  if (!turns.go_on(std::numeric_limits<std::uint64_t>::max())) return std::nullopt;
+  if (!turns.resume(std::numeric_limits<std::uint64_t>::max())) return std::nullopt;
   return std::move(turns).result();
 }
 

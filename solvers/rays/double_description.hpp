@@ -105,7 +105,7 @@ struct Steps {
 };
 
 /// Resumes a list until all steps are done, or until a limit of `conduct`.
-Steps go_on(RayList& list, const ReactionCone& cone, const Conduct& conduct);
+Steps resume(RayList& list, const ReactionCone& cone, const Conduct& conduct);
 
 /// True if all steps are done: the list is then that of its face.
 bool has_ended(const RayList& list, const ReactionCone& cone);
@@ -135,7 +135,8 @@ std::optional<Enumeration> rays_of_pattern(const ReactionCone& cone, Candidates 
 class PatternRaysByTurns {
  public:
   /// @param cone outlives this object
-  /// @param stop called now and then; after it returned true, go_on returns false and the object is
+  /// @param stop called now and then; after it returned true, resume returns false and the object
+  /// is
   ///        of no use. Empty: never
   PatternRaysByTurns(const ReactionCone& cone, Candidates contact, std::function<bool()> stop = {});
   PatternRaysByTurns(PatternRaysByTurns&&) noexcept;
@@ -144,9 +145,9 @@ class PatternRaysByTurns {
 
   /// Resumes until more than `max_pairs` pairs were tested, over all turns, or all rays are found.
   /// Only `stop` interrupts a step. @return true if all rays are found
-  bool go_on(std::uint64_t max_pairs);
+  bool resume(std::uint64_t max_pairs);
 
-  /// @pre go_on has returned true
+  /// @pre resume has returned true
   Enumeration result() &&;
 
  private:

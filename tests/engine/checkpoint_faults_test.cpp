@@ -88,7 +88,7 @@ class CheckpointFaults : public testing::Test {
   }
 
   // Expects that resuming gives the outcome of an undisturbed run.
-  void expect_a_good_one() {
+  void expect_valid_checkpoint() {
     auto all = tree();
     const auto whole = search(all);
     auto choice = options();
@@ -134,7 +134,7 @@ TEST_F(CheckpointFaults, ThePreviousCheckpointRemainsIfTheManifestCannotBeWritte
   fs::create_directories(file_ + ".tmp/in the way");
   go_on(options(), 3, 3000);
   EXPECT_GT(warnings_.size(), 1U);
-  expect_a_good_one();
+  expect_valid_checkpoint();
 }
 
 TEST_F(CheckpointFaults, ADamagedCheckpointDoesNotReplaceTheValidPreviousOne) {
@@ -148,7 +148,7 @@ TEST_F(CheckpointFaults, ADamagedCheckpointDoesNotReplaceTheValidPreviousOne) {
   EXPECT_GT(read_manifest(file_).epoch, damaged);
   EXPECT_EQ(read_manifest(file_ + ".previous").epoch, damaged - 1);
   fs::remove(file_);
-  expect_a_good_one();
+  expect_valid_checkpoint();
 }
 
 TEST_F(CheckpointFaults, PartsOfAKilledRunDoNotCompleteADamagedCheckpoint) {
@@ -166,7 +166,7 @@ TEST_F(CheckpointFaults, PartsOfAKilledRunDoNotCompleteADamagedCheckpoint) {
   EXPECT_EQ(content(part(damaged, 0)), "");
   std::string passed_over;
   EXPECT_EQ(usable_checkpoint(file_, problem, passed_over), file_ + ".previous");
-  expect_a_good_one();
+  expect_valid_checkpoint();
 }
 
 TEST_F(CheckpointFaults, PartsLeftByKilledRunsAreRemoved) {
@@ -218,13 +218,13 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndThePreviousCheckpointRemains) {
     EXPECT_THAT(warnings_, testing::Contains(HasSubstr("the previous one remains valid")));
     EXPECT_EQ(read_manifest(file_).epoch, before);
     EXPECT_EQ(names(), names_before) << "a full disk is not to be filled further";
-    expect_a_good_one();
+    expect_valid_checkpoint();
   }
   std::signal(SIGXFSZ, handler);
   // The limit is removed.
   EXPECT_TRUE(go_on(options(), 2, 500).saved);
   EXPECT_GT(read_manifest(file_).epoch, before);
-  expect_a_good_one();
+  expect_valid_checkpoint();
 }
 
 TEST_F(CheckpointFaults, AFolderThatIsMissingAtTheStartIsAnError) {
@@ -262,7 +262,7 @@ TEST_F(CheckpointFaults, ATemporarilyMissingFolderIsAWarning) {
   ASSERT_FALSE(fs::exists(elsewhere));
   EXPECT_GT(warnings_.size(), 3U);
   EXPECT_GT(read_manifest(file_).epoch, before);
-  expect_a_good_one();
+  expect_valid_checkpoint();
 }
 
 TEST_F(CheckpointFaults, AFolderInPlaceOfAFileIsRefusedInOneLine) {
@@ -323,7 +323,7 @@ TEST_P(StoredCheckpoint, ResumesToTheOutcomeOfAnUndisturbedRun) {
   ASSERT_EQ(read_manifest(file_).ranks, 3);
   ASSERT_GE(read_manifest(file_).opened, 3000U);
   ASSERT_GT(read_manifest(file_).open, 0U);
-  expect_a_good_one();
+  expect_valid_checkpoint();
 }
 
 // The manifest of the first one lacks goal and types.

@@ -282,10 +282,10 @@ TEST_F(Checkpoint, OfAnotherProblemIsRefused) {
 
 // A default fingerprint would be the same for all problems.
 TEST_F(Checkpoint, NeedsTheFingerprintOfItsProblem) {
-  Options nothing_but_a_file;
-  nothing_but_a_file.checkpoint.file = file_;
+  Options file_only;
+  file_only.checkpoint.file = file_;
   RandomTree tree(1, 5);
-  EXPECT_THROW(search(tree, nothing_but_a_file), std::invalid_argument);
+  EXPECT_THROW(search(tree, file_only), std::invalid_argument);
   leave_one();
   Options goes_on;
   goes_on.checkpoint.resume_from = file_;

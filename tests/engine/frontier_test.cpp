@@ -80,11 +80,11 @@ TEST(Frontier, GivesEveryOtherNodeFromTheShallowestOn) {
 TEST(Frontier, KeepsAtLeastOneNode) {
   Frontier<PathNode> frontier;
   frontier.add_root({});
-  EXPECT_FALSE(frontier.can_give());
+  EXPECT_FALSE(frontier.can_transfer());
   open_and_branch(frontier, 2);
-  ASSERT_TRUE(frontier.can_give());
+  ASSERT_TRUE(frontier.can_transfer());
   EXPECT_EQ(frontier.give(100'000).nodes.size(), 1U);
-  EXPECT_FALSE(frontier.can_give());
+  EXPECT_FALSE(frontier.can_transfer());
 }
 
 TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
@@ -152,7 +152,7 @@ TEST(Frontier, GivesAllButOneNodeInRepeatedTransfers) {
   open_and_branch(frontier, 100);
   std::vector<std::uint32_t> left;  // shallowest first: the last child is at the bottom
   for (std::uint32_t branch = 100; branch > 0; --branch) left.push_back(branch - 1);
-  while (frontier.can_give()) {
+  while (frontier.can_transfer()) {
     const auto transfer = frontier.give(400);
     ASSERT_FALSE(transfer.nodes.empty());
     for (std::size_t i = 0; i < transfer.nodes.size(); ++i) {
@@ -173,9 +173,9 @@ TEST(Frontier, GivesNoChildrenBeforeTheirParentIsClosed) {
   frontier.add_root({});
   frontier.open();
   for (std::uint32_t branch = 0; branch < 4; ++branch) frontier.branch({branch});
-  EXPECT_FALSE(frontier.can_give());
+  EXPECT_FALSE(frontier.can_transfer());
   frontier.close();
-  EXPECT_TRUE(frontier.can_give());
+  EXPECT_TRUE(frontier.can_transfer());
 }
 
 TEST(Frontier, DividesTheShareOfANodeAmongItsChildren) {
@@ -235,7 +235,7 @@ TEST(Frontier, KeepsPathsInAnyNumberOfTransfers) {
         open += children;
         --open;
         ++opened;
-      } else if (other.can_give()) {
+      } else if (other.can_transfer()) {
         one.take(other.give(1 + random() % 500));
       }
     }

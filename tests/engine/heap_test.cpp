@@ -99,7 +99,7 @@ TEST(Heap, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
 TEST(Heap, GivesNothingIfItHasOneNode) {
   Heap<PathNode> heap;
   heap.put(children({1}), bound_of);
-  EXPECT_FALSE(heap.can_give());
+  EXPECT_FALSE(heap.can_transfer());
 }
 
 TEST(Heap, RefusesABoundThatIsNotANumber) {

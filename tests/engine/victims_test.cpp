@@ -63,7 +63,7 @@ TEST(Victims, AreOfTheOwnMachineUntilOneRefuses) {
   for (int draw = 0; draw < 100; ++draw) {
     EXPECT_TRUE(std::binary_search(neighbours.begin(), neighbours.end(), victims.choose()));
   }
-  victims.gave(7);
+  victims.sent(7);
   EXPECT_EQ(victims.choose(), 7);
   victims.refused(7, 0);
   for (int draw = 0; draw < 100; ++draw) EXPECT_EQ(machine.count(victims.choose()), 1U);
@@ -76,14 +76,14 @@ TEST(Victims, AreOfTheOwnMachineUntilOneRefuses) {
 TEST(Victims, AreOfTheOwnMachineAfterTheFirstTransferOfARankWithoutNodes) {
   Victims victims(6, 10'000, 5, {4, 5});
   victims.give_up();
-  victims.gave(4711);
+  victims.sent(4711);
   victims.refused(4711, 0);
   for (int draw = 0; draw < 100; ++draw) EXPECT_EQ(victims.choose() / 2, 2);
 }
 
 TEST(Victims, TheLastGiverIsAskedFirstUntilItRefuses) {
   Victims victims(0, 100, 7);
-  victims.gave(42);
+  victims.sent(42);
   EXPECT_EQ(victims.choose(), 42);
   EXPECT_EQ(victims.choose(), 42);
   victims.refused(42, 0);
@@ -102,7 +102,7 @@ TEST(Victims, RefusalsDelayRequestsUntilATransferArrives) {
     EXPECT_GT(victims.next_request(), pause);
     pause = victims.next_request();
   }
-  victims.gave(1);
+  victims.sent(1);
   EXPECT_TRUE(victims.due(0));
   EXPECT_FALSE(victims.has_requested_early());
   for (int refusal = 0; refusal < 100; ++refusal) victims.refused(1, 0);

@@ -60,7 +60,7 @@ Eigen::MatrixXd conditions(const Structure& structure) {
   for (const auto& [node, to] : structure.ties) {
     for (int axis = 0; axis < structure.dimension; ++axis) {
       rows.emplace_back(Eigen::VectorXd::Unit(size, at(structure, node, axis)));
-      for (const auto& [leader, weight] : to) rows.back()(at(structure, leader, axis)) -= weight;
+      for (const auto& [master, weight] : to) rows.back()(at(structure, master, axis)) -= weight;
     }
   }
   Eigen::MatrixXd all(static_cast<Eigen::Index>(rows.size()), size);

@@ -112,9 +112,10 @@ TEST_F(GuaranteedInterval, OfABridgeIsThatOfAllVertices) {
                                             {"4", -1.7741106397987, 0.4}}) {
     expect_interval(result_of(file + " --alpha " + alpha)["guaranteed_interval"], lower, upper);
   }
-  EXPECT_THAT(proved(file, " --alpha 1"),
-              AllOf(HasSubstr("PROVED: the least load factor for alpha = 1 is between 1.88277"),
-                    HasSubstr("every load factor from -2.63457")));
+  EXPECT_THAT(
+      proved(file, " --alpha 1"),
+      AllOf(HasSubstr("PROVED: the worst-case load factor for alpha = 1 is between 1.88277"),
+            HasSubstr("every load factor from -2.63457")));
 }
 
 // (29) as printed, with an M that is too small: 1.4317; the true value is 1.11629.

@@ -197,7 +197,7 @@ TEST_F(LoadCases, CanBeSelectedByName) {
   };
   EXPECT_THAT(refusal(" limit " + file() + " --case pul"), HasSubstr("one of \"pull\", \"push\""));
   EXPECT_THAT(refusal(" limit " + example("gust.toml") + " --case pull"),
-              HasSubstr("there is no load case \"pull\"; expected none"));
+              HasSubstr("there is no load case \"pull\"; expected no --case"));
   EXPECT_THAT(refusal(" limit " + file() + " --alpha 1"), HasSubstr("expected no --alpha"));
   EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("expected --case with one of"));
   EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1 --case pull"),
@@ -212,7 +212,7 @@ TEST_F(LoadCases, CertificateOfOneIsProvedForThatCaseOnly) {
   const auto proved = shell(command + " verify " + argument("cert") + " --problem " + file());
   EXPECT_EQ(proved.exit_code, 0) << proved.output;
   EXPECT_THAT(proved.output, HasSubstr("\nload case \"push\"\n"));
-  EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor for alpha = 0.25"));
+  EXPECT_THAT(proved.output, HasSubstr("PROVED: the worst-case load factor for alpha = 0.25"));
   auto text = content(in_folder("cases.toml"));
   text.replace(text.find("0.25"), 4, "0.26");
   std::ofstream(in_folder("cases.toml")) << text;
@@ -228,7 +228,7 @@ TEST_F(LimitCommand, WritesACertificateWithTheCutsOfThePaper) {
                          " --alpha 40 --cuts disjunctive --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto proved = shell(command + " verify " + argument("cert"));
-  EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor for alpha = 40"));
+  EXPECT_THAT(proved.output, HasSubstr("PROVED: the worst-case load factor for alpha = 40"));
 }
 
 // Method of the paper alone: neither static cuts nor proofs, as the output states.

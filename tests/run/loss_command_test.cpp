@@ -293,17 +293,19 @@ TEST_F(LossCommand, ReportsTheGoverningCaseBeforeAndAfterBuckling) {
     return file_of(argument("two.toml") + options)["verdict"].dump();
   };
   EXPECT_NEAR(file_of(argument("two.toml"))["result"]["nominal"], 3, 1e-9);
-  EXPECT_THAT(sentences(""), HasSubstr("With all struts at their residual strength it is 0.4."));
+  EXPECT_THAT(sentences(""),
+              HasSubstr("With all struts at their residual strength the load factor is 0.4."));
   const auto uncertain = sentences(" --alpha 0.1 --certificate " + argument("cert"));
-  EXPECT_THAT(uncertain,
-              HasSubstr("With all struts at their residual strength it is at least 0.4"));
+  EXPECT_THAT(
+      uncertain,
+      HasSubstr("With all struts at their residual strength the load factor is at least 0.4"));
   EXPECT_THAT(uncertain, Not(HasSubstr("not proved")));
   const auto proved =
       shell(command + " verify " + argument("cert") + " --problem " + argument("two.toml"));
   EXPECT_EQ(proved.exit_code, 0) << proved.output;
   EXPECT_THAT(proved.output, Not(HasSubstr("only")));
   EXPECT_THAT(sentences(" --lose 1"),
-              HasSubstr("With all struts at their residual strength it is at least"));
+              HasSubstr("With all struts at their residual strength the load factor is at least"));
 }
 
 // Without the claim of the second case the factor of the first one would be that of both.

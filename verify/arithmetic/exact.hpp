@@ -24,7 +24,7 @@ class Dyadic {
   Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 
   [[nodiscard]] int sign() const { return sgn(mantissa_); }
-  [[nodiscard]] double nearest() const;      ///< a double close to it, for messages
+  [[nodiscard]] double nearest() const;      ///< a double close to it, on either side
   [[nodiscard]] mpq_class rational() const;  ///< the same number
 
   /// The number times 2^exponent, exactly.

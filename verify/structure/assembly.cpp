@@ -171,8 +171,8 @@ Connected connected(const Structure& structure, const Freedom& freedom) {
       if (number != Freedom::none) moving.push_back(number);
     }
     for (std::size_t axis = 0; axis < structure.dimension && shared.contains(point.node); ++axis) {
-      for (const auto& [leader, weight] : point.against) {
-        for (const auto number : freedom.parts(leader, axis)) moving.push_back(number);
+      for (const auto& [master, weight] : point.against) {
+        for (const auto number : freedom.parts(master, axis)) moving.push_back(number);
       }
     }
     join(moving);

@@ -80,8 +80,8 @@ class Corner {
   /// Displacement along an axis of the place opposite to a candidate.
   [[nodiscard]] Form place(std::size_t candidate, std::size_t axis) const {
     Form form;
-    for (const auto& [leader, weight] : structure_.contact[candidate].against) {
-      for (const auto& [number, part] : freedom_.weighted(leader, axis))
+    for (const auto& [master, weight] : structure_.contact[candidate].against) {
+      for (const auto& [number, part] : freedom_.weighted(master, axis))
         form[number].add_product(Enclosure(weight), part);
     }
     return form;

@@ -76,7 +76,7 @@ BlockProof::Grounding BlockProof::grounding(const IndexSet& contact) const {
   std::vector<std::size_t> normals;
   std::vector<std::size_t> others;
   for (std::size_t row = 0; row < d * candidates(); ++row) {
-    auto& list = row % d == 0 && holds(contact, row / d) ? normals : others;
+    auto& list = row % d == 0 && contains(contact, row / d) ? normals : others;
     list.push_back(row);
   }
   Elimination rest(motions());
@@ -100,8 +100,9 @@ const RegularisedStiffness& BlockProof::regularised(const std::vector<std::size_
 const RegularisedStiffness* BlockProof::regularised_at_normals(const IndexSet& contact) const {
   const auto d = block_.dimension;
   for (const auto& each : regularised_) {
-    const bool all = std::all_of(each.springs().begin(), each.springs().end(),
-                                 [&](auto row) { return row % d == 0 && holds(contact, row / d); });
+    const bool all = std::all_of(each.springs().begin(), each.springs().end(), [&](auto row) {
+      return row % d == 0 && contains(contact, row / d);
+    });
     if (all) return &each;
   }
   return nullptr;

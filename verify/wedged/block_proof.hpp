@@ -54,7 +54,7 @@ struct ContactBlock {
   std::vector<double> clearance{};  ///< g, m, with the loads
 };
 
-/// A configuration *moves far* if its displacements exceed their part without rigid-body modes by
+/// A configuration has *large displacements* if they exceed their part without rigid-body modes by
 /// this factor: |u| > largest_displacement_ratio min_a |u - G a|. Directions in files have sixteen
 /// digits, so over such distances nearly parallel walls cannot be distinguished from parallel ones.
 inline constexpr double largest_displacement_ratio = 0x1p20;
@@ -62,7 +62,7 @@ inline constexpr double largest_displacement_ratio = 0x1p20;
 /// The result of the check of a claim.
 struct Judgement {
   std::optional<std::string> refusal{};     ///< reason why it is not proved; nothing if it is
-  bool except_large_displacements = false;  ///< proved only for configurations that do not move far
+  bool except_large_displacements = false;  ///< proved for all others only
   /// Of an undecided node: its configurations are proved to be those of nodes with fewer contacts.
   bool unloaded = false;
 };
@@ -100,9 +100,8 @@ class BlockProof {
 
   /// Proves a bound of a candidate, or that it is never on a side, with the cuts of the bounds
   /// added before, and adds it. @return the reason if it is not proved
-  /// @param maximum bound of r_n (contact) or u_n (separated) over sum_k r_nk; nothing: never on
-  /// this
-  ///        side
+  /// @param maximum bound of r_n (contact) or u_n (separated) over sum_k r_nk; nothing: none, it is
+  ///        never on this side
   /// @param numbers those of judge_cut(), and with `maximum` the multiplier of its opposite
   /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> add_bound(std::size_t candidate, Side side,
@@ -326,13 +325,13 @@ class BlockProof {
   Dyadic steepest_;                // upper bound of the square root of 1 + the largest mu^2
   std::optional<Dyadic> minimum_;  // s
   ProvedBounds bounds_;
-  bool far_bounds_ = false;  // some bounds hold only for configurations that do not move far
+  bool bounds_except_large_ = false;  // some bounds hold except for large displacements
   mutable std::list<RegularisedStiffness>
       regularised_;  // the first for infeasible nodes; others for leaves
 };
 
 /// True if a candidate is in a set of them.
-inline bool holds(const support::IndexSet& set, std::size_t candidate) {
+inline bool contains(const support::IndexSet& set, std::size_t candidate) {
   return set.contains(static_cast<int>(candidate));
 }
 

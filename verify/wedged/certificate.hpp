@@ -42,8 +42,8 @@ struct CandidateBound {
   std::size_t block = 0;  ///< the first being 0
   int candidate = 0;      ///< its number in the whole problem, the first being 0
   Side side = Side::contact;
-  /// Contact: r_n <= most s. Separated: u_n <= most s (length / force). Nothing: no wedged
-  /// configuration has the candidate on this side. Positive.
+  /// Positive. Contact: r_n <= maximum s. Separated: u_n <= maximum s (length / force). Nothing: no
+  /// wedged configuration has the candidate on this side.
   std::optional<double> maximum{};
   /// Multipliers of the normal displacements, one for each candidate of the block; coefficients of
   /// its rigid-body modes in the mean motion of w; multipliers of cuts, one for each candidate, >=

@@ -40,7 +40,7 @@ std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side sid
   }
   const auto judgement = judge_with_bounds(combination);
   if (judgement.refusal) return judgement.refusal;
-  far_bounds_ = far_bounds_ || judgement.except_large_displacements;
+  bounds_except_large_ = bounds_except_large_ || judgement.except_large_displacements;
   if (maximum) {
     bounds_.limit(candidate, side, *maximum);
   } else {
@@ -62,7 +62,7 @@ Judgement BlockProof::judge_with_bounds(Combination combination) const {
   // A candidate that must be on both sides excludes every configuration.
   auto judgement =
       combination.contact.meets(combination.separated) ? Judgement{} : judge(combination);
-  if (!judgement.refusal && far_bounds_) judgement.except_large_displacements = true;
+  if (!judgement.refusal && bounds_except_large_) judgement.except_large_displacements = true;
   return judgement;
 }
 

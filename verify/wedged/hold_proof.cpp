@@ -17,7 +17,7 @@ namespace {
 
 constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
-// Doubles outside and inside of a rational number.
+// The largest double that is not above a rational number, and the least that is not below it.
 double not_above(const mpq_class& number) {
   double near = number.get_d();
   while (mpq_class(near) > number) near = std::nextafter(near, -unbounded_end);

@@ -24,7 +24,7 @@ constexpr double spare = 0x1p-40;
 constexpr auto not_in_equilibrium =
     "its multipliers are not in equilibrium, or some are negative where u_n >= 0";
 
-// The least double that is not below a number.
+// A double that is not below a number.
 double not_below(const Dyadic& number) {
   if (number.sign() == 0) return 0;
   return std::nextafter(number.nearest(), std::numeric_limits<double>::infinity());
@@ -82,7 +82,7 @@ std::optional<std::string> BlockProof::refusal_of_constrained(
     auto& own = y[block_.dimension * k];
     own = combination.multipliers[k];
     // The recorded value up to rounding, and at least the coefficient of u_n >= 0 and the cut.
-    if (!combination.of_cuts.empty() && !holds(combination.contact, k)) {
+    if (!combination.of_cuts.empty() && !contains(combination.contact, k)) {
       own = std::max(own, not_below(Dyadic() - displacement_share(combination, k)));
     }
     if (!std::isfinite(own)) return "its numbers are too large to compute with";
@@ -110,7 +110,7 @@ BlockProof::Recorded BlockProof::recorded_forces(const Combination& combination,
   for (const double y : combination.multipliers) maximum = std::max(maximum, std::abs(y));
   for (std::size_t i = 0; i < candidates(); ++i) {
     const auto row = block_.dimension * i;
-    const bool free = holds(combination.contact, i);
+    const bool free = contains(combination.contact, i);
     result.rows.push_back(block_.motions.rows[row]);
     result.minimum.push_back(free ? mpq_class(0) : min_force(combination, i));
     const auto& minimum = result.minimum.back();
@@ -135,7 +135,7 @@ std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination
     if (!exact) return {};
     bool all_allowed = true;
     for (std::size_t i = 0; i < candidates(); ++i) {
-      if (holds(combination.contact, i) || (*exact)[i] >= minimum[i]) continue;
+      if (contains(combination.contact, i) || (*exact)[i] >= minimum[i]) continue;
       all_allowed = false;
       forces[i] = minimum[i];
       room[i] = 0;
@@ -154,7 +154,7 @@ std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combin
     if (!near) return {};
     for (std::size_t i = 0; i < candidates(); ++i) {
       forces[i] = mpq_class((*near)[i].get_d());  // as many digits as were recorded
-      if (!holds(combination.contact, i) && forces[i] < minimum[i]) forces[i] = minimum[i];
+      if (!contains(combination.contact, i) && forces[i] < minimum[i]) forces[i] = minimum[i];
     }
   }
   auto carried = carried_by_springs(rows, forces);
@@ -218,7 +218,7 @@ std::optional<std::string> BlockProof::check_constrained(const Combination& comb
   for (std::size_t k = 0; k < candidates(); ++k) {
     epsilon_squared = epsilon_squared + tangential_square(nu, k);
     auto normal = nu[block_.dimension * k] + displacement_share(combination, k);
-    const bool negative = !holds(combination.contact, k) && normal.sign() < 0;
+    const bool negative = !contains(combination.contact, k) && normal.sign() < 0;
     if (negative) epsilon_squared = epsilon_squared + square(normal);
     forces.push_back(negative ? Dyadic() : std::move(normal));
   }
@@ -246,7 +246,7 @@ std::optional<std::string> BlockProof::check_margins(const Combination& combinat
   constexpr auto too_little = "the margin of its multipliers is within the rounding errors";
   std::optional<Dyadic> delta;
   for (std::size_t i = 0; i < candidates(); ++i) {
-    if (holds(combination.separated, i)) continue;
+    if (contains(combination.separated, i)) continue;
     const auto margin = Dyadic{} - w[d * i] - slip_above(w, i, error);
     if (margin.sign() <= 0) {
       return "its multipliers do not rule out a reaction at " + block_.names[i];

@@ -49,7 +49,7 @@ std::optional<std::string> BlockProof::read_leaf(std::span<const double> numbers
   std::vector<double> room(size, 0);
   auto number = numbers.begin();
   for (std::size_t i = 0; i < candidates(); ++i) {
-    const bool contact = holds(leaf.contact, i);
+    const bool contact = contains(leaf.contact, i);
     for (std::size_t k = contact ? 1 : 0; k < d; ++k) {
       leaf.unknowns.push_back(d * i + k);
       if (!contact) continue;
@@ -203,7 +203,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
   Dyadic spread;
   for (std::size_t i = 0; i < candidates(); ++i) {
     const auto& name = block_.names[i];
-    if (!holds(leaf.contact, i)) {
+    if (!contains(leaf.contact, i)) {
       const auto gap = leaf.gaps.size() > 0 ? moved[d * i] + leaf.gaps[i] : moved[d * i];
       if (!(s * gap > rest + off)) return name + " is not proved to separate";
       continue;

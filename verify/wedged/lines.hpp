@@ -46,7 +46,7 @@ class Lines {
   std::uint64_t integer(int base, const std::string& what);
 
   /// Reads the next line, 'keyword N' with N items of at least one character in the rest of the
-  /// file. @param minimum, most of N
+  /// file. @param minimum, maximum of N
   std::size_t count(const std::string& keyword, std::size_t minimum = 0,
                     std::size_t maximum = std::numeric_limits<std::size_t>::max());
   /// A set of candidates as a hexadecimal number whose binary ones are the candidates' numbers.

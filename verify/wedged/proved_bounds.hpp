@@ -21,7 +21,7 @@ class ProvedBounds {
   explicit ProvedBounds(std::size_t candidates)
       : gap_shares_(candidates), reaction_shares_(candidates, Dyadic(1.0)) {}
 
-  /// Sets r_n <= most s in contact, or u_n <= most s separated. @pre proved; most > 0
+  /// Sets r_n <= maximum s in contact, or u_n <= maximum s separated. @pre proved; maximum > 0
   void limit(std::size_t candidate, Side side, double maximum);
 
   /// Excludes this side of the candidate. @pre proved

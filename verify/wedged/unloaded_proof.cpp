@@ -13,7 +13,7 @@ bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
   constexpr std::size_t max_carrying = 64;
   std::vector<std::size_t> carrying;
   for (std::size_t i = 0; i < candidates(); ++i) {
-    if (!holds(separated, i)) carrying.push_back(i);
+    if (!contains(separated, i)) carrying.push_back(i);
   }
   if (motions() == 0 || carrying.size() > max_carrying) return false;
   const auto fixed_at = [&](std::size_t candidate, Elimination motions) {
@@ -46,7 +46,7 @@ bool BlockProof::all_work_against(const Rationals& motion, const std::vector<std
     if (sign == 0) sign = normal.sign();
     if (normal.sign() == 0 || normal.sign() != sign) return false;
     if (!(absolute(normal) > slip_above(w.values, i, w.error))) return false;
-    any_in_contact = any_in_contact || holds(contact, i);
+    any_in_contact = any_in_contact || contains(contact, i);
   }
   return any_in_contact;
 }

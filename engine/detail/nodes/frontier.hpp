@@ -32,7 +32,7 @@ struct EqualWork {
 /// @pre `branch` is called only between `open` and the next `open`
 /// @post nodes are opened in depth-first order, the children of a node in the order in which they
 ///     were branched; at most depth x branching nodes are open at any time
-/// @tparam Work estimate of the work below a first child (problem.hpp)
+/// @tparam Work estimate of the work below a first child (engine/problem.hpp)
 template <class Node, class Work = EqualWork>
 class Frontier {
  public:
@@ -169,14 +169,14 @@ class Frontier {
 
   /// True if a node can be given away and one is left here. Children that the current expansion is
   /// still adding cannot be given away.
-  [[nodiscard]] bool can_give() const { return settled() >= 2; }
+  [[nodiscard]] bool can_transfer() const { return settled() >= 2; }
 
   /// Removes and returns every other node from the shallowest on, hence half of them; fewer if they
   /// would exceed `limit` bytes, but at least one. (Giving the older half needs ten times as many
   /// transfers on deep trees, since the same few subtrees move back and forth.)
-  /// @pre can_give()
+  /// @pre can_transfer()
   Bundle<Node> give(std::size_t limit) {
-    ensure(can_give(), "a frontier gives nodes only if one is left");
+    ensure(can_transfer(), "a frontier gives nodes only if one is left");
     Bundle<Node> transfer;
     transfer.nodes = nodes_.give(settled() / 2, limit);
     const auto deepest = static_cast<std::ptrdiff_t>(transfer.nodes.back().depth);

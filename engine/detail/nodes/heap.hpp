@@ -70,13 +70,13 @@ class Heap {
   }
 
   /// True if a node can be given away and one is left here.
-  [[nodiscard]] bool can_give() const { return size() >= 2; }
+  [[nodiscard]] bool can_transfer() const { return size() >= 2; }
 
   /// Removes and returns the second, fourth, sixth … best node: at most half of the nodes, and at
   /// most `limit` bytes, but at least one node. Both sides thus continue with equally good nodes.
-  /// @pre can_give()
+  /// @pre can_transfer()
   Transfer<Node> give(std::size_t limit) {
-    ensure(can_give(), "a heap gives nodes only if one is left");
+    ensure(can_transfer(), "a heap gives nodes only if one is left");
     Transfer<Node> transfer;
     std::vector<std::pair<Key, Entry>> kept;
     PackedSize<Bundle<Node>> packed_size;

@@ -91,7 +91,7 @@ double Rank::quiet_until() const {
                                     lifelines_.has_registered();
     return may_speak_any_time ? now_ : due;
   }
-  const double asleep = quiet_since_ + Pace::worth_a_sleep / share_waited_;
+  const double asleep = quiet_since_ + Pace::min_sleep / share_waited_;
   if (phase_ == Phase::gathering || phase_ == Phase::reporting) return asleep;
   const bool asks = phase_ == Phase::searching && !asking() && !dormant();
   return std::min({asleep, due, asks ? victims_->next_request() : infinity});

@@ -54,8 +54,8 @@ struct Pace {
 
   /// Shorter waits are not slept, since a sleep takes some 50 microseconds at least: the next step
   /// follows at once.
-  static constexpr double worth_a_sleep = 50e-6;
-  [[nodiscard]] bool sleeps() const { return state == State::waiting && wait >= worth_a_sleep; }
+  static constexpr double min_sleep = 50e-6;
+  [[nodiscard]] bool sleeps() const { return state == State::waiting && wait >= min_sleep; }
 };
 
 /// Protocol of one rank, independent of the problem.
@@ -139,7 +139,7 @@ class Rank {
   void send(int to, MessageTag tag, Bytes body);
   void send_counted(int to, MessageTag tag, Bytes body);
   void count_received(Message& message);
-  [[nodiscard]] bool can_give() const;
+  [[nodiscard]] bool can_transfer() const;
 
   // @return true if nodes were given
   bool answer(int requester);
@@ -180,8 +180,8 @@ class Rank {
 
   // Called when all ranks pause and no message is in flight: sums and minima of this wave are
   // exact.
-  void act_at_rest(const Reduction& wave);
-  void go_on();
+  void act_when_quiet(const Reduction& wave);
+  void continue_search();
   void show(const Reduction& wave) const;
 
   // ---- checkpoints ------------------------------------------------------------------------------
@@ -229,7 +229,7 @@ class Rank {
   bool worked_ = false;              // the last step opened nodes; its duration adapts the stride
   std::uint64_t opened_before_ = 0;  // nodes, by the step before
   bool exchanged_ = false;           // the last step received messages or gave nodes
-  bool gave_many_ = false;           // a transfer of many messages since the last `serve` began
+  bool sent_many_ = false;           // a transfer of many messages since the last `serve` began
   double node_seconds_ = 0;          // of one node, a running mean
   double answer_seconds_ = 10e-6;    // from a request to its answer, a running mean
   const double share_waited_;        // of the time since the last event, before the next poll

@@ -12,7 +12,7 @@ namespace kusabi::engine {
 
 void Rank::serve() {
   constexpr int batch = 16;
-  gave_many_ = false;
+  sent_many_ = false;
   for (int handled = 0; handled < batch;) {
     auto message = transport_.receive();
     if (!message) break;
@@ -21,7 +21,7 @@ void Rank::serve() {
     exchanged_ = true;
     handle(*std::move(message));
   }
-  for (int given = 0; given < batch && lifelines_.has_registered() && can_give(); ++given) {
+  for (int given = 0; given < batch && lifelines_.has_registered() && can_transfer(); ++given) {
     exchanged_ = true;
     give(lifelines_.take(), MessageTag::lifeline_transfer);
   }
@@ -73,12 +73,12 @@ void Rank::count_received(Message& message) {
   if (take_stamp(message.body) > waves_joined_) crossed_ = true;
 }
 
-bool Rank::can_give() const {
-  return phase_ == Phase::searching && local_.can_give();
+bool Rank::can_transfer() const {
+  return phase_ == Phase::searching && local_.can_transfer();
 }
 
 bool Rank::answer(int requester) {
-  const bool can = can_give();
+  const bool can = can_transfer();
   can ? give(requester, MessageTag::transfer) : send(requester, MessageTag::refusal, {});
   return can;
 }
@@ -90,9 +90,9 @@ void Rank::give(int requester, MessageTag tag) {
   constexpr double worth_sending = 5e-6;
   constexpr std::size_t few = 16;
   constexpr std::size_t many = 4096;
-  const bool sends_many = node_seconds_ >= worth_sending && !gave_many_;
+  const bool sends_many = node_seconds_ >= worth_sending && !sent_many_;
   auto pieces = local_.give(options_.message_bytes, sends_many ? many : few);
-  gave_many_ = gave_many_ || pieces.size() > few;
+  sent_many_ = sent_many_ || pieces.size() > few;
   std::uint64_t given = 0;
   for (const auto& piece : pieces) given += piece.nodes;
   record(tag == MessageTag::transfer ? TraceEvent::Kind::transfer_sent
@@ -119,8 +119,8 @@ void Rank::ask() {
 
 // Asks a few lifelines at first, in case they have nodes, and then twice as many each time.
 void Rank::request_from_lifelines() {
-  constexpr std::size_t fewest = 4;
-  for (auto count = std::max(fewest, lifelines_.aware()); count > 0; --count) {
+  constexpr std::size_t min_asked = 4;
+  for (auto count = std::max(min_asked, lifelines_.aware()); count > 0; --count) {
     const auto lifeline = lifelines_.ask_next();
     if (!lifeline) return;
     ++local_.statistics().requests;
@@ -154,7 +154,7 @@ void Rank::receive_answer() {
 
 void Rank::take_nodes(Message&& message) {
   count_received(message);
-  victims_->gave(message.from);
+  victims_->sent(message.from);
   auto& statistics = local_.statistics();
   if (idle()) {
     statistics.idle_seconds += now_ - idle_since_;

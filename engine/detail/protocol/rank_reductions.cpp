@@ -102,11 +102,11 @@ void Rank::act_on(const Reduction& wave) {
       }
       break;
     case Phase::pausing:
-      if (all_quiet(wave)) act_at_rest(wave);
+      if (all_quiet(wave)) act_when_quiet(wave);
       break;
     case Phase::writing:
       finish_checkpoint(wave);
-      status_ == Status::solved ? go_on() : finish();
+      status_ == Status::solved ? continue_search() : finish();
       break;
     default:
       break;
@@ -146,21 +146,21 @@ bool Rank::gap_closed(const Reduction& wave) const {
   return wave.objective - wave.bound <= options_.limits.gap * std::abs(wave.objective);
 }
 
-void Rank::act_at_rest(const Reduction& wave) {
+void Rank::act_when_quiet(const Reduction& wave) {
   if (wave.open == 0) {  // the tree was completed meanwhile
     status_ = Status::solved;
     finish();
   } else if (status_ == Status::gap_limit && !gap_closed(wave)) {
     status_ = Status::solved;  // an earlier wave missed a node in flight
-    go_on();
+    continue_search();
   } else if (keeps_checkpoints()) {
     write_checkpoint(wave);
   } else {
-    status_ == Status::solved ? go_on() : finish();
+    status_ == Status::solved ? continue_search() : finish();
   }
 }
 
-void Rank::go_on() {
+void Rank::continue_search() {
   enter(Phase::searching);
 }
 

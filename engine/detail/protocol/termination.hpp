@@ -6,7 +6,7 @@
 // greater than the number of waves it has joined itself reports in its next wave that it was
 // crossed. A rank is *quiet* if it opens no node, none of its requests is unanswered, and it
 // requests nothing: while all search, because it is registered with all its lifelines; while all
-// pause, because a pausing rank requests nothing. The search is over, or at rest, when in one wave
+// pause, because a pausing rank requests nothing. The search is over, or pauses, when in one wave
 //
 //   all ranks are quiet, no rank was crossed, and as many messages were received as sent.
 //

@@ -48,13 +48,13 @@ Victims::Victims(int self, int ranks, std::uint64_t seed, std::vector<int> machi
 }
 
 int Victims::choose() {
-  if (last_giver_ >= 0) return last_giver_;
+  if (last_sender_ >= 0) return last_sender_;
   const auto& candidates = drawn_refused_ || machine_.empty() ? neighbours_ : machine_;
   return candidates[draw(random_, candidates.size())];
 }
 
-void Victims::gave(int victim) {
-  last_giver_ = victim;
+void Victims::sent(int victim) {
+  last_sender_ = victim;
   pause_ = shortest_pause;
   next_request_ = 0;
   refusals_ = 0;
@@ -62,8 +62,8 @@ void Victims::gave(int victim) {
 }
 
 void Victims::refused(int victim, double now) {
-  if (last_giver_ == victim) {
-    last_giver_ = -1;
+  if (last_sender_ == victim) {
+    last_sender_ = -1;
   } else {
     drawn_refused_ = true;
   }

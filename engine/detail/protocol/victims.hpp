@@ -38,7 +38,7 @@ class Victims {
   /// True if a rank that still has nodes has asked often enough ahead of time.
   [[nodiscard]] bool has_requested_early() const { return refusals_ >= early_requests; }
 
-  void gave(int victim);
+  void sent(int victim);
   void refused(int victim, double now);
 
  private:
@@ -51,7 +51,7 @@ class Victims {
   std::uint64_t random_;
   std::vector<int> machine_;
   std::vector<int> neighbours_;
-  int last_giver_ = -1;
+  int last_sender_ = -1;
   unsigned max_refusals_;
   double pause_;
   double next_request_ = 0;

@@ -45,7 +45,7 @@ struct LossAnswer {
   Eigen::VectorXd fatal_motion;  ///< shows that no factor remains after it; may be empty
   /// Minus infinity: no load factor remains after the worst loss known.
   LimitEnds ends;
-  /// Of `--at-minimum`: true, false, or nothing: undecided.
+  /// Of `--at-least`: its factor, and true, false, or nothing: undecided.
   std::optional<double> target;
   std::optional<bool> reaches_target;
   bool proved = false;          ///< true if the requested result is proved

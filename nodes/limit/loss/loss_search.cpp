@@ -49,8 +49,8 @@ constexpr double no_stress = 1e-12;
 /// others could have used.
 std::size_t nodes_of_a_round(std::size_t states) {
   constexpr std::size_t maximum = 64;
-  constexpr std::size_t states_a_node = 16;
-  return std::clamp<std::size_t>(states / states_a_node, 1, maximum);
+  constexpr std::size_t states_per_node = 16;
+  return std::clamp<std::size_t>(states / states_per_node, 1, maximum);
 }
 
 /// A result of shared work.

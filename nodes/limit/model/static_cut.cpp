@@ -42,7 +42,7 @@ double StaticCut::bound(const Eigen::VectorXd& z) const {
 StaticPricing::StaticPricing(const problems::LimitModel& model, support::Stop stop)
     : model_(model), stop_(std::move(stop)), simplex_(pricing_program(model)) {}
 
-void StaticPricing::aim(const Eigen::VectorXd& z, int first) {
+void StaticPricing::set_point(const Eigen::VectorXd& z, int first) {
   const int members = model_.member_count();
   for (int i = 0; i < members; ++i) {
     simplex_.set_cost(i, z(i));

@@ -45,7 +45,7 @@ class StaticPricing {
   /// Sets the point for the next cuts.
   /// @param z n^m, >= 0
   /// @param first a column of T; its program is solved, and restart() goes back to its basis
-  void aim(const Eigen::VectorXd& z, int first);
+  void set_point(const Eigen::VectorXd& z, int first);
 
   /// Makes the results of cut() depend on z and on later calls only.
   void restart();

@@ -195,7 +195,7 @@ void Master::decide(const Signs& signs) {
 
 // A motion without cost may lie at the limit of its box by chance; the bound depends on the box
 // only if a further motion would decrease the objective.
-bool Master::presses_box() const {
+bool Master::box_is_active() const {
   constexpr double gain = 1e-9;  // tolerance of the simplex method where yield forces are one
   for (int column = model_.free_count(); column < first_motion_along(model_); ++column) {
     if (simplex_.value(column) >= far && simplex_.reduced_cost(column) < -gain) return true;

@@ -62,12 +62,14 @@ class Master {
   /// @return false if the simplex method fails
   bool make_room(double first, bool for_all = false);
 
-  /// Adds q^y'(c+ + c-) <= most, which keeps the first points near relevant motions while there are
-  /// too few cuts. Infinity: no limit. The optimum is a bound only if the limit is not active.
+  /// Adds q^y'(c+ + c-) <= maximum, which keeps the first points near relevant motions while there
+  /// are too few cuts. Infinity: no limit. The optimum is a bound only if the limit is not active.
   void limit_dissipation(double maximum);
   /// True if some c+, c- or gamma is at the limit of its box: the cuts give no bound.
-  [[nodiscard]] bool presses_box() const;
-  [[nodiscard]] bool dissipation_presses() const { return simplex_.dual(dissipation_row()) != 0; }
+  [[nodiscard]] bool box_is_active() const;
+  [[nodiscard]] bool dissipation_limit_is_active() const {
+    return simplex_.dual(dissipation_row()) != 0;
+  }
 
   void add(const StaticCut& cut);
   [[nodiscard]] std::size_t cuts() const { return cuts_; }

@@ -90,7 +90,7 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
   if (columns.empty() || (small && !analysis_.has_journal())) {
     return price_alone(pricing, z, columns);
   }
-  pricing.aim(z, columns.front());
+  pricing.set_point(z, columns.front());
   const auto blocks = (columns.size() + pricing_block - 1) / pricing_block;
   const auto block = [&](std::uint64_t number) {
     const auto first = number * pricing_block;

@@ -28,10 +28,10 @@ using problems::LimitModel;
 
 /// Steps between two evaluations of the motion and the bound: the first motions lead to different
 /// collapses. Steps between two polls for a stop.
-constexpr int steps_a_look = 50;
-constexpr int first_steps_a_look = 10;
+constexpr int steps_per_evaluation = 50;
+constexpr int first_steps_per_evaluation = 10;
 constexpr int first_steps = 50;
-constexpr int steps_a_question = 10;
+constexpr int steps_per_poll = 10;
 
 /// Random motions near the known collapse from which a worse one is searched: at the beginning and
 /// after a face that is not the worst case's, and at each evaluation. Their sizes, relative to the
@@ -68,9 +68,9 @@ constexpr double no_residual = 1e-12;
 
 /// Additional share of the time, and minimum time in milliseconds, for a bound at an early end, by
 /// number of steps.
-constexpr double share_at_the_end = 0.1;
-constexpr double milliseconds_at_the_end = 300;
-constexpr int steps_a_bound = 10;
+constexpr double time_share_of_last_bound = 0.1;
+constexpr double milliseconds_for_last_bound = 300;
+constexpr int steps_per_bound = 10;
 
 /// Gap at which a face ends at once, and gap at which it ends at the next regular evaluation.
 constexpr double small_gap = 5e-8;
@@ -213,11 +213,12 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   int last_steps = 0;
   bool good = false;
   for (;;) {
-    if (face.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
+    if (face.steps() % steps_per_poll == 0 && stopped()) return RootStatus::stopped;
     face.step();
     const bool done = face.residual() <= no_residual;
-    const bool regular = face.steps() % steps_a_look == 0 || done;
-    const bool almost = face.steps() % first_steps_a_look == 0 && face.residual() <= expected;
+    const bool regular = face.steps() % steps_per_evaluation == 0 || done;
+    const bool almost =
+        face.steps() % first_steps_per_evaluation == 0 && face.residual() <= expected;
     if (!regular && !almost) continue;
     bound(face.affine_point());
     show(iteration.steps() + face.steps());
@@ -251,11 +252,11 @@ void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
   const auto now = Clock::now();
   const std::chrono::duration<double, std::milli> so_far = now - began_;
   const std::chrono::duration<double, std::milli> grace(
-      std::max(milliseconds_at_the_end, share_at_the_end * so_far.count()));
+      std::max(milliseconds_for_last_bound, time_share_of_last_bound * so_far.count()));
   const auto end = now + std::chrono::duration_cast<Clock::duration>(grace);
   bound_.set_stop({});
   while (!best_ && !over(end)) {
-    for (int k = 0; k < steps_a_bound; ++k) {
+    for (int k = 0; k < steps_per_bound; ++k) {
       iteration.step(-std::numeric_limits<double>::infinity());
     }
     bound(iteration.affine_point());
@@ -268,9 +269,10 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
   while (iteration.steps() < max_steps) {
     if (!try_disturbed(tries)) return RootStatus::not_carried;
     tries = 1;
-    const int look = iteration.steps() < first_steps ? first_steps_a_look : steps_a_look;
+    const int look =
+        iteration.steps() < first_steps ? first_steps_per_evaluation : steps_per_evaluation;
     for (int k = 0; k < look && !enough(); ++k) {
-      if (iteration.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
+      if (iteration.steps() % steps_per_poll == 0 && stopped()) return RootStatus::stopped;
       iteration.step(result_.worst->collapse.factor);
     }
     if (enough()) return RootStatus::enough;

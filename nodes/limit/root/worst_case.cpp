@@ -55,7 +55,7 @@ class Rounds {
   bool improve(const Eigen::VectorXd& motion);
   bool price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point);
   bool cut_off(const Relaxed& point);
-  bool lift_dissipation();
+  bool remove_dissipation_limit();
   void bound_at_the_end();
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
   RootStatus rounds();
@@ -115,8 +115,8 @@ bool Rounds::cut_off(const Relaxed& point) {
 }
 
 // @return true if the limit was active and has been removed
-bool Rounds::lift_dissipation() {
-  if (!limited_ || !master_.dissipation_presses()) return false;
+bool Rounds::remove_dissipation_limit() {
+  if (!limited_ || !master_.dissipation_limit_is_active()) return false;
   limited_ = false;
   master_.limit_dissipation(linear::infinity);
   return true;
@@ -130,7 +130,7 @@ void Rounds::bound_at_the_end() {
   const auto end = Clock::now() + grace;
   master_.set_stop([end] { return Clock::now() > end; });
   master_.limit_dissipation(linear::infinity);
-  if (master_.solve() != LinearStatus::optimal || master_.presses_box()) return;
+  if (master_.solve() != LinearStatus::optimal || master_.box_is_active()) return;
   result_.lower = master_.objective();
   if (master_.make_room(first_room)) result_.proof = master_.proof();
 }
@@ -148,7 +148,7 @@ RootStatus Rounds::rounds() {
     const auto status = master_.solve();
     if (status == LinearStatus::interrupted) return RootStatus::stopped;
     if (status != LinearStatus::optimal) return RootStatus::failed;
-    const bool is_bound = !master_.dissipation_presses() && !master_.presses_box();
+    const bool is_bound = !master_.dissipation_limit_is_active() && !master_.box_is_active();
     const double bound = master_.objective();
     if (is_bound) result_.lower = bound;
     const Relaxed point = master_.relaxed();
@@ -159,7 +159,7 @@ RootStatus Rounds::rounds() {
     const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
     const bool cut = !meet && cut_off(point);
     if (stopped()) return RootStatus::stopped;
-    if (cut || lift_dissipation()) continue;
+    if (cut || remove_dissipation_limit()) continue;
     return meet ? RootStatus::closed : RootStatus::open;
   }
   return RootStatus::open;
@@ -176,7 +176,7 @@ RootResult Rounds::run(const Collapse& nominal) {
     case RootStatus::open:
     case RootStatus::closed:
       // At the box of the relaxation the bound is that of the box.
-      if (master_.presses_box()) result_.status = RootStatus::unbounded;
+      if (master_.box_is_active()) result_.status = RootStatus::unbounded;
       if (master_.make_room(first_room)) result_.proof = master_.proof();
       if (stopped()) result_.status = RootStatus::stopped;
       result_.basis = master_.basis();
@@ -224,7 +224,7 @@ std::vector<StaticCut> price_alone(StaticPricing& pricing, const Eigen::VectorXd
                                    std::span<const int> columns) {
   std::vector<StaticCut> cuts;
   if (columns.empty()) return cuts;
-  pricing.aim(z, columns.front());
+  pricing.set_point(z, columns.front());
   for (std::size_t first = 0; first < columns.size(); first += pricing_block) {
     const auto count = std::min(pricing_block, columns.size() - first);
     for (auto& cut : price_block(pricing, columns.subspan(first, count))) {

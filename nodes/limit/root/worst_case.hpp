@@ -29,7 +29,7 @@ inline constexpr std::size_t pricing_block = 32;
 using Pricer =
     std::function<std::vector<StaticCut>(const Eigen::VectorXd& z, std::span<const int> columns)>;
 
-/// The cuts of one block. @pre pricing.aim() was called for the round
+/// The cuts of one block. @pre pricing.set_point() was called for the round
 std::vector<StaticCut> price_block(StaticPricing& pricing, std::span<const int> columns);
 
 /// All blocks on this rank, one after another.

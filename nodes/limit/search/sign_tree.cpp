@@ -13,7 +13,7 @@ namespace kusabi::limit {
 namespace {
 
 /// Rounds of cuts at a node below the root: the first ones bring most.
-constexpr int rounds_at_a_node = 4;
+constexpr int rounds_per_node = 4;
 
 /// A cut is made where the violation of the point exceeds this, and kept if the cut is violated by
 /// more.
@@ -71,7 +71,7 @@ std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
     if (master_.solve() != linear::LinearStatus::optimal) return {};
     result.bound = master_.objective();
     result.point = master_.relaxed();
-    if (round == rounds_at_a_node) return result;
+    if (round == rounds_per_node) return result;
     const Eigen::VectorXd violations = violations_at(model_, result.point);
     std::vector<int> columns;
     for (int j = 0; j < model_.uncertain_count(); ++j) {

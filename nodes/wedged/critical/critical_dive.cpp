@@ -19,7 +19,7 @@ namespace {
 
 /// Maximum number of nodes of a dive for each candidate, including backtracking; there may be no
 /// feasible leaf.
-constexpr std::uint64_t dive_nodes_a_candidate = 100;
+constexpr std::uint64_t dive_nodes_per_candidate = 100;
 
 /// Larger blocks are not bounded, since the programs take longer than the dives.
 constexpr int max_candidates_to_bound_in_dives = 100;
@@ -55,7 +55,7 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
   auto tree = tree_at(problem, FrictionGrid(grid.width).at(multiple), grid, bounds);
   tree.end_when(stop);
   const auto maximum = std::min<std::uint64_t>(
-      dive_nodes_a_candidate * problem.contact_names.size(), analysis.budget().left().nodes);
+      dive_nodes_per_candidate * problem.contact_names.size(), analysis.budget().left().nodes);
   std::vector<SignPatternTree::Node> open{tree.root()};
   bool doubtful = false;
   try {

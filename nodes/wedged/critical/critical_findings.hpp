@@ -78,7 +78,7 @@ struct CriticalEntry {
 };
 
 /// Reasons why a bracket is incomplete.
-enum class CriticalDoubt {
+enum class OpenPoint {
   no_upper_bound,     ///< above the lower bound it is undecided whether a configuration is wedged
   wide_bracket,       ///< feasibility is numerically undecided within the bracket
   lower_not_proved,   ///< infeasibility at the lower bound is not proved in exact arithmetic
@@ -123,7 +123,7 @@ struct CriticalFindings {
   bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
   bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
   bool exact = false;         ///< proved in exact arithmetic; otherwise by the solver's bounds
-  std::vector<CriticalDoubt> doubts;
+  std::vector<OpenPoint> open_points;
   std::vector<CriticalCost> costs;  ///< of all phases, in their order
   /// Costs of the last search for the bracket by ranks: of the global search, or of that for each
   /// pattern.
@@ -134,7 +134,9 @@ struct CriticalFindings {
   /// @param infeasible bound below which all other patterns are infeasible
   void conclude(double infeasible);
 
-  [[nodiscard]] bool answered() const { return status == engine::Status::solved && doubts.empty(); }
+  [[nodiscard]] bool answered() const {
+    return status == engine::Status::solved && open_points.empty();
+  }
 };
 
 }  // namespace kusabi::wedged

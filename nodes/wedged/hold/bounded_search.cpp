@@ -23,7 +23,7 @@ HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& bl
   if (automatic) {
     HoldTree plain = new_tree();
     auto found = first_leaf_of_small(analysis, plain,
-                                     static_cast<std::uint64_t>(nodes_a_candidate * candidates));
+                                     static_cast<std::uint64_t>(nodes_per_candidate * candidates));
     if (found.status != engine::Status::node_limit) return found;
     opened = found.opened;
     iterations = found.tally.iterations;

@@ -1,6 +1,6 @@
 // Grip range: the least and the largest sum of the normal reactions over all states under the dead
-// load at one friction coefficient (docs/theory/loads.md, "Grip range"). It contains the sum of
-// every state that a history of loading leads to.
+// load at one friction coefficient (docs/theory/loads.md, "Sum of the normal reactions"). It
+// contains the sum of every state that a history of loading leads to.
 #pragma once
 
 #include <cstdint>

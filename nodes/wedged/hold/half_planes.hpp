@@ -9,7 +9,7 @@
 
 namespace kusabi::wedged {
 
-/// Points x with normal'x <= most.
+/// Points x with normal'x <= maximum.
 struct HalfPlane {
   Eigen::Vector2d normal;  ///< unit
   double maximum;

@@ -23,7 +23,7 @@ namespace {
 constexpr double next_factor = 4;
 
 /// Trials of a round from modes, and their coefficients as shares of the best one.
-constexpr std::uint64_t starts_a_round = 6;
+constexpr std::uint64_t starts_per_round = 6;
 constexpr std::array<double, 3> start_shares{0.98, 0.8, 0.6};
 
 /// Shares of its coefficient, and scalings, at which the best pattern is the start of new trials.
@@ -34,7 +34,7 @@ constexpr std::array<double, 2> descent_scales{0.5, 1};
 constexpr double hardly_better = 2e-5;
 
 /// Smallest relative decrease of the coefficient of a successful round.
-constexpr double worth_a_round = 1e-4;
+constexpr double min_round_gain = 1e-4;
 
 /// Consecutive rounds from modes without success before the search ends.
 constexpr int max_idle_rounds = 3;
@@ -130,7 +130,7 @@ class TrialRounds {
                  : fmt::format("looking for patterns without a tree: none yet, {} programs",
                                programs_);
     });
-    return best_.factor < before * (1 - worth_a_round);
+    return best_.factor < before * (1 - min_round_gain);
   }
 
   [[nodiscard]] bool done() {
@@ -156,7 +156,7 @@ class TrialRounds {
  private:
   std::vector<Trial> mode_trials(double from) {
     std::vector<Trial> trials;
-    for (std::uint64_t i = 0; i < starts_a_round; ++i, ++next_start_) {
+    for (std::uint64_t i = 0; i < starts_per_round; ++i, ++next_start_) {
       auto start = modes_.at(next_start_);
       const double factor = best_.is_known() ? start_shares[i % start_shares.size()] * best_.factor
                                              : from / static_cast<double>(1 << (i % 3));
@@ -242,8 +242,9 @@ PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedP
     if (rounds.best().is_known())
       for (auto& trial : trials)
         trial.factor = std::min(trial.factor, start_shares[0] * rounds.best().factor);
-    for (std::size_t first = 0; first < trials.size() && !rounds.done(); first += starts_a_round) {
-      const auto last = std::min<std::size_t>(first + starts_a_round, trials.size());
+    for (std::size_t first = 0; first < trials.size() && !rounds.done();
+         first += starts_per_round) {
+      const auto last = std::min<std::size_t>(first + starts_per_round, trials.size());
       rounds.round({trials.begin() + static_cast<std::ptrdiff_t>(first),
                     trials.begin() + static_cast<std::ptrdiff_t>(last)});
     }

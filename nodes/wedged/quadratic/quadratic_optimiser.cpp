@@ -21,13 +21,13 @@ namespace {
 /// Weight of the first round, at least and by candidate, and its growth. With weight w the form is
 /// singular at a coefficient larger by the share 1/w; slow growth allows long steps.
 constexpr double min_first_weight = 100;
-constexpr double first_weight_a_candidate = 0.5;
+constexpr double first_weight_per_candidate = 0.5;
 constexpr double growth = 1.5;
-constexpr int steps_a_round = 100;
+constexpr int steps_per_round = 100;
 /// |S_jk| is smooth below this number divided by the weight: a kink at zero would shorten steps.
 constexpr double roundness = 0.1;
 /// Rounds end when one improves the coefficient by less than this share.
-constexpr double worth_a_round = 1.5e-3;
+constexpr double min_round_gain = 1.5e-3;
 
 /// Steps of the memory.
 constexpr std::size_t remembered = 30;
@@ -220,7 +220,7 @@ void Optimiser::round(double weight) {
   if (!std::isfinite(value_)) return;
   form_.scales(point_, weight, scales_);
   form_.derivatives(point_, weight, slopes_);
-  for (int k = 0; k < steps_a_round && !ended(); ++k)
+  for (int k = 0; k < steps_per_round && !ended(); ++k)
     if (!step(weight)) return;
 }
 
@@ -244,11 +244,11 @@ QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
   optimiser.start();
   double best = 0;
   double weight = std::max(min_first_weight,
-                           first_weight_a_candidate * static_cast<double>(form->candidates()));
+                           first_weight_per_candidate * static_cast<double>(form->candidates()));
   for (int round = 0; round < parameters.rounds && !optimiser.ended(); ++round, weight *= growth) {
     optimiser.round(weight);
     const double reached = optimiser.factor();
-    const bool worth = reached > best * (1 + worth_a_round);
+    const bool worth = reached > best * (1 + min_round_gain);
     best = std::max(best, reached);
     if (!worth || best >= parameters.maximum) break;
   }

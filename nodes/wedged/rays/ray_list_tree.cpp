@@ -38,7 +38,8 @@ bool RayListTree::may_have_own(const Node& list) {
 
 RayListTree::Node RayListTree::continued(const Node& list) {
   auto next = list;
-  const auto steps = rays::go_on(next, cone_, {.max_rays = longest_, .stop = interruption_.stop()});
+  const auto steps =
+      rays::resume(next, cone_, {.max_rays = longest_, .stop = interruption_.stop()});
   if (steps.stopped) throw support::Stopped();
   tally_.effort += steps.effort;
   tally_.health += steps.health;

@@ -79,7 +79,7 @@ rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& c
       return engine::from_first_rank(transport, [&] { return own; });
     };
   }
-  return rays::go_on(list, cone, conduct);
+  return rays::resume(list, cone, conduct);
 }
 
 // Divides a long list, and adds the costs of the previous steps.

@@ -118,7 +118,7 @@ bool RayTrial::enumerates(std::uint64_t worth) {
     const auto maximum = std::min(worth, first_leaf * worth / leaves_.size() * (done_ + 1));
     if (effort_.pairs > maximum || (stop_ && stop_())) return false;
     if (!turns_) turns_.emplace(cone_, leaf.in_contact, stop_);
-    if (!turns_->go_on(maximum - effort_.pairs)) return false;
+    if (!turns_->resume(maximum - effort_.pairs)) return false;
     const auto rays = std::move(*turns_).result();
     turns_.reset();
     effort_ += rays.effort;

@@ -14,7 +14,7 @@ namespace kusabi::wedged {
 
 /// The rule. All rules give the same patterns.
 enum class Branching {
-  /// The result of sampling for large blocks (branching_trial.hpp), `relative` for all others.
+  /// The result of sampling for large blocks (tree/branching_trial.hpp), `relative` for all others.
   automatic,
   /// The largest u_n r_n / c, where c = F_nn + mu |F_nt| is the largest normal displacement due to
   /// the candidate's own reaction for each unit of r_n. The product has no unit, and stiff

@@ -12,10 +12,10 @@ namespace kusabi::wedged {
 namespace {
 
 int checked(int facets) {
-  if (facets < FacetBound::fewest || facets > FacetBound::maximum || facets % 2 != 0) {
+  if (facets < FacetBound::minimum || facets > FacetBound::maximum || facets % 2 != 0) {
     throw std::invalid_argument(
         fmt::format("a friction cone takes an even number of facets from {} to {}, not {}",
-                    FacetBound::fewest, FacetBound::maximum, facets));
+                    FacetBound::minimum, FacetBound::maximum, facets));
   }
   return facets;
 }

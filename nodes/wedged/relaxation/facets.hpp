@@ -20,12 +20,12 @@ namespace kusabi::wedged {
 /// Bounds the nodes of a contact problem in space with polyhedral friction.
 class FacetBound {
  public:
-  static constexpr int fewest = 4;
+  static constexpr int minimum = 4;
   static constexpr int maximum = 64;
 
   /// @param compliance F, 3m x 3m, scaled like that of conic::NodeSolver
   /// @param friction mu, m numbers: 0 or 1e-6 to 1e6
-  /// @param facets F of each cone: even, `fewest` to `maximum`
+  /// @param facets F of each cone: even, `minimum` to `maximum`
   /// @param error of F: |F_ij - F*_ij| <= error sqrt(F*_ii F*_jj)
   /// @param motions G of an unconstrained body, 3m x p, and the error bound of its entries
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range

@@ -1,4 +1,4 @@
-// Number of sign patterns as a function of friction, exact between the grid points: the analysis of
+// Number of sign patterns as a function of friction, also between the grid points: the analysis of
 // `kusabi sweep --mu`.
 //
 // It takes one tree of sign patterns at the largest coefficient, and the history of each of its

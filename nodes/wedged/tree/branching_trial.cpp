@@ -21,7 +21,7 @@ namespace kusabi::wedged {
 namespace {
 
 /// Trees of smaller blocks take no longer than sampling.
-constexpr int fewest_candidates = 40;
+constexpr int min_sampled_candidates = 40;
 
 /// The first rule is chosen unless another is estimated to take this many times fewer nodes: it is
 /// never much worse than the others, and a few dives often miss the largest parts of a tree.
@@ -36,17 +36,17 @@ std::uint64_t few_nodes(int candidates) {
 
 /// Blocks up to this size are searched for about twenty nodes for each candidate before sampling,
 /// since few dives may be wrong by a factor of ten. Larger ones take too long on one rank.
-constexpr int max_candidates_to_look_through = 100;
+constexpr int max_candidates_of_first_search = 100;
 
-std::uint64_t looked_through(int candidates) {
-  if (candidates > max_candidates_to_look_through) return few_nodes(candidates);
+std::uint64_t nodes_of_first_search(int candidates) {
+  if (candidates > max_candidates_of_first_search) return few_nodes(candidates);
   const auto many = static_cast<std::uint64_t>(std::min(20 * candidates, 100'000 / candidates));
   return std::max(few_nodes(candidates), many);
 }
 
-constexpr int much = 20;  // leaves
+constexpr int many_leaves = 20;
 
-constexpr std::uint64_t dives_a_round = 4;  // for each rule
+constexpr std::uint64_t dives_per_round = 4;  // for each rule
 constexpr std::uint64_t max_rounds = 16;
 
 struct Dive {
@@ -105,10 +105,10 @@ class Trial {
     constexpr auto unknown = std::numeric_limits<double>::infinity();
     const auto few = few_nodes(candidates);
     const auto first =
-        analysis_.by_first_rank([&] { return look(block, looked_through(candidates)); });
+        analysis_.by_first_rank([&] { return look(block, nodes_of_first_search(candidates)); });
     if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
-    if (candidates < fewest_candidates) return {rules_.front(), unknown};
-    const auto rules = first.much ? 1 : trees_.size();
+    if (candidates < min_sampled_candidates) return {rules_.front(), unknown};
+    const auto rules = first.has_many ? 1 : trees_.size();
     std::vector<double> sum(rules);
     std::uint64_t opened = 0;
     std::uint64_t round = 0;
@@ -125,7 +125,7 @@ class Trial {
     const auto best =
         *minimum * times_fewer < sum.front() ? static_cast<std::size_t>(minimum - sum.begin()) : 0;
     const bool known_large =
-        best == 0 && candidates <= max_candidates_to_look_through && !first.much;
+        best == 0 && candidates <= max_candidates_of_first_search && !first.has_many;
     return {rules_[best], known_large ? unknown : mean(sum[best], round)};
   }
 
@@ -134,11 +134,11 @@ class Trial {
   // all trees have.
   struct Look {
     std::uint64_t opened = 0;
-    bool whole = false, much = false;
+    bool whole = false, has_many = false;
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& opened& whole& much;
+      archive& opened& whole& has_many;
     }
   };
   Look look(std::uint32_t block, std::uint64_t few) {
@@ -146,8 +146,8 @@ class Trial {
     Look result;
     int found = 0;
     while (result.opened < few && !open.empty()) {
-      if (found == much || analysis_.budget().spent()) {
-        result.much = true;
+      if (found == many_leaves || analysis_.budget().spent()) {
+        result.has_many = true;
         return result;
       }
       const auto node = open.back();
@@ -156,12 +156,13 @@ class Trial {
       try {
         decision = trees_.front().decide(node);
       } catch (const support::Stopped&) {
-        result.much = true;
+        result.has_many = true;
         return result;
       }
       ++result.opened;
       analysis_.say_now_and_then([&] {
-        return fmt::format("sampling the tree to choose how it is split: {} nodes", result.opened);
+        return fmt::format("sampling the tree to choose its branching rule: {} nodes",
+                           result.opened);
       });
       if (decision.leaf) ++found;
       open.insert(open.end(), decision.children.rbegin(), decision.children.rend());
@@ -171,12 +172,12 @@ class Trial {
   }
 
   static double mean(double sum, std::uint64_t rounds) {
-    return sum / static_cast<double>(dives_a_round * rounds);
+    return sum / static_cast<double>(dives_per_round * rounds);
   }
 
   std::vector<Dive> share(std::uint32_t block, std::uint64_t round, std::size_t rules) {
-    return analysis_.share<Dive>(dives_a_round * rules, [&](std::uint64_t piece) {
-      return dive(trees_[piece % rules], block, round * dives_a_round + piece / rules,
+    return analysis_.share<Dive>(dives_per_round * rules, [&](std::uint64_t piece) {
+      return dive(trees_[piece % rules], block, round * dives_per_round + piece / rules,
                   analysis_.budget());
     });
   }
@@ -196,13 +197,13 @@ constexpr std::array without_centre{Branching::relative};
 }  // namespace
 
 Branching untried_branching(int candidates) {
-  return candidates < fewest_candidates ? Branching::relative : tried.front();
+  return candidates < min_sampled_candidates ? Branching::relative : tried.front();
 }
 
 std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                    const problems::WedgedProblem& problem,
                                    std::span<const double> friction,
-                                   const SignPatternOptions& options, int fewest) {
+                                   const SignPatternOptions& options, int minimum) {
   const auto blocks = problems::blocks_of(problem);
   std::vector<TriedTree> result(blocks.size());
   const std::array asked{options.branching};
@@ -214,8 +215,8 @@ std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
   std::optional<Trial> small, large;
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     const int candidates = blocks[block].size();
-    const bool is_large = automatic && has_centre && candidates >= fewest_candidates;
-    if (candidates < fewest && !is_large) continue;
+    const bool is_large = automatic && has_centre && candidates >= min_sampled_candidates;
+    if (candidates < minimum && !is_large) continue;
     auto& trial = is_large ? large : small;
     if (!trial) {
       const auto rules = is_large    ? std::span<const Branching>(tried)

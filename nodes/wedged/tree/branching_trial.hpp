@@ -29,10 +29,10 @@ struct TriedTree {
 
 /// For each block the requested rule, or the result of sampling. The dives are distributed over the
 /// ranks; the result does not depend on their number. Every rank makes the same call.
-/// @param fewest smaller blocks are not sampled
+/// @param minimum smaller blocks are not sampled
 std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                    const problems::WedgedProblem& problem,
                                    std::span<const double> friction,
-                                   const SignPatternOptions& options, int fewest);
+                                   const SignPatternOptions& options, int minimum);
 
 }  // namespace kusabi::wedged

@@ -17,10 +17,10 @@ struct Evidence {
     infeasible,  ///< numbers: the multipliers of the proof, one for each candidate of the block
     feasible,    ///< a leaf; numbers: the tangential reactions of the candidates in U. For
                  ///< unconstrained bodies both continue with the mean motion of w or u
-                 ///< (mean_motion.hpp)
+                 ///< (relaxation/mean_motion.hpp)
     cut,   ///< infeasible with cuts; numbers: those of `infeasible`, then one for the cut of each
            ///< candidate
-    form,  ///< the whole block; numbers: QuadraticMultipliers::numbers() (quadratic_form.hpp)
+    form,  ///< the whole block; numbers: QuadraticMultipliers::numbers()
     marginal,  ///< flat, marginal or undecided: no claim and no numbers
   };
   Kind kind = Kind::marginal;

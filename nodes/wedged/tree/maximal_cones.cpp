@@ -28,7 +28,7 @@ bool in_order(const Configuration& a, const Configuration& b) {
 }
 
 /// Number of cones compared at a time: their bits fit in the cache.
-constexpr std::size_t cones_at_a_time = 4096;
+constexpr std::size_t cones_per_batch = 4096;
 
 /// Consecutive cones of one block: for each candidate those with it in contact, and those with it
 /// separated, one bit per cone.
@@ -106,8 +106,8 @@ void mark_contained(const std::vector<Configuration>& leaves, std::size_t first,
   for (std::size_t i = first; i < last; ++i) {
     if (leaves[i].state == LeafState::flat) flat.push_back(i);
   }
-  for (std::size_t from = first; from < last && !flat.empty(); from += cones_at_a_time) {
-    const ConeBits cones(leaves, from, std::min(last, from + cones_at_a_time));
+  for (std::size_t from = first; from < last && !flat.empty(); from += cones_per_batch) {
+    const ConeBits cones(leaves, from, std::min(last, from + cones_per_batch));
     for (const auto leaf : flat) contained[leaf] = contained[leaf] || cones.contain(leaf);
   }
 }

@@ -12,7 +12,7 @@ namespace {
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
   if (tightening == Tightening::never) return false;
   if (tightening == Tightening::always) return true;
-  return candidates <= max_candidates_to_bound && tree.nodes > nodes_a_candidate * candidates;
+  return candidates <= max_candidates_to_bound && tree.nodes > nodes_per_candidate * candidates;
 }
 
 }  // namespace
@@ -22,10 +22,10 @@ std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::Wed
                                  const SignPatternOptions& options) {
   const bool is_unconstrained = problem.modes.matrix.cols() > 0;
   // The tree size is not estimated if an option decides on candidate bounds.
-  const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
-                     : is_unconstrained                          ? min_unconstrained_to_bound
-                                                                 : min_candidates_to_bound;
-  const auto trees = tried_trees(analysis, problem, friction, options, fewest);
+  const int minimum = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
+                      : is_unconstrained                          ? min_unconstrained_to_bound
+                                                                  : min_candidates_to_bound;
+  const auto trees = tried_trees(analysis, problem, friction, options, minimum);
   const auto blocks = problems::blocks_of(problem);
   std::vector<Preparation> result(blocks.size());
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {

@@ -20,7 +20,7 @@ inline constexpr int min_unconstrained_to_bound = 56;
 
 /// Cost of bounding a candidate in nodes of the tree without cuts: about ten programs with up to
 /// twice as many rows.
-inline constexpr double nodes_a_candidate = 15;
+inline constexpr double nodes_per_candidate = 15;
 /// Larger blocks are not bounded, since a sweep takes too long.
 inline constexpr int max_candidates_to_bound = 200;
 

@@ -254,7 +254,7 @@ bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
 
 // A node whose evidence is refused is branched, unless its subtree is too large; a leaf is left
 // undecided.
-SignPatternTree::NodeResult SignPatternTree::doubt(const Node& node) {
+SignPatternTree::NodeResult SignPatternTree::branch_unproved(const Node& node) {
   constexpr int max_free = 8;
   BlockRelaxation& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
@@ -276,7 +276,7 @@ SignPatternTree::NodeResult SignPatternTree::prune(const Node& node,
   if (evidence_.wants_evidence()) {
     const BlockRelaxation& block = blocks_[node.block];
     if (!closes(node, Evidence::Kind::infeasible, block.infeasible_numbers(multipliers)))
-      return doubt(node);
+      return branch_unproved(node);
   }
   ++tally_.infeasible;
   return {};

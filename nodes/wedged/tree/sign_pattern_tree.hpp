@@ -121,7 +121,7 @@ class SignPatternTree {
   std::optional<NodeResult> prune_with(std::span<const conic::Cut> cuts, const Node& node);
   std::optional<NodeResult> prune_by_bounds(const Node& node);
   bool closes(const Node& node, Evidence::Kind kind, std::span<const double> numbers);
-  NodeResult doubt(const Node& node);
+  NodeResult branch_unproved(const Node& node);
   NodeResult close(const Node& node, Configuration leaf);
   void record_unclaimed(const Node& node);
 

@@ -58,7 +58,10 @@ void AbaqusSupports::read_boundary(AbaqusText& text, const AbaqusCard& card, Aba
     const auto nodes = part.groups.nodes(text.line(), 0);
     const auto fixed = fixed_in(text.line());
     if (!fixed) {
-      text.warn("*BOUNDARY of a displacement that is not zero is left out", text.here());
+      text.warn(
+          "*BOUNDARY of a displacement that is not zero is left out: the nodes are "
+          "not supported by it",
+          text.here());
       continue;
     }
     for (const int node : nodes) part.mesh.supports.push_back({node, *fixed, text.here()});

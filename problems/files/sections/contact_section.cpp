@@ -22,7 +22,7 @@ std::vector<std::vector<WeightedNode>> against(const ProblemDraft& draft, const 
   if (group.table->get("against") != nullptr)
     return places_of_others(draft, group, "against", nodes);
   if (const toml::node* gap = group.table->get("gap"); gap != nullptr) {
-    draft.reader().fail(*gap, "gap without against; expected both, or neither");
+    draft.reader().fail(*gap, "gap without against; expected against, or no gap");
   }
   return std::vector<std::vector<WeightedNode>>(nodes.size());
 }

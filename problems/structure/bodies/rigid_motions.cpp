@@ -79,7 +79,7 @@ Place first_large(const PreciseMatrix& matrix) {
 
 /// True if the elimination continues with a pivot.
 /// @return nothing if numerically undecided
-std::optional<bool> goes_on(double pivot) {
+std::optional<bool> continues(double pivot) {
   if (pivot <= largest_zero_pivot) return false;
   if (pivot >= smallest_nonzero_pivot) return true;
   return {};
@@ -101,7 +101,7 @@ NullSpace null_space(PreciseMatrix matrix) {
   for (; rank < std::min(q, matrix.rows()); ++rank) {
     const auto [row, column] = largest(matrix, rank, rank);
     const double pivot = std::abs(numbers::rounded(matrix(row, column)));
-    const auto more = goes_on(pivot);
+    const auto more = continues(pivot);
     if (!more) return {PreciseMatrix(q, 0), 0};
     if (!*more) break;
     result.min_pivot = std::min(result.min_pivot, pivot);
@@ -136,7 +136,7 @@ std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
     const PreciseMatrix part = columns.block(first_row, 0, rows, left);
     const auto [row, column] = first_large(part);
     const double pivot = std::abs(numbers::rounded(part(row, column)));
-    const auto more = goes_on(pivot);
+    const auto more = continues(pivot);
     if (!more) return {};
     if (!*more) break;
     minimum = std::min(minimum, pivot);
@@ -158,20 +158,20 @@ std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
 }
 
 /// Nodes of a connected component and its supports.
-class Piece {
+class SupportedBody {
  public:
-  Piece(const Structure& structure, const std::set<int>& nodes);
+  SupportedBody(const Structure& structure, const std::set<int>& nodes);
 
   [[nodiscard]] UnconstrainedBody body() &&;
 
  private:
   void set_conditions(const std::set<int>& nodes);
   void require_ties_in_place(const PreciseMatrix& motions) const;
-  [[nodiscard]] PreciseMatrix held() const;
+  [[nodiscard]] PreciseMatrix support_rows() const;
   [[noreturn]] void refuse() const;
 
   const Structure& structure_;
-  std::vector<std::pair<int, int>> held_;  // node and axis
+  std::vector<std::pair<int, int>> supported_;  // node and axis
   // Conditions of inclined supports, of multi-point constraints with the ground and within the
   // component: rows of q entries.
   std::vector<PreciseMatrix> conditions_;
@@ -179,18 +179,19 @@ class Piece {
   UnconstrainedBody body_;
 };
 
-Piece::Piece(const Structure& structure, const std::set<int>& nodes) : structure_(structure) {
+SupportedBody::SupportedBody(const Structure& structure, const std::set<int>& nodes)
+    : structure_(structure) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(structure.dimension);
   for (const int node : nodes) {
     sum += structure.coordinates.col(node);
     if (!is_ground(structure, node)) body_.nodes.push_back(node);
     for (int axis = 0; axis < structure.dimension; ++axis) {
       if (structure.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)])
-        held_.emplace_back(node, axis);
+        supported_.emplace_back(node, axis);
     }
   }
   for (const Spring& spring : structure.springs) {
-    if (nodes.contains(spring.node)) held_.emplace_back(spring.node, spring.axis);
+    if (nodes.contains(spring.node)) supported_.emplace_back(spring.node, spring.axis);
   }
   body_.centre = sum / static_cast<double>(nodes.size());
   double farthest = 0;
@@ -204,7 +205,7 @@ Piece::Piece(const Structure& structure, const std::set<int>& nodes) : structure
 
 // Conditions of inclined supports and multi-point constraints on rigid-body modes. A constraint
 // within the component imposes none if its node is at the place of its masters.
-void Piece::set_conditions(const std::set<int>& nodes) {
+void SupportedBody::set_conditions(const std::set<int>& nodes) {
   const auto lever_at = [&](int node) {
     return lever(body_.centre, body_.size, structure_.coordinates.col(node));
   };
@@ -234,7 +235,7 @@ void Piece::set_conditions(const std::set<int>& nodes) {
 // A node of a multi-point constraint must move as the place of its masters. If it is at a distance
 // from that place, by a gap or by rounding of the weights, a rotation causes strain although the
 // body is almost unconstrained; such a structure is refused.
-void Piece::require_ties_in_place(const PreciseMatrix& motions) const {
+void SupportedBody::require_ties_in_place(const PreciseMatrix& motions) const {
   for (const auto& [tie, rows] : ties_) {
     const PreciseMatrix apart = rows * motions;
     if (apart.cast<double>().cwiseAbs().maxCoeff() <= largest_zero_pivot) continue;
@@ -249,12 +250,12 @@ void Piece::require_ties_in_place(const PreciseMatrix& motions) const {
   }
 }
 
-PreciseMatrix Piece::held() const {
-  auto count = static_cast<Eigen::Index>(held_.size());
+PreciseMatrix SupportedBody::support_rows() const {
+  auto count = static_cast<Eigen::Index>(supported_.size());
   for (const auto& condition : conditions_) count += condition.rows();
   PreciseMatrix rows(count, structure_.dimension == 2 ? 3 : 6);
   Eigen::Index row = 0;
-  for (const auto& [node, axis] : held_) {
+  for (const auto& [node, axis] : supported_) {
     rows.row(row++) = lever(body_.centre, body_.size, structure_.coordinates.col(node)).row(axis);
   }
   for (const auto& condition : conditions_) {
@@ -264,20 +265,20 @@ PreciseMatrix Piece::held() const {
   return rows;
 }
 
-void Piece::refuse() const {
-  const int node = held_.empty() ? body_.nodes.front() : held_.front().first;
+void SupportedBody::refuse() const {
+  const int node = supported_.empty() ? body_.nodes.front() : supported_.front().first;
   throw structure_error(
       structure_, position_of(structure_.sources.nodes, node),
-      fmt::format("the supports of the body of node {} lie almost on one line, and whether the "
-                  "body can turn about it is numerically undecided; expected supports exactly on "
-                  "a line, or clearly off it",
+      fmt::format("it is numerically undecided whether the supports of the body of node {} prevent "
+                  "all its rigid-body modes; expected supports that leave a mode free exactly, or "
+                  "clearly prevent it",
                   support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
 }
 
 // A single bar may rotate about its axis without displacement of a node; this is not counted as a
 // mode.
-UnconstrainedBody Piece::body() && {
-  auto [columns, pivot] = null_space(held());
+UnconstrainedBody SupportedBody::body() && {
+  auto [columns, pivot] = null_space(support_rows());
   if (pivot == 0) refuse();
   const Eigen::Index d = structure_.dimension;
   const Eigen::Index q = columns.rows();
@@ -357,7 +358,7 @@ std::vector<UnconstrainedBody> unconstrained_bodies(const Structure& structure) 
     // are taken as constrained, and superelement_check examines K.
     if (std::ranges::any_of(nodes, [&](int node) { return of_superelements.contains(node); }))
       continue;
-    auto body = Piece(structure, nodes).body();
+    auto body = SupportedBody(structure, nodes).body();
     if (body.count() > 0) bodies.push_back(std::move(body));
   }
   return bodies;

@@ -55,9 +55,8 @@ CheckedStructure in_chosen_case(const CheckedStructure& structure, const std::st
   if (std::ranges::find(names, name) == names.end()) {
     throw structure_error(
         structure, {},
-        fmt::format(
-            "there is no load case {}; expected {}", support::in_quotes(name),
-            names.empty() ? "none to be chosen" : "one of " + choice_of_load_cases(structure)));
+        fmt::format("there is no load case {}; expected {}", support::in_quotes(name),
+                    names.empty() ? "no --case" : "one of " + choice_of_load_cases(structure)));
   }
   return checked(in_load_case(structure, name));
 }

@@ -17,24 +17,25 @@ class ConstraintCheck {
   explicit ConstraintCheck(const Structure& structure) : structure_(structure) {
     for (std::size_t i = 0; i < structure.contact.size(); ++i) {
       if (structure.contact[i].against.empty()) continue;
-      followers_.push_back({structure.contact[i].node, &structure.contact[i].against,
-                            position_of(structure.sources.contact, static_cast<int>(i)), true});
+      dependent_nodes_.push_back({structure.contact[i].node, &structure.contact[i].against,
+                                  position_of(structure.sources.contact, static_cast<int>(i)),
+                                  true});
     }
     for (std::size_t i = 0; i < structure.ties.size(); ++i) {
-      followers_.push_back({structure.ties[i].node, &structure.ties[i].to,
-                            position_of(structure.sources.ties, static_cast<int>(i)), false});
+      dependent_nodes_.push_back({structure.ties[i].node, &structure.ties[i].to,
+                                  position_of(structure.sources.ties, static_cast<int>(i)), false});
     }
   }
 
   void inclined() const;
-  void followers() const;
+  void dependent_nodes() const;
   void places() const;
   void ties() const;
   void rollers() const;
 
  private:
   /// A node that depends on a place of another body.
-  struct Follower {
+  struct DependentNode {
     int node;
     const std::vector<WeightedNode>* place;
     support::SourcePosition position;
@@ -59,14 +60,14 @@ class ConstraintCheck {
     return std::ranges::any_of(structure_.inclined,
                                [&](const auto& support) { return support.node == node; });
   }
-  void place_of(const Follower& follower, const std::set<int>& following) const;
-  void supported_equally(const Follower& follower) const;
+  void place_of(const DependentNode& dependent, const std::set<int>& dependents) const;
+  void supported_equally(const DependentNode& dependent) const;
   [[noreturn]] void fail(support::SourcePosition position, std::string_view message) const {
     throw structure_error(structure_, position, message);
   }
 
   const Structure& structure_;
-  std::vector<Follower> followers_;
+  std::vector<DependentNode> dependent_nodes_;
 };
 
 void ConstraintCheck::inclined() const {
@@ -79,8 +80,8 @@ void ConstraintCheck::inclined() const {
     }
     if (direction.size() != structure_.dimension || !direction.allFinite() ||
         direction.isZero(0.0)) {
-      fail(position, fmt::format("the direction in which {} is held is not a vector of {} finite "
-                                 "numbers other than zero",
+      fail(position, fmt::format("the direction of the inclined support of {} is not a direction; "
+                                 "expected {} finite numbers that are not all zero",
                                  name(node), structure_.dimension));
     }
     if (is_supported(node) || !seen.insert(node).second) {
@@ -89,78 +90,79 @@ void ConstraintCheck::inclined() const {
   }
 }
 
-void ConstraintCheck::followers() const {
-  std::set<int> following;
-  for (const Follower& follower : followers_) {
-    if (!is_node(follower.node)) {
-      fail(follower.position, "a tie names a node that does not exist");
+void ConstraintCheck::dependent_nodes() const {
+  std::set<int> dependents;
+  for (const DependentNode& dependent : dependent_nodes_) {
+    if (!is_node(dependent.node)) {
+      fail(dependent.position, "a tie names a node that does not exist");
     }
-    if (!following.insert(follower.node).second && !follower.pair) {
-      fail(follower.position,
-           fmt::format("node {} is a dependent node twice; expected pairs, or one tie",
-                       name(follower.node)));
+    if (!dependents.insert(dependent.node).second && !dependent.pair) {
+      fail(dependent.position,
+           fmt::format("node {} is a dependent node twice; expected contact pairs only, or one tie",
+                       name(dependent.node)));
     }
-    if (is_inclined(follower.node)) {
-      fail(follower.position,
+    if (is_inclined(dependent.node)) {
+      fail(dependent.position,
            fmt::format("node {} is a dependent node and has an inclined support; expected one of "
                        "the two",
-                       name(follower.node)));
+                       name(dependent.node)));
     }
   }
 }
 
 void ConstraintCheck::places() const {
-  std::set<int> following;
-  for (const Follower& follower : followers_) following.insert(follower.node);
-  for (const Follower& follower : followers_) place_of(follower, following);
+  std::set<int> dependents;
+  for (const DependentNode& dependent : dependent_nodes_) dependents.insert(dependent.node);
+  for (const DependentNode& dependent : dependent_nodes_) place_of(dependent, dependents);
 }
 
-void ConstraintCheck::place_of(const Follower& follower, const std::set<int>& following) const {
-  if (follower.place->empty()) {
-    fail(follower.position,
-         fmt::format("node {} is tied to no node; expected at least one", name(follower.node)));
+void ConstraintCheck::place_of(const DependentNode& dependent,
+                               const std::set<int>& dependents) const {
+  if (dependent.place->empty()) {
+    fail(dependent.position,
+         fmt::format("node {} is tied to no node; expected at least one", name(dependent.node)));
   }
   std::set<int> seen;
-  for (const auto& [node, weight] : *follower.place) {
+  for (const auto& [node, weight] : *dependent.place) {
     if (!is_node(node)) {
-      fail(follower.position,
-           fmt::format("node {} is paired with a node that does not exist", name(follower.node)));
+      fail(dependent.position,
+           fmt::format("node {} is paired with a node that does not exist", name(dependent.node)));
     }
-    if (node == follower.node) {
-      fail(follower.position, fmt::format("node {} is paired with itself; expected a node of "
-                                          "another body",
-                                          name(node)));
+    if (node == dependent.node) {
+      fail(dependent.position, fmt::format("node {} is paired with itself; expected a node of "
+                                           "another body",
+                                           name(node)));
     }
-    if (following.contains(node)) {
-      fail(follower.position,
+    if (dependents.contains(node)) {
+      fail(dependent.position,
            fmt::format("node {} is paired with {}, which is itself a dependent node; expected "
                        "dependent nodes on one body and master nodes on the other",
-                       name(follower.node), name(node)));
+                       name(dependent.node), name(node)));
     }
     if (!seen.insert(node).second) {
-      fail(follower.position, fmt::format("node {} is paired with {} twice; expected once",
-                                          name(follower.node), name(node)));
+      fail(dependent.position, fmt::format("node {} is paired with {} twice; expected once",
+                                           name(dependent.node), name(node)));
     }
     // The condition is false for NaN.
     if (!(std::abs(weight) >= smallest_share && std::abs(weight) <= largest_share)) {
-      fail(follower.position,
+      fail(dependent.position,
            fmt::format("the weight of {} at {} is {:g}; expected a size between {:g} and {:g}",
-                       name(node), name(follower.node), weight, smallest_share, largest_share));
+                       name(node), name(dependent.node), weight, smallest_share, largest_share));
     }
   }
-  supported_equally(follower);
+  supported_equally(dependent);
 }
 
-void ConstraintCheck::supported_equally(const Follower& follower) const {
+void ConstraintCheck::supported_equally(const DependentNode& dependent) const {
   for (int axis = 0; axis < structure_.dimension; ++axis) {
-    if (!is_fixed(follower.node, axis)) continue;
-    for (const auto& [node, weight] : *follower.place) {
+    if (!is_fixed(dependent.node, axis)) continue;
+    for (const auto& [node, weight] : *dependent.place) {
       if (is_fixed(node, axis)) continue;
-      fail(follower.position,
+      fail(dependent.position,
            fmt::format(
                "node {} is supported along {}, but {}, with which it is paired, is not; expected "
                "both or neither",
-               name(follower.node), axis_name(axis), name(node)));
+               name(dependent.node), axis_name(axis), name(node)));
     }
   }
 }
@@ -209,7 +211,7 @@ void ConstraintCheck::rollers() const {
 void check_constraints(const Structure& structure) {
   const ConstraintCheck check(structure);
   check.inclined();
-  check.followers();
+  check.dependent_nodes();
   check.ties();
   check.places();
   check.rollers();

@@ -32,7 +32,7 @@ class StructureCheck {
   void sizes() const;
   void coordinates() const;
   void members() const;
-  void every_node_hangs_on_something() const;
+  void every_node_has_stiffness() const;
   void springs() const;
   void contact_count() const;
   void contact_nodes() const;
@@ -154,7 +154,7 @@ void StructureCheck::members() const {
   }
 }
 
-void StructureCheck::every_node_hangs_on_something() const {
+void StructureCheck::every_node_has_stiffness() const {
   std::vector<bool> held(structure_.node_names.size(), false);
   for (const Member& bar : structure_.members) {
     held[static_cast<std::size_t>(bar.first)] = true;
@@ -171,9 +171,10 @@ void StructureCheck::every_node_hangs_on_something() const {
     if (structure_.outlines.empty() || !is_node(node) || held[static_cast<std::size_t>(node)])
       continue;
     fail(position_of(structure_.sources.contact, index),
-         fmt::format("contact candidate {} has no row in a [[stiffness]]; expected rows of it, for "
-                     "its body has no other stiffness",
-                     name(node)));
+         fmt::format(
+             "contact candidate {} has no row in a [[stiffness]]; expected rows of it, since "
+             "its body has no other stiffness",
+             name(node)));
   }
   for (int node = 0; node < node_count(); ++node) {
     if (!held[static_cast<std::size_t>(node)] && fixed_axes(node) < structure_.dimension) {
@@ -212,7 +213,7 @@ void StructureCheck::springs() const {
 void StructureCheck::contact_count() const {
   if (structure_.contact.size() <= static_cast<std::size_t>(max_contact_candidates)) return;
   fail(position_of(structure_.sources.contact, max_contact_candidates),
-       fmt::format("{} contact candidates; expected at most {}, for K and F are full matrices",
+       fmt::format("{} contact candidates; expected at most {}, since K and F are full matrices",
                    structure_.contact.size(), max_contact_candidates));
 }
 
@@ -292,7 +293,7 @@ void check_structure(const Structure& structure) {
   check.members();
   check_elements(structure);
   check_superelements(structure);
-  check.every_node_hangs_on_something();
+  check.every_node_has_stiffness();
   check.springs();
   check.contact_count();
   check.contact_nodes();

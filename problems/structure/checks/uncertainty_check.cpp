@@ -66,7 +66,7 @@ void UncertaintyCheck::half_width(const UncertainParameter& parameter) const {
 
 void UncertaintyCheck::single(const UncertainParameter& parameter) {
   if (parameter.components.size() != 1) {
-    fail("an uncertain load of several components, or of none, has no name; expected one");
+    fail("an uncertain load without a name has no component or several; expected a name");
   }
   const auto& here = parameter.components.front();
   if (is_fixed(here)) {

@@ -36,10 +36,10 @@ class MasterDegrees {
       // Both the place and the node are fixed along this axis (check_constraints).
       if (structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)])
         continue;
-      for (const auto& [leader, weight] : place) {
-        const int number = degrees_.number(axis, leader);
+      for (const auto& [master, weight] : place) {
+        const int number = degrees_.number(axis, master);
         if (number >= 0) at(axis, node).push_back({number, Precise(weight)});
-        for (const auto& [farther, share] : at(axis, leader))
+        for (const auto& [farther, share] : at(axis, master))
           at(axis, node).push_back({farther, Precise(weight) * share});
       }
     }

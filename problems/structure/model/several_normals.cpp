@@ -44,26 +44,27 @@ Eigen::MatrixXd normals_of(const Structure& structure, const std::vector<std::si
   return normals;
 }
 
-[[noreturn]] void refuse_corner(const Structure& structure, std::size_t candidate,
-                                std::string_view message) {
+[[noreturn]] void refuse_candidate(const Structure& structure, std::size_t candidate,
+                                   std::string_view message) {
   throw structure_error(
       structure, position_of(structure.sources.contact, static_cast<int>(candidate)), message);
 }
 
-void check_corner(const Structure& structure, const std::vector<std::size_t>& candidates) {
+void check_normals(const Structure& structure, const std::vector<std::size_t>& candidates) {
   const auto node = static_cast<std::size_t>(structure.contact[candidates.front()].node);
   const std::string name = support::in_quotes(structure.node_names[node]);
   const auto maximum = static_cast<std::size_t>(structure.dimension);
   if (candidates.size() > maximum) {
-    refuse_corner(
+    refuse_candidate(
         structure, candidates[maximum],
-        fmt::format("node {} is a contact candidate {} times; expected at most {} in {}, for more "
-                    "normals depend on each other",
-                    name, candidates.size(), maximum, maximum == 2 ? "the plane" : "space"));
+        fmt::format(
+            "node {} is a contact candidate {} times; expected at most {} in {}, since more "
+            "normals are linearly dependent",
+            name, candidates.size(), maximum, maximum == 2 ? "the plane" : "space"));
   }
   const auto angle = min_angle(normals_of(structure, candidates));
   if (angle >= smallest_angle_of_normals) return;
-  refuse_corner(
+  refuse_candidate(
       structure, candidates.back(),
       fmt::format("node {} is a contact candidate {} with normals that are {:.2f} degrees from "
                   "linear dependence; expected one normal, or normals at least {:g} degrees from "
@@ -78,7 +79,7 @@ void check_names(const Structure& structure) {
     const std::string name = candidate_name(structure, i);
     const auto [entry, is_new] = first.emplace(name, i);
     if (is_new) continue;
-    refuse_corner(
+    refuse_candidate(
         structure, i,
         fmt::format("contact candidates {} and {} are both called {} in answers; expected nodes "
                     "with other names",
@@ -90,18 +91,18 @@ void check_names(const Structure& structure) {
 
 std::set<int> nodes_with_several_normals(const Structure& structure) {
   std::set<int> seen;
-  std::set<int> vertices;
+  std::set<int> several;
   for (const ContactCandidate& candidate : structure.contact) {
-    if (!seen.insert(candidate.node).second) vertices.insert(candidate.node);
+    if (!seen.insert(candidate.node).second) several.insert(candidate.node);
   }
-  return vertices;
+  return several;
 }
 
 void check_several_normals(const Structure& structure) {
   std::map<int, std::vector<std::size_t>> at_node;
   for (std::size_t i = 0; i < structure.contact.size(); ++i)
     at_node[structure.contact[i].node].push_back(i);
-  for (const auto& [node, candidates] : at_node) check_corner(structure, candidates);
+  for (const auto& [node, candidates] : at_node) check_normals(structure, candidates);
   if (at_node.size() < structure.contact.size()) check_names(structure);
 }
 

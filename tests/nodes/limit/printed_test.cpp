@@ -19,7 +19,7 @@
 namespace kusabi::limit {
 namespace {
 
-using problems::HeldTau;
+using problems::FixedTau;
 using problems::LimitModel;
 using problems::LimitProblem;
 
@@ -168,10 +168,10 @@ linear::MixedProgram relaxation_of(const LimitModel& model, double alpha,
   return mixed;
 }
 
-std::vector<HeldTau> random_held(std::mt19937& bits, int m) {
-  std::vector<HeldTau> held;
+std::vector<FixedTau> random_held(std::mt19937& bits, int m) {
+  std::vector<FixedTau> held;
   for (int j = 0; j < m; ++j) {
-    constexpr HeldTau each[] = {HeldTau::not_held, HeldTau::at_zero, HeldTau::at_one};
+    constexpr FixedTau each[] = {FixedTau::not_fixed, FixedTau::at_zero, FixedTau::at_one};
     held.push_back(each[bits() % 3]);
   }
   return held;
@@ -199,14 +199,14 @@ class DualAtNodes {
         big_m_(of.big_m * Eigen::VectorXd::Ones(model_.uncertain_count()) / model_.factor_unit) {}
 
   // @return true if the omitted rows were redundant there
-  bool compare(const std::vector<HeldTau>& held, bool with_cuts) {
+  bool compare(const std::vector<FixedTau>& held, bool with_cuts) {
     auto mixed = relaxation_of(model_, alpha_, big_m_);
     const auto cuts = with_cuts ? some_cuts(mixed) : std::vector<problems::RelaxationCut>{};
     for (const auto& cut : cuts) mixed.program.add_row({.lower = cut.lower}, cut.terms);
     for (std::size_t j = 0; j < held.size(); ++j) {
       auto& tau = mixed.program.columns[static_cast<std::size_t>(mixed.binaries[j])];
-      if (held[j] == HeldTau::at_zero) tau.upper = 0;
-      if (held[j] == HeldTau::at_one) tau.lower = 1;
+      if (held[j] == FixedTau::at_zero) tau.upper = 0;
+      if (held[j] == FixedTau::at_one) tau.lower = 1;
     }
     linear::Simplex primal(mixed.program);
     EXPECT_EQ(primal.solve_robustly(), linear::LinearStatus::optimal);
@@ -215,7 +215,7 @@ class DualAtNodes {
     const double near = 1e-7 * std::max(1.0, std::abs(primal.objective()));
     EXPECT_LE(-dual.objective(), primal.objective() + near);
     for (std::size_t j = 0; j < held.size(); ++j) {
-      if (held[j] == HeldTau::not_held) continue;
+      if (held[j] == FixedTau::not_fixed) continue;
       const auto values = primal.values();
       const Eigen::VectorXd motion =
           Eigen::Map<const Eigen::VectorXd>(values.data(), model_.free_count());
@@ -243,7 +243,7 @@ TEST(DualProgram, HasTheOptimumOfTheRelaxationAtNodes) {
     DualAtNodes nodes(each);
     for (const bool with_cuts : {false, true}) {
       EXPECT_TRUE(nodes.compare(
-          std::vector<HeldTau>(static_cast<std::size_t>(nodes.uncertain_count())), with_cuts));
+          std::vector<FixedTau>(static_cast<std::size_t>(nodes.uncertain_count())), with_cuts));
       for (int k = 0; k < 6; ++k) {
         compared += nodes.compare(random_held(bits, nodes.uncertain_count()), with_cuts) ? 1 : 0;
       }

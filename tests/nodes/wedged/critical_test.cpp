@@ -207,7 +207,7 @@ void compare_trials(const problems::Structure& structure, std::optional<double> 
   const auto up = found_of(structure, parameters);
   parameters.strategy = CriticalStrategy::descent;
   const auto down = found_of(structure, parameters);
-  if (!up.doubts.empty() || !down.doubts.empty()) return;
+  if (!up.open_points.empty() || !down.open_points.empty()) return;
   expect_same_answer(down, up);
   parameters.strategy = CriticalStrategy::automatic;
   for (const int nodes : {0, 1, 3, 9}) {  // 0: the default number
@@ -334,7 +334,7 @@ TEST(CriticalFriction, BracketDoesNotDependOnTheNodeLimitOfTheList) {
   EXPECT_EQ(part.status, engine::Status::solved);
   EXPECT_EQ(part.lower, all.lower);
   EXPECT_EQ(part.upper, all.upper);
-  EXPECT_THAT(part.doubts, ::testing::Contains(CriticalDoubt::list_not_complete));
+  EXPECT_THAT(part.open_points, ::testing::Contains(OpenPoint::list_not_complete));
   EXPECT_EQ(part.patterns.size(), 1U);
 }
 

@@ -153,7 +153,7 @@ TEST(PatternRaysByTurns, AreTheSameInAnyNumberOfTurns) {
   for (const rays::Candidates contact : {all, all & ~rays::bit(3), rays::Candidates{0b111}}) {
     rays::PatternRaysByTurns turns(given.cone, contact);
     int pauses = 0;
-    for (std::uint64_t maximum = 0; !turns.go_on(maximum); maximum += 20) ++pauses;
+    for (std::uint64_t maximum = 0; !turns.resume(maximum); maximum += 20) ++pauses;
     if (contact == all) {
       EXPECT_GT(pauses, 5);
     }

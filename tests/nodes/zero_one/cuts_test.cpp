@@ -191,7 +191,7 @@ TEST(BigMs, AreReducedToTheLeastValidValues) {
 }
 
 // t - 1000 y <= 0 with t <= 0 does not depend on y.
-linear::MixedProgram with_an_m_for_nothing(double maximum) {
+linear::MixedProgram with_a_needless_m(double maximum) {
   linear::MixedProgram mixed;
   auto& program = mixed.program;
   const int y = program.add_column({.cost = -3, .upper = 1});
@@ -202,7 +202,7 @@ linear::MixedProgram with_an_m_for_nothing(double maximum) {
 }
 
 TEST(BigMs, AreZeroIfTheRowIsSatisfiedWithoutThem) {
-  auto mixed = with_an_m_for_nothing(0);
+  auto mixed = with_a_needless_m(0);
   BigMs big_ms(mixed);
   const auto done = big_ms.tighten(mixed, 0);
   EXPECT_EQ(mixed.program.entries[0].value, 0);
@@ -215,7 +215,7 @@ TEST(BigMs, AreZeroIfTheRowIsSatisfiedWithoutThem) {
 
 TEST(BigMs, KeepAShareOfTheRowAfterRepeatedTightening) {
   // The row needs 1e-12, which is negligible beside t.
-  auto mixed = with_an_m_for_nothing(1e-12);
+  auto mixed = with_a_needless_m(1e-12);
   BigMs big_ms(mixed);
   for (int time = 0; time < 5; ++time) big_ms.tighten(mixed, 0);
   EXPECT_LE(mixed.program.entries[0].value, -1e-12);

@@ -146,16 +146,18 @@ TEST(Assembly, WarnsOnceOfEachOmission) {
       "*Step, name=Step-1\n*Static\n1., 1.\n*Cload\nLow-1.All, 1, 5.\n*Cload\nHigh-1.All, 1, 5.\n"
       "*Boundary\nLow-1.All, 1, 1, 0.1\n*Equation\n2\n*End Step\n";
   const auto warnings = read(deck(two_blocks, more)).warnings;
-  EXPECT_THAT(warnings,
-              ElementsAre("a.inp:3: *PREPRINT is left out",
-                          "a.inp:12: elements of type CPE4R are read as CPE4, fully integrated",
-                          "a.inp:36: *STEP is left out", "a.inp:37: *STATIC is left out",
-                          "a.inp:44: *BOUNDARY of a displacement that is not zero is left out",
-                          "a.inp:45: *EQUATION is not understood and left out: the structure is "
-                          "without it",
-                          "a.inp:47: *END STEP is left out",
-                          "a.inp:40:1: loads are left out: kusabi import writes a problem file "
-                          "with them"));
+  EXPECT_THAT(
+      warnings,
+      ElementsAre("a.inp:3: *PREPRINT is left out",
+                  "a.inp:12: elements of type CPE4R are read as CPE4, fully integrated",
+                  "a.inp:36: *STEP is left out", "a.inp:37: *STATIC is left out",
+                  "a.inp:44: *BOUNDARY of a displacement that is not zero is left out: the nodes "
+                  "are not supported by it",
+                  "a.inp:45: *EQUATION is not understood and left out: the structure is "
+                  "without it",
+                  "a.inp:47: *END STEP is left out",
+                  "a.inp:40:1: loads are left out: kusabi import writes a problem file "
+                  "with them"));
 }
 
 TEST(Assembly, RefusesAMisspeltKeyword) {

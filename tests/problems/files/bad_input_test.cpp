@@ -102,8 +102,8 @@ TEST(BadInputText, OfTooManyContactCandidatesIsRefused) {
   text += "[[members]]\nEA = 1.0\nbetween = [" + bars + "]\n[[supports]]\nnodes = [\"foot\"]\n" +
           "[[contact]]\nnormal = [0.0, 1.0]\nnodes = [\n" + all + "]\n";
   EXPECT_EQ(error_of(text, "comb.toml"),
-            "comb.toml:8207:1: 4097 contact candidates; expected at most 4096, for K and F are "
-            "full matrices");
+            "comb.toml:8207:1: 4097 contact candidates; expected at most 4096, since K and F "
+            "are full matrices");
 }
 
 TEST(BadInputText, OfCommentsOnlyIsRefused) {

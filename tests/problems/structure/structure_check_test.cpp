@@ -45,9 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"Infinity", [](Structure& s) { s.coordinates(0, 1) = infinity; },
               "test: node \"node 1\" has a coordinate out of range; expected at most 1e+50 in "
               "magnitude"},
-        Fault{
-            "TooManyCandidates", [](Structure& s) { s.contact.resize(4097, s.contact[0]); },
-            "test: 4097 contact candidates; expected at most 4096, for K and F are full matrices"},
+        Fault{"TooManyCandidates", [](Structure& s) { s.contact.resize(4097, s.contact[0]); },
+              "test: 4097 contact candidates; expected at most 4096, since K and F are full "
+              "matrices"},
         Fault{"NoNodes", [](Structure& s) { s.node_names.clear(); },
               "test: no nodes; expected at least two"},
         Fault{"NoMembers", [](Structure& s) { s.members.clear(); },

@@ -93,7 +93,7 @@ TEST(TwoBodies, AreInEquilibrium) {
     }
     for (const auto& [node, to] : structure.ties) {
       Eigen::VectorXd place = Eigen::VectorXd::Zero(structure.dimension);
-      for (const auto& [leader, weight] : to) place += weight * state.displacements.col(leader);
+      for (const auto& [master, weight] : to) place += weight * state.displacements.col(master);
       EXPECT_LE((state.displacements.col(node) - place).norm(), 1e-14 * state.displacements.norm());
     }
   }

@@ -122,9 +122,9 @@ TEST(TraceFile, ReportsDroppedEvents) {
 }
 
 TEST(TraceFile, LimitsTheEventsOfAllRanksTogether) {
-  EXPECT_EQ(trace_events_a_rank(1), 1'000'000U);
-  EXPECT_EQ(trace_events_a_rank(1000), 4000U);
-  EXPECT_GE(trace_events_a_rank(100'000'000), 1U);
+  EXPECT_EQ(trace_events_per_rank(1), 1'000'000U);
+  EXPECT_EQ(trace_events_per_rank(1000), 4000U);
+  EXPECT_GE(trace_events_per_rank(100'000'000), 1U);
 }
 
 }  // namespace

@@ -134,15 +134,15 @@ ProgressState some_state() {
 }
 
 TEST(ProgressText, ARowHasAColumnUnderEachName) {
-  for (const bool minimising : {false, true}) {
+  for (const bool has_objective : {false, true}) {
     auto state = some_state();
-    state.minimising = minimising;
-    EXPECT_EQ(progress_row(state).size(), progress_header(minimising).size());
+    state.has_objective = has_objective;
+    EXPECT_EQ(progress_row(state).size(), progress_header(has_objective).size());
     state.progress.objective = -123.456789;
     state.progress.bound = -130;
     state.remaining = {};
-    EXPECT_EQ(progress_row(state).size(), progress_header(minimising).size());
-    EXPECT_LE(progress_header(minimising).size(), minimising ? 100U : 79U);
+    EXPECT_EQ(progress_row(state).size(), progress_header(has_objective).size());
+    EXPECT_LE(progress_header(has_objective).size(), has_objective ? 100U : 79U);
   }
 }
 
@@ -152,7 +152,7 @@ TEST(ProgressText, ARowShowsKnownValues) {
        {"12:34", " 1.23M", " 1637", " 890", " 27", " 3/8", " 45.6 %", " 15:00"}) {
     EXPECT_THAT(progress_row(state), HasSubstr(part));
   }
-  state.minimising = true;
+  state.has_objective = true;
   state.progress.objective = 10;
   state.progress.bound = 9;
   EXPECT_THAT(progress_row(state), HasSubstr("10            9    10 %"));
@@ -166,7 +166,7 @@ TEST(ProgressText, NamesThePhaseAfterTheProof) {
   state.progress.bound = 10;
   EXPECT_THAT(progress_row(state), HasSubstr(" 15:00"));  // searches for all solutions are not
                                                           // closed by a bound
-  state.minimising = true;
+  state.has_objective = true;
   EXPECT_THAT(progress_row(state), EndsWith("  closing"));
   EXPECT_THAT(progress_bar(state, 199), HasSubstr("closing: the proof is complete"));
   EXPECT_EQ(progress_row(state).size(), progress_header(true).size());
@@ -177,7 +177,7 @@ TEST(ProgressText, NamesThePhaseAfterTheProof) {
   EXPECT_THAT(progress_bar(state, 199), HasSubstr("ending: the ranks terminate"));
   // Without a point there is no proof, for any bound.
   state = some_state();
-  state.minimising = true;
+  state.has_objective = true;
   state.progress.bound = infinity;
   EXPECT_THAT(progress_row(state), EndsWith(" 15:00"));
 }

@@ -102,14 +102,14 @@ TEST(DoubleDescription, ResumesAPartOfTheListOnItsFace) {
   const auto whole = complementary_rays(cone);
   auto list = first_list(cone);
   EXPECT_FALSE(divided(list).has_value());  // there was no cut yet
-  go_on(list, cone, {.max_rays = 100});
+  resume(list, cone, {.max_rays = 100});
   ASSERT_FALSE(has_ended(list, cone));
   auto parts = divided(list);
   ASSERT_TRUE(parts.has_value());
   for (RayList& part : *parts) {
     EXPECT_LT(part.zeros.size(), list.zeros.size());
     ASSERT_EQ(std::popcount(part.contact | part.separated), 1);
-    go_on(part, cone, {});
+    resume(part, cone, {});
     EXPECT_TRUE(has_ended(part, cone));
     std::vector<ZeroSet> on_face;
     for (const ZeroSet& zero : whole.rays) {
