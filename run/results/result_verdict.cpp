@@ -162,6 +162,14 @@ class WrittenVerdict {
                                  standing(each, "standing"), bracket(each, "below"),
                                  bracket(each, "above")});
     }
+    if (const auto* const range = ResultReader::find(answer, "grip")) {
+      found.grip = HoldingGrip{.held = truth(*range, "held"),
+                               .held_standing = standing(*range, "held_standing"),
+                               .minimum = bracket(*range, "least"),
+                               .maximum = bracket(*range, "most"),
+                               .unbounded = truth(*range, "unbounded"),
+                               .unbounded_standing = standing(*range, "unbounded_standing")};
+    }
     return found;
   }
   [[nodiscard]] HoldingSweep holding_sweep(const ResultJson& answer) const {
@@ -206,7 +214,8 @@ class WrittenVerdict {
                        .carried_at_none = some_standing(answer, "carried_at_none"),
                        .if_big_m = truth(answer, "if_big_m"),
                        .incomplete = truth(answer, "incomplete"),
-                       .cases = count(answer, "cases")};
+                       .cases = count(answer, "cases"),
+                       .struts = ResultReader::find(answer, "struts") != nullptr};
     if (const auto* const loads = ResultReader::find(answer, "uncertain"))
       found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
     return found;
@@ -218,7 +227,9 @@ class WrittenVerdict {
                      .lost = reader_.names(answer, "lost"),
                      .target = some_number(answer, "target"),
                      .reached = {},
-                     .cases = count(answer, "cases")};
+                     .cases = count(answer, "cases"),
+                     .struts = ResultReader::find(answer, "struts") != nullptr};
+    if (ResultReader::find(answer, "kept") != nullptr) found.kept = reader_.names(answer, "kept");
     if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
     if (ResultReader::find(answer, "uncertain") != nullptr)
       found.uncertain = truth(answer, "uncertain");

@@ -17,7 +17,6 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/proof_words.hpp"
-#include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
 #include "verify/limit/loss_claim.hpp"
@@ -37,22 +36,11 @@ std::vector<LossStatement> losses_in(const std::string& text, const std::string&
   }
 }
 
-// The structure in the load case of the statement; nothing: there is no such case.
-std::optional<problems::CheckedStructure> in_case_of(const LossStatement& statement,
-                                                     const problems::CheckedStructure& structure) {
-  const auto names = problems::load_cases(structure);
-  if (names.empty() && statement.load_case.empty()) return structure;
-  for (const auto& name : names) {
-    if (verify::on_one_line(name) == statement.load_case)
-      return problems::in_chosen_case(structure, name);
-  }
-  return {};
-}
-
 std::vector<std::string> names_of(const LossStatement& statement,
+                                  const std::vector<std::size_t>& members,
                                   const std::optional<problems::CheckedStructure>& structure) {
   std::vector<std::string> names;
-  for (const auto member : statement.lost) {
+  for (const auto member : members) {
     const auto& bar = statement.truss.bars[member];
     const auto name = [&](std::size_t node) {
       return structure ? (*structure)->node_names[node] : statement.truss.names[node];
@@ -60,6 +48,19 @@ std::vector<std::string> names_of(const LossStatement& statement,
     names.push_back(name(bar.first) + '-' + name(bar.second));
   }
   return names;
+}
+
+// A statement without a load case is that of `limit --case`: it gets the name of the first case of
+// the file with its truss and loads. @throws support::InputError if limit analysis does not apply
+void name_case(const problems::CheckedStructure& structure, LossStatement& statement) {
+  if (!statement.load_case.empty()) return;
+  for (const auto& name : problems::load_cases(structure)) {
+    const auto of_case = problems::in_chosen_case(structure, name);
+    problems::limit_problem(of_case);
+    if (verify::LossClaim(statement, evidence::verified_structure(of_case)).difference()) continue;
+    statement.load_case = verify::on_one_line(name);
+    return;
+  }
 }
 
 // Checks the states of a statement on all ranks. @return refusals
@@ -88,12 +89,11 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::CheckedStructure>& structure) {
   std::optional<verify::Structure> truss;
   if (structure) {
-    const auto of_case = in_case_of(statement, *structure);
-    if (!of_case)
-      return {.refusals = {fmt::format("{}: no load case {}", options.problem,
-                                       support::in_quotes(statement.load_case))}};
-    problems::limit_problem(*of_case);
-    truss = evidence::verified_structure(*of_case);
+    auto loaded = in_case_of_certificate(*structure, statement.load_case);
+    if (!loaded) return {.refusals = {no_such_case(options, statement.load_case)}};
+    const auto of_case = problems::checked(*std::move(loaded));
+    problems::limit_problem(of_case);
+    truss = evidence::verified_structure(of_case);
   }
   const verify::LossClaim claim(statement, std::move(truss));
   if (const auto& why = claim.difference()) return {.refusals = {*why}};
@@ -106,11 +106,17 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
   return checked;
 }
 
+// The subject in which two statements differ, so that no sentence is about both; empty: none.
+std::string difference(const LossStatement& one, const LossStatement& other) {
+  if (one.maximum != other.maximum) return "numbers of lost members";
+  if (one.sudden != other.sudden) return "dynamic factors";
+  return one.kept == other.kept ? "" : "kept members";
+}
+
 // Merges a proved statement into that about all load cases.
 void add(const LossStatement& statement, double upper,
          const std::optional<problems::CheckedStructure>& structure, CertificateCheck::Loss& all) {
   all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
-  all.kept = std::max<std::uint64_t>(all.kept, statement.kept.size());
   if (!statement.lower || !all.lower)
     all.lower.reset();
   else
@@ -118,7 +124,7 @@ void add(const LossStatement& statement, double upper,
   if (upper > all.upper || all.fatal) return;
   all.upper = upper;
   all.fatal = statement.fatal;
-  all.lost = names_of(statement, structure);
+  all.lost = names_of(statement, statement.lost, structure);
 }
 
 std::string summary_of(const VerifyOptions& options, const std::vector<LossStatement>& statements,
@@ -131,6 +137,10 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
   }
   if (const double sudden = statements.front().sudden; sudden != 1)
     summary += fmt::format("yield forces divided by {}\n", sudden);
+  std::vector<std::string> cases;
+  for (const auto& statement : statements) cases.push_back(statement.load_case);
+  summary += covered_cases_text(cases);
+  if (structure) summary += cases_left_text(cases, **structure);
   std::size_t states = 0;
   for (const auto& statement : statements) states += statement.states.size();
   return summary + fmt::format("{} cover all losses\n", counted(states, "carrying stress state"));
@@ -141,16 +151,22 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text) {
-  const auto statements = losses_in(text, options.certificate);
+  auto statements = losses_in(text, options.certificate);
+  for (auto& statement : statements) {
+    if (structure) name_case(*structure, statement);
+  }
+  const auto& first = statements.front();
   VerifyFindings findings;
-  CertificateCheck::Loss all{.maximum = statements.front().maximum,
+  CertificateCheck::Loss all{.maximum = first.maximum,
                              .cases = statements.size(),
+                             .load_case = statements.size() == 1 ? first.load_case : "",
+                             .kept = names_of(first, first.kept, structure),
                              .lower = std::numeric_limits<double>::infinity(),
                              .upper = std::numeric_limits<double>::infinity()};
   for (const auto& statement : statements) {
     auto [refusals, upper] = check_statement(run, options, statement, structure);
-    if (statement.maximum != all.maximum)
-      refusals.emplace_back("its load cases have different numbers of lost members");
+    if (const auto why = difference(first, statement); !why.empty())
+      refusals.push_back(fmt::format("its load cases have different {}", why));
     for (const auto& why : refusals)
       findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);
     findings.check.refusals += refusals.size();
