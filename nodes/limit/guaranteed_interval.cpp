@@ -78,6 +78,19 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   return interval;
 }
 
+GuaranteedInterval guaranteed_interval(const LimitAnswer& answer,
+                                       const std::optional<LimitAnswer>& residual) {
+  auto interval = guaranteed_interval(answer);
+  if (!residual) return interval;
+  const auto found = guaranteed_interval(*residual);
+  const auto carried = found.has_factors() ? found : GuaranteedInterval{};
+  interval.minimum.upper = carried.minimum.upper;
+  interval.minimum.upper_proved = carried.minimum.upper_proved;
+  interval.largest.lower = carried.largest.lower;
+  interval.largest.lower_proved = carried.largest.lower_proved;
+  return interval;
+}
+
 GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases) {
   auto all = cases.front();
   for (const auto& each : cases.subspan(1)) {

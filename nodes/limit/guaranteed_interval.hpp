@@ -38,6 +38,12 @@ struct GuaranteedInterval {
 /// @pre answer.worst, or the nominal load has no factor
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);
 
+/// The same for a truss with struts: the factors at residual strength are carried, and those beyond
+/// the interval at full strength are not. @param residual the answer at residual strength; nothing:
+/// no member is a strut @pre as above
+GuaranteedInterval guaranteed_interval(const LimitAnswer& answer,
+                                       const std::optional<LimitAnswer>& residual);
+
 /// The factors that are carried in all load cases. @param cases at least one
 GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases);
 

@@ -139,9 +139,10 @@ linear::MixedProgram ExportMps::program() const {
 
 std::vector<std::string> ExportMps::comments_on_worst_case() const {
   const auto alpha = problems::common_half_width(*problem_, *alpha_);
+  const auto unit = problems::alpha_is_force(*problem_) ? ' ' + problem_->units.force : "";
   std::vector<std::string> lines{
-      alpha ? fmt::format("Its uncertain components have half-widths of {} {} times their weights.",
-                          *alpha, problem_->units.force)
+      alpha ? fmt::format("Its uncertain components have half-widths of {}{} times their weights.",
+                          *alpha, unit)
             : std::string("Its uncertain components have individual half-widths."),
       "Minimise; the optimal objective is the worst-case load factor, lambda_min.",
       "u: collapse mode, with f_R'u = 1; z: absolute elongation of each member; gamma: absolute "

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,11 @@ bool all_whole(std::span<const LimitCase> cases) {
   return std::ranges::all_of(cases, [](const auto& each) { return each.found.whole(); });
 }
 
+bool with_struts(std::span<const LimitCase> cases) {
+  return std::ranges::any_of(cases,
+                             [](const auto& each) { return each.found.residual.has_value(); });
+}
+
 bool have_statements(std::span<const LimitCase> cases) {
   return std::ranges::none_of(cases,
                               [](const auto& each) { return each.found.statements.empty(); });
@@ -112,12 +118,17 @@ std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase
 
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
   std::vector<limit::GuaranteedInterval> intervals;
-  for (const auto& each : cases) intervals.push_back(guaranteed_interval(each.found.answer));
+  for (const auto& each : cases) {
+    const auto& [answer, residual] = std::tie(each.found.answer, each.found.residual);
+    intervals.push_back(guaranteed_interval(answer, residual));
+  }
   return intersection(intervals);
 }
 
 std::string cases_text(std::span<const LimitCase> cases) {
-  std::string text = fmt::format("{} load cases\n", cases.size());
+  std::string text =
+      fmt::format("{} load cases{}\n", cases.size(),
+                  with_struts(cases) ? ", all struts at their strength: upper values" : "");
   const auto out = std::back_inserter(text);
   for (const auto& each : cases)
     fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found));
@@ -141,7 +152,7 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
       row["worst_case"] = {{"lower", number_or_null(worst->ends.lower)},
                            {"upper", number_or_null(worst->ends.upper)},
                            {"proved", worst->proved}};
-      row["guaranteed_interval"] = interval_json(guaranteed_interval(answer));
+      row["guaranteed_interval"] = interval_json(guaranteed_interval(answer, each.found.residual));
     }
     if (const auto& loss = each.found.loss) {
       row["member_loss"] = {{"lower", number_or_null(loss->ends.lower)},

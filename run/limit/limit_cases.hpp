@@ -31,6 +31,9 @@ const LimitCase& governing(std::span<const LimitCase> cases);
 /// True if all cases are answered.
 bool all_whole(std::span<const LimitCase> cases);
 
+/// True if some members are struts: their results at residual strength are lower values.
+bool with_struts(std::span<const LimitCase> cases);
+
 /// True if each case has a proved claim, as a certificate requires.
 bool have_statements(std::span<const LimitCase> cases);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,6 +24,9 @@ namespace {
 
 using limit::RootStatus;
 using problems::LimitProblem;
+
+/// Addition to the name of a factor of a truss with struts.
+constexpr const char* upper_value = ", all struts at their strength: an upper value";
 
 void write_mode(std::string& text, const LimitProblem& problem,
                 const limit::LimitCollapse& collapse) {
@@ -84,26 +88,26 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 }
 
 // Load factors carried under all loads, and the load at their lower end if zero is not among them.
-void write_interval(std::string& text, const LimitProblem& problem,
-                    const limit::LimitAnswer& answer) {
-  const auto interval = guaranteed_interval(answer);
+void write_interval(std::string& text, const LimitReport& report) {
+  const auto interval = guaranteed_interval(report.answer, report.residual);
   text += "  " + interval_text(interval) + '\n';
   text += "  " + passed_text(interval) + '\n';
-  const auto& reversed = answer.reversed;
+  const auto& reversed = report.answer.reversed;
   if (!reversed || reversed->zeta.size() == 0 || interval.minimum.upper <= 0) return;
   text += "  load that determines the least of these factors:\n" +
-          critical_load_text(problem, reversed->zeta);
+          critical_load_text(report.problem, reversed->zeta);
 }
 
-void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
-                 const limit::LimitAnswer& answer) {
-  const auto& worst = *answer.worst;
+void write_worst(std::string& text, const LimitReport& report) {
+  const auto& [options, problem] = std::tie(report.options, report.problem);
+  const auto& worst = *report.answer.worst;
   const auto out = std::back_inserter(text);
   const auto unit = unit_of_alpha(problem);
   const auto alpha = problems::common_half_width(problem, *options.parameters.alpha);
-  fmt::format_to(out, "\nworst case of {} uncertain loads, {}\n", problem.uncertain_count(),
+  fmt::format_to(out, "\nworst case of {} uncertain loads, {}{}\n", problem.uncertain_count(),
                  alpha ? fmt::format("alpha = {}{}{}", *alpha, unit ? " " : "", unit.value_or(""))
-                       : "each within its own half-width");
+                       : "each within its own half-width",
+                 report.residual ? upper_value : "");
   const auto along = std::ranges::count_if(
       problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
   if (along > 0) {
@@ -125,7 +129,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
       text += utilisation_text(problem, *worst.collapse);
     }
     if (worst.zeta.size() > 0) text += critical_load_text(problem, worst.zeta);
-    if (!worst.as_printed) write_interval(text, problem, answer);
+    if (!worst.as_printed) write_interval(text, report);
   }
   if (worst.zero_one) text += zero_one_text(worst);
   if (worst.search != engine::Status::solved) {
@@ -159,12 +163,13 @@ std::string LimitReport::table(const Page& page) const {
   std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
   if (!answer.nominal) return text + page.warning(no_nominal(answer));
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
+  fmt::format_to(out, "nominal load factor {:.10g}{}\n", answer.nominal->factor,
+                 residual ? upper_value : "");
   write_zero(text, "the dead load", *answer.nominal);
   write_mode(text, problem, *answer.nominal);
   text += utilisation_text(problem, *answer.nominal);
   if (loss) text += loss_text(problem, truss, *loss);
-  if (answer.worst) write_worst(text, options, problem, answer);
+  if (answer.worst) write_worst(text, *this);
   if (residual) text += strut_text(*this);
   if (!answer.samples.empty()) {
     const auto [minimum, greatest] = std::ranges::minmax(answer.samples);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -43,7 +44,7 @@ std::string size_text(double size, const std::string& unit) {
 // "4 members yield: a-b b-c c-d d-e."
 // @param lost members that are not there
 std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& collapse,
-                              const char* when, std::span<const int> lost = {}) {
+                              const char* when, std::span<const int> lost) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   std::vector<std::string> names;
   for (const auto& each : mode.yielding) {
@@ -150,10 +151,32 @@ LoadInterval nominal_interval(const LimitAnswer& answer) {
   return interval;
 }
 
+// The factor that is carried is the least at residual strength; the largest one is that at full
+// strength.
+LoadInterval nominal_interval(std::span<const LimitCase> cases) {
+  auto interval = nominal_interval(governing(cases).found.answer);
+  interval.struts = with_struts(cases);
+  if (!interval.struts || interval.carried_at_none) return interval;
+  interval.minimum.upper = interval.maximum.lower = std::nullopt;
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  for (const auto& each : cases) {
+    if (!each.found.residual || !each.found.residual->nominal) return interval;
+    const auto& carried = *each.found.residual->nominal;
+    from = std::max(from, carried.minimum.value_or(from));
+    to = std::min(to, carried.factor);
+  }
+  if (from > to) return interval;
+  interval.maximum.lower = Bound{to, Standing::computed};
+  if (std::isfinite(from)) interval.minimum.upper = Bound{from, Standing::computed};
+  return interval;
+}
+
 // For all admissible loads in all cases.
 LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> cases) {
   const auto found = interval_of_all(cases);
-  LoadInterval interval{.uncertain = LoadRange{}, .cases = cases.size()};
+  LoadInterval interval{
+      .uncertain = LoadRange{}, .cases = cases.size(), .struts = with_struts(cases)};
   std::set<std::optional<double>> half_widths;
   for (const auto& each : cases)
     half_widths.insert(problems::common_half_width(each.problem, *options.parameters.alpha));
@@ -182,13 +205,16 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   for (const auto& each : cases) {
     if (verdict.ended == engine::Status::solved) verdict.ended = each.found.ended();
   }
-  const auto yields = [&](const LimitCollapse& collapse, const char* when) {
-    if (auto text = yielding_sentence(governs.problem, collapse, when); !text.empty())
+  const bool struts = with_struts(cases);
+  const auto yields = [&](const LimitCollapse& collapse, const char* when,
+                          std::span<const int> lost = {}) {
+    if (struts) when = "At full strength";
+    if (auto text = yielding_sentence(governs.problem, collapse, when, lost); !text.empty())
       verdict.details.push_back(std::move(text));
   };
   const bool of_worst = std::ranges::any_of(
       cases, [](const auto& each) { return each.found.answer.worst.has_value(); });
-  auto interval = of_worst ? guaranteed(options, cases) : nominal_interval(answer);
+  auto interval = of_worst ? guaranteed(options, cases) : nominal_interval(cases);
   if (answer.worst) {
     const auto& worst = *answer.worst;
     if (worst.collapse && worst.status != limit::RootStatus::not_carried)
@@ -203,11 +229,8 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   if (of_losses) {
     verdict.details.clear();
     const auto& loss = *governs.found.loss;
-    if (loss.collapse) {
-      auto text = yielding_sentence(governs.problem, *loss.collapse, "Then", loss.lost);
-      if (!text.empty()) verdict.details.push_back(std::move(text));
-    }
-    verdict.answer = member_loss(cases);
+    if (loss.collapse) yields(*loss.collapse, "Then", loss.lost);
+    verdict.answer = member_loss(cases, options.parameters.loss->kept);
   }
   if (auto text = strut_sentence(cases); !text.empty()) verdict.details.push_back(std::move(text));
   return verdict;

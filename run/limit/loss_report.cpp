@@ -199,7 +199,7 @@ ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
   return json;
 }
 
-MemberLoss member_loss(std::span<const LimitCase> cases) {
+MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept) {
   const auto& governs = governing(cases);
   const auto& worst = *governs.found.loss;
   const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
@@ -208,6 +208,8 @@ MemberLoss member_loss(std::span<const LimitCase> cases) {
                     .uncertain = worst.uncertain};
   answer.lost = names_of(governs.problem, worst.lost);
   answer.target = worst.target;
+  answer.kept = names_of(governs.problem, kept);
+  answer.struts = with_struts(cases);
   if (worst.is_fatal()) {
     answer.fatal = standing(worst.ends.upper_proved);
     return answer;
@@ -218,10 +220,16 @@ MemberLoss member_loss(std::span<const LimitCase> cases) {
   bool missed = false;
   for (const auto& each : cases) {
     const auto& loss = *each.found.loss;
-    lower = std::min(
-        lower, loss.ends.lower_proved ? loss.ends.lower : -std::numeric_limits<double>::infinity());
-    reached = reached && loss.reaches_target.value_or(false);
     missed = missed || !loss.reaches_target.value_or(true);
+    const auto& carried = answer.struts ? each.found.residual_loss : each.found.loss;
+    if (!carried) {
+      lower = -std::numeric_limits<double>::infinity();
+      reached = false;
+      continue;
+    }
+    lower = std::min(lower, carried->ends.lower_proved ? carried->ends.lower
+                                                       : -std::numeric_limits<double>::infinity());
+    reached = reached && carried->reaches_target.value_or(false);
   }
   if (std::isfinite(lower)) answer.factor.lower = Bound{lower, Standing::proved};
   if (worst.target && (reached || missed)) answer.reached = reached;

@@ -25,7 +25,8 @@ std::string loss_text(const problems::LimitProblem& problem, const problems::Str
 nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,
                                  const limit::LossAnswer& loss);
 
-/// Of the load case in which the least factor remains. @pre every case has an answer
-MemberLoss member_loss(std::span<const LimitCase> cases);
+/// Of the load case in which the least factor remains. @param kept members that are not lost
+/// @pre every case has an answer
+MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept);
 
 }  // namespace kusabi::run

@@ -2,9 +2,7 @@
 #include "run/limit/strut_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -73,8 +71,10 @@ std::string strut_text(const LimitReport& report) {
                  factor_text(report.answer, report.loss));
   fmt::format_to(out, "  all at their residual strength: {}; a lower value\n",
                  factor_text(*report.residual, report.residual_loss));
-  if (report.residual->worst)
-    fmt::format_to(out, "    {}\n", interval_text(guaranteed_interval(*report.residual)));
+  if (report.residual->worst) {
+    const auto carried = guaranteed_interval(*report.residual);
+    if (!carried.has_factors()) fmt::format_to(out, "    {}\n", interval_text(carried));
+  }
   const auto names = struts_at_strength(report);
   fmt::format_to(out, "  struts at their strength at the collapse: {}\n",
                  names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " ")));
@@ -98,49 +98,19 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
   return json;
 }
 
-namespace {
-
-/// Lower bound of the load factor of a case with all struts at their residual strength.
-struct ResidualFactor {
-  double lower = -std::numeric_limits<double>::infinity();  ///< minus infinity: not known
-  bool proved = false;
-  bool is_nominal = false;  ///< computed for the loads as given, and not a bound
-};
-
-// @pre found.residual
-ResidualFactor residual_factor(const limit::LimitFindings& found) {
-  if (const auto& loss = found.residual_loss) return {loss->ends.lower, loss->ends.lower_proved};
-  const auto& [worst, nominal] = std::tie(found.residual->worst, found.residual->nominal);
-  if (worst) return {worst->ends.lower, worst->ends.lower_proved};
-  if (nominal) return {.lower = nominal->factor, .proved = false, .is_nominal = true};
-  return {};
-}
-
-}  // namespace
-
 std::string strut_sentence(std::span<const LimitCase> cases) {
-  const auto has_residual = [](const auto& each) { return each.found.residual.has_value(); };
-  if (std::ranges::none_of(cases, has_residual) ||
-      std::ranges::any_of(cases, [](const auto& each) { return at_no_factor(each.found.answer); }))
+  if (std::ranges::any_of(cases, [](const auto& each) { return at_no_factor(each.found.answer); }))
     return {};
-  std::string text = "With all struts at their residual strength ";
-  ResidualFactor minimum{.lower = std::numeric_limits<double>::infinity(), .proved = true};
-  bool after_loss = false;
+  constexpr const char* subject = "With all struts at their residual strength no load factor";
+  const auto sentence = [&](const char* predicate, bool proved) {
+    return fmt::format("{} {}{}.", subject, predicate, proved ? "" : " (computed, not proved)");
+  };
   for (const auto& each : cases) {
     const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);
-    if (residual && at_no_factor(*residual)) return text + "no load factor is carried.";
-    if (loss && loss->is_fatal()) return text + "no load factor remains after the worst loss.";
-    after_loss = after_loss || loss;
-    const auto own = residual ? residual_factor(each.found) : ResidualFactor{};
-    minimum.lower = std::min(minimum.lower, own.lower);
-    minimum.proved = minimum.proved && own.proved;
-    minimum.is_nominal = own.is_nominal;
+    if (residual && at_no_factor(*residual)) return sentence("is carried", residual->whole());
+    if (loss && loss->is_fatal()) return sentence("remains after the worst loss", loss->proved);
   }
-  if (!std::isfinite(minimum.lower)) return text + "the load factor is not known.";
-  const bool bound = !minimum.is_nominal;
-  return text + fmt::format("the load factor is {}{:.8g}{}{}.", bound ? "at least " : "",
-                            minimum.lower, after_loss ? " after the worst loss" : "",
-                            bound && !minimum.proved ? " (not proved)" : "");
+  return {};
 }
 
 }  // namespace kusabi::run

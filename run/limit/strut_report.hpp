@@ -18,8 +18,8 @@ std::string strut_text(const LimitReport& report);
 /// The key `struts` of a result. @pre report.residual
 nlohmann::ordered_json strut_json(const LimitReport& report);
 
-/// "With all struts at their residual strength it is at least 0.5.", of all cases together; empty
-/// if there are no struts, or if some case is carried at no factor without buckling.
+/// "With all struts at their residual strength no load factor is carried.", if that is so in some
+/// case; empty otherwise, and if some case is carried at no factor at full strength either.
 std::string strut_sentence(std::span<const LimitCase> cases);
 
 }  // namespace kusabi::run

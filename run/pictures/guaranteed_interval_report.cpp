@@ -43,7 +43,7 @@ std::string interval_text(const GuaranteedInterval& interval) {
   }
   return fmt::format(
       "open: factors carried under all admissible loads lie between {} and {}; their existence is "
-      "numerically undecided",
+      "undecided",
       bound_text(minimum.lower), bound_text(largest.upper));
 }
 

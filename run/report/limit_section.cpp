@@ -57,7 +57,9 @@ class LimitSection {
     const auto take = [&](const ResultJson& object, const char* key, const char* name) {
       if (const auto* const value = ResultReader::find(object, key)) facts[name] = *value;
     };
-    take(result_, "nominal", "nominal load factor");
+    const bool struts = ResultReader::find(result_, "struts") != nullptr;
+    const std::string upper = struts ? ", struts at full strength: an upper value" : "";
+    take(result_, "nominal", ("nominal load factor" + upper).c_str());
     take(result_, "nominal_interval", "nominal load is carried at factors from, to");
     const auto unit = unit_of_alpha(reader_);
     const auto alpha = unit ? "α, half-width of each uncertain load, " + *unit
@@ -68,7 +70,7 @@ class LimitSection {
            {std::tuple{"lower", "lower_proved", "worst case, at least"},
             std::tuple{"upper", "upper_proved", "worst case, at most"}}) {
         if (ResultReader::find(*worst, key) == nullptr) continue;
-        take(*worst, key, name);
+        take(*worst, key, (name + upper).c_str());
         take(*worst, proved, fmt::format("{}: proved", name).c_str());
       }
     }

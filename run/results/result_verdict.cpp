@@ -216,7 +216,8 @@ class WrittenVerdict {
                        .carried_at_none = some_standing(answer, "carried_at_none"),
                        .if_big_m = truth(answer, "if_big_m"),
                        .incomplete = truth(answer, "incomplete"),
-                       .cases = count(answer, "cases")};
+                       .cases = count(answer, "cases"),
+                       .struts = ResultReader::find(answer, "struts") != nullptr};
     if (const auto* const loads = ResultReader::find(answer, "uncertain"))
       found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
     return found;
@@ -228,7 +229,9 @@ class WrittenVerdict {
                      .lost = reader_.names(answer, "lost"),
                      .target = some_number(answer, "target"),
                      .reached = {},
-                     .cases = count(answer, "cases")};
+                     .cases = count(answer, "cases"),
+                     .struts = ResultReader::find(answer, "struts") != nullptr};
+    if (ResultReader::find(answer, "kept") != nullptr) found.kept = reader_.names(answer, "kept");
     if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
     if (ResultReader::find(answer, "uncertain") != nullptr)
       found.uncertain = truth(answer, "uncertain");

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_sweep.hpp"
+#include "problems/files/sections/residual_strength.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -19,6 +21,7 @@
 #include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
 #include "run/session/analysis_options.hpp"
+#include "run/session/kept_state.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
@@ -48,7 +51,14 @@ class LoadSweep final : public Swept {
       : options_(options), alphas_(std::move(points)) {}
 
   void prepare(CommandRun& run) override {
-    truss_ = problems::in_chosen_case(options_.input.structure(run), options_.load_case);
+    const auto structure = options_.input.structure(run);
+    refuse_struts(structure);
+    if (structure->imposed_forces.size() > 0) {
+      warn_all(run.session(),
+               {"kusabi sweep --alpha ignores temperature and displaced supports: a limit load "
+                "does not depend on them"});
+    }
+    truss_ = problems::in_chosen_case(structure, options_.load_case);
     problem_ = problems::limit_problem(truss_);
     fix_groups();
     const auto& uncertain = problem_.uncertain;
@@ -86,6 +96,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
   void fix_groups();
+  void refuse_struts(const problems::CheckedStructure& structure) const;
 
   const SweepOptions& options_;
   problems::CheckedStructure truss_;
@@ -94,6 +105,16 @@ class LoadSweep final : public Swept {
   int ranks_ = 1;
   limit::LimitSweep found_;
 };
+
+// The factors of struts at their strength are upper values only.
+void LoadSweep::refuse_struts(const problems::CheckedStructure& structure) const {
+  const auto& [file, text] = std::tie(options_.input.file, options_.input.text.toml);
+  if (problems::residual_strengths(text, file, structure).size() == 0) return;
+  throw WrongInput(
+      fmt::format("--alpha: {} has members with `residual`, whose residual strength the sweep does "
+                  "not analyse; expected a file without them, or kusabi limit --alpha",
+                  file));
+}
 
 void LoadSweep::fix_groups() {
   try {

@@ -44,6 +44,9 @@ std::string grip_sentence(const HoldingGrip& grip);
 /// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
 const char* unless_proved(Standing standing);
 
+/// " except a-b c-d (kept)": members that are not lost; empty if there are none.
+std::string except_kept(const std::vector<std::string>& members);
+
 /// "± 0.45 kN": half-width of an uncertain load.
 std::string half_width_text(double half_width, const std::optional<std::string>& force);
 

@@ -9,9 +9,10 @@ namespace {
 
 std::string within(const LoadInterval& found) {
   const auto& loads = *found.uncertain;
-  auto text = loads.half_width ? fmt::format("for every dead load within {}",
-                                             half_width_text(*loads.half_width, loads.force))
-                               : std::string("for every dead load within its bounds");
+  std::string text = "for every dead load within its bounds";
+  if (loads.half_width == 0) text = "under its dead load";
+  if (loads.half_width.value_or(0) != 0)
+    text = "for every dead load within " + half_width_text(*loads.half_width, loads.force);
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
   return text;
 }
@@ -20,20 +21,39 @@ const char* if_large(const LoadInterval& found) {
   return found.if_big_m ? " if M is large enough" : "";
 }
 
+// Condition of the factors that are carried, and what bounds them.
+std::string of_struts(const LoadInterval& found) {
+  if (!found.struts) return {};
+  std::string text = ", while no strut falls below its residual strength";
+  if (const auto& upper = found.maximum.upper) {
+    text += fmt::format("; {}{} at full strength is an upper value", rounded_up(upper->value),
+                        unless_proved(upper->standing));
+  }
+  return text;
+}
+
 std::string nominal(const LoadInterval& found) {
   if (found.carried_at_none) {
     return fmt::format("It does not carry its dead load at any load factor{}.",
                        unless_proved(*found.carried_at_none));
   }
-  if (!found.maximum.lower) return "No load factor was found at which it carries its dead load.";
+  if (!found.maximum.lower) {
+    return fmt::format("No load factor was found at which it carries its dead load{}.",
+                       of_struts(found));
+  }
   const auto& [value, standing] = *found.maximum.lower;
   if (const auto& from = found.minimum.upper; from && from->value > 0) {
     const auto [low, high] = inside(from->value, value);
-    return fmt::format("It carries its dead load only at load factors from {} to {}{}.", low, high,
-                       unless_proved(standing));
+    return fmt::format("It carries its dead load only at load factors from {} to {}{}{}.", low,
+                       high, unless_proved(standing), of_struts(found));
   }
-  return fmt::format("It carries {} times the reference load, and no more{}.", rounded_down(value),
-                     unless_proved(standing));
+  if (value < 0) {
+    return fmt::format("It carries its dead load only at load factors up to {}{}{}.",
+                       rounded_down(value), unless_proved(standing), of_struts(found));
+  }
+  return fmt::format("It carries {} times the reference load{}{}{}.", rounded_down(value),
+                     found.struts ? "" : ", and no more", unless_proved(standing),
+                     of_struts(found));
 }
 
 // Standing of a statement that follows from two bounds.
@@ -73,20 +93,22 @@ std::string factors_headline(const LoadInterval& found) {
     return fmt::format("No load factor is carried {}{}.", loads, unless_proved(*standing));
   }
   const auto& to = found.maximum.lower;
-  if (!to) return fmt::format("No load factor was found that it carries {}.", loads);
+  if (!to)
+    return fmt::format("No load factor was found that it carries {}{}.", loads, of_struts(found));
   const auto& from = found.minimum.upper;
   if (!from) {
     return fmt::format(
-        "The largest factor of the reference load that it carries is at least {}{}{}, {}.",
-        rounded_down(to->value), if_large(found), unless_proved(to->standing), loads);
+        "The largest factor of the reference load that it carries is at least {}{}{}, {}{}.",
+        rounded_down(to->value), if_large(found), unless_proved(to->standing), loads,
+        of_struts(found));
   }
   if (is_undecided(found)) {
     return fmt::format("It is numerically undecided whether any load factor is carried {}.", loads);
   }
   const auto [low, high] = inside(from->value, to->value);
-  return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}.", low,
-                     unless_proved(from->standing), high, if_large(found),
-                     unless_proved(to->standing), loads);
+  return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}{}.",
+                     low, unless_proved(from->standing), high, if_large(found),
+                     unless_proved(to->standing), loads, of_struts(found));
 }
 
 // True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.
@@ -129,7 +151,9 @@ std::string headline_of(const LoadInterval& found, engine::Status ended) {
   const auto text = factors_headline(found);
   if (!found.uncertain || ended != engine::Status::solved) return text;
   const auto known = passed(found);
-  if (!known || found.carried_at_none || empty(found)) return text;
+  if (found.carried_at_none || empty(found)) return text;
+  if (!known)
+    return text + (found.struts ? " Open: whether every factor from 0 to 1 is carried." : "");
   return text + (*known ? " Passed: these include 0 to 1."
                         : " Not passed: some factor from 0 to 1 is not carried.");
 }
@@ -137,7 +161,9 @@ std::string headline_of(const LoadInterval& found, engine::Status ended) {
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all) {
   if (!found.uncertain && !found.carried_at_none) {
     if (!found.maximum.lower) {
-      all.push_back({"The nominal load factor is not known.", true});
+      all.push_back({found.struts ? "No load factor at residual strength is known."
+                                  : "The nominal load factor is not known.",
+                     true});
     } else if (found.maximum.lower->standing == Standing::computed) {
       all.push_back(
           {"The factor is the result of the simplex method, for the dead load exactly as given.",

@@ -1,5 +1,7 @@
 // Sentences about the loss of members.
+#include <algorithm>
 #include <cctype>
+#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +10,16 @@
 #include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
+
+std::string except_kept(const std::vector<std::string>& members) {
+  constexpr std::size_t max_named = 8;
+  if (members.empty()) return {};
+  const auto shown = std::span(members).first(std::min(members.size(), max_named));
+  return fmt::format(
+      " except {}{} (kept)", fmt::join(shown, " "),
+      members.size() <= max_named ? "" : fmt::format(" and {} more", members.size() - max_named));
+}
+
 namespace {
 
 // "after the loss of a-b and c-d"
@@ -20,8 +32,10 @@ std::string after_worst(const MemberLoss& found) {
 std::string after_any(const MemberLoss& found) {
   auto text = found.maximum == 1 ? std::string("after the loss of any one member")
                                  : fmt::format("after the loss of any {} members", found.maximum);
+  text += except_kept(found.kept);
   if (found.uncertain) text += " and under every admissible load";
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
+  if (found.struts) text += ", while no strut falls below its residual strength,";
   return text;
 }
 
@@ -33,9 +47,12 @@ std::string capital(std::string text) {
 std::string at_most(const MemberLoss& found) {
   if (!found.factor.upper) return {};
   const auto& [value, standing] = *found.factor.upper;
-  return fmt::format("{} {}the limit load factor is at most {}{}", after_worst(found),
-                     found.uncertain ? "and under the worst load " : "", rounded_up(value),
-                     unless_proved(standing));
+  return fmt::format("{} {}{}{}", after_worst(found),
+                     found.uncertain ? "and under the worst load " : "",
+                     value < 0 ? "it carries its dead load only at load factors up to "
+                               : "the limit load factor is at most ",
+                     rounded_up(value)) +
+         unless_proved(standing);
 }
 
 std::string of_target(const MemberLoss& found) {

@@ -6,6 +6,7 @@
 
 #include "run/output/values.hpp"
 #include "run/verdict/answer_words.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -45,8 +46,16 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   if (factor.at_none) {
     return fmt::format("for {} some admissible load is carried at no load factor", loads);
   }
-  auto text = fmt::format("the worst-case load factor for {} is between {:.17g} and {:.17g}", loads,
-                          factor.lower, factor.upper);
+  auto text = std::isfinite(factor.lower)
+                  ? fmt::format("the worst-case load factor for {} is between {:.17g} and {:.17g}",
+                                loads, factor.lower, factor.upper)
+                  : fmt::format("the worst-case load factor for {} is at most {:.17g}", loads,
+                                factor.upper);
+  if (factor.struts) {
+    text += std::isfinite(factor.lower)
+                ? ", while no strut falls below its residual strength"
+                : ", an upper value, since no claim is about the residual strength of its struts";
+  }
   if (!factor.minimum) return text;
   const auto& [lower, upper] = *factor.minimum;
   if (lower > factor.upper) {
@@ -102,6 +111,8 @@ std::string of_held(const CertificateCheck::Held& held) {
   if (held.held.empty() && held.none.empty() && !grip)
     return "NOTHING PROVED: the certificate has neither a state nor a complete tree";
   auto text = fmt::format("PROVED: at friction coefficient {}", held.friction);
+  if (!held.load_case.empty())
+    text += fmt::format(" in load case {}", support::in_quotes(held.load_case));
   if (held.total) text += fmt::format(" and with normal reactions that add up to {}", *held.total);
   std::string separator = ", ";
   const auto add = [&](const std::string& part) {
@@ -131,16 +142,21 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
   const auto lost = loss.lost.empty()
                         ? std::string("without any loss")
                         : fmt::format("after the loss of {}", fmt::join(loss.lost, " and "));
+  const auto proved = loss.load_case.empty() ? std::string("PROVED: ")
+                                             : fmt::format("PROVED: in load case {}, ",
+                                                           support::in_quotes(loss.load_case));
   if (loss.fatal)
-    return fmt::format("PROVED: {} {} dead load is carried at no load factor", lost,
+    return fmt::format("{}{} {} dead load is carried at no load factor", proved, lost,
                        loss.uncertain ? "some admissible" : "the");
-  const auto upper = fmt::format("{} it is at most {:.17g}", lost, loss.upper);
-  if (!loss.lower) return fmt::format("PROVED, for the load factor: {}", upper);
+  if (!loss.lower)
+    return fmt::format("{}{} the load factor is at most {:.17g}", proved, lost, loss.upper);
   return fmt::format(
-      "PROVED: after the loss of any {}{}{} the load factor is at least {:.17g}; {}",
-      loss.maximum == 1 ? std::string("member") : fmt::format("{} members", loss.maximum),
-      loss.kept == 0 ? std::string() : fmt::format(" except {} that are kept", loss.kept),
-      loss.uncertain ? " and under every admissible load" : "", *loss.lower, upper);
+      "{}after the loss of any {}{}{}{} the load factor is at least {:.17g}; {} it is at most "
+      "{:.17g}",
+      proved, loss.maximum == 1 ? std::string("member") : fmt::format("{} members", loss.maximum),
+      except_kept(loss.kept), loss.uncertain ? " and under every admissible load" : "",
+      loss.cases == 1 ? std::string() : fmt::format(" in each of {} load cases", loss.cases),
+      *loss.lower, lost, loss.upper);
 }
 
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {

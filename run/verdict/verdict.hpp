@@ -172,6 +172,9 @@ struct LoadInterval {
   /// Part of the request, such as a curve, was not computed.
   bool incomplete = false;
   std::uint64_t cases = 1;  ///< load cases; the factors are carried in all of them
+  /// Factors are carried while no strut falls below its residual strength; the outer bounds are
+  /// those of full strength.
+  bool struts = false;
 };
 
 /// Load factors after the loss of members: `limit --lose`.
@@ -185,6 +188,8 @@ struct MemberLoss {
   std::optional<bool> reached{};    ///< true if the target remains after each loss; absent: open
   std::uint64_t cases = 1;          ///< load cases
   bool uncertain = false;           ///< over all admissible loads
+  std::vector<std::string> kept{};  ///< members that are not lost
+  bool struts = false;              ///< as in LoadInterval
 };
 
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
@@ -232,6 +237,7 @@ struct CertificateCheck {
     std::uint64_t cases = 1;
     bool at_none = false;         ///< some load is not carried at any factor; nothing else is known
     double lower = 0, upper = 0;  ///< bounds of the least of the largest factors
+    bool struts = false;          ///< as in LoadInterval; a bound that is not proved is infinite
     /// Bounds of the greatest of the least factors; absent: none is proved.
     std::optional<std::pair<double, double>> minimum{};
   };
@@ -253,6 +259,7 @@ struct CertificateCheck {
   /// States under load.
   struct Held {
     double friction = 0;
+    std::string load_case{};        ///< empty: the file has none
     bool of_reference = true;       ///< false: the file has a dead load only
     std::optional<double> total{};  ///< sum of the normal reactions in these states
     std::vector<Range> held{};      ///< each factor has a state
@@ -265,8 +272,9 @@ struct CertificateCheck {
   /// Least load factor over all losses of some members.
   struct Loss {
     std::uint64_t maximum = 1, cases = 1;
+    std::string load_case{};          ///< the only one; empty: there are several, or none
     bool uncertain = false;           ///< over all admissible loads
-    std::uint64_t kept = 0;           ///< members that are not lost
+    std::vector<std::string> kept{};  ///< members that are not lost
     std::vector<std::string> lost{};  ///< the worst loss
     bool fatal = false;               ///< no factor remains after it
     std::optional<double> lower{};    ///< absent: only the upper bound is proved

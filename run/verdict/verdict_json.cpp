@@ -135,26 +135,31 @@ ordered_json range_json(const LoadRange& loads) {
 }
 
 ordered_json answer_json(const LoadInterval& found) {
-  return {{"kind", "load-interval"},
-          {"uncertain", found.uncertain ? range_json(*found.uncertain) : ordered_json()},
-          {"least", bracket_json(found.minimum)},
-          {"most", bracket_json(found.maximum)},
-          {"carried_at_none", standing_json(found.carried_at_none)},
-          {"if_big_m", found.if_big_m},
-          {"incomplete", found.incomplete},
-          {"cases", found.cases}};
+  ordered_json json{{"kind", "load-interval"},
+                    {"uncertain", found.uncertain ? range_json(*found.uncertain) : ordered_json()},
+                    {"least", bracket_json(found.minimum)},
+                    {"most", bracket_json(found.maximum)},
+                    {"carried_at_none", standing_json(found.carried_at_none)},
+                    {"if_big_m", found.if_big_m},
+                    {"incomplete", found.incomplete},
+                    {"cases", found.cases}};
+  if (found.struts) json["struts"] = true;
+  return json;
 }
 
 ordered_json answer_json(const MemberLoss& found) {
-  return {{"kind", "member-loss"},
-          {"most", found.maximum},
-          {"factor", bracket_json(found.factor)},
-          {"fatal", standing_json(found.fatal)},
-          {"lost", found.lost},
-          {"target", number_or_null(found.target)},
-          {"reached", found.reached ? ordered_json(*found.reached) : ordered_json()},
-          {"cases", found.cases},
-          {"uncertain", found.uncertain}};
+  ordered_json json{{"kind", "member-loss"},
+                    {"most", found.maximum},
+                    {"factor", bracket_json(found.factor)},
+                    {"fatal", standing_json(found.fatal)},
+                    {"lost", found.lost},
+                    {"target", number_or_null(found.target)},
+                    {"reached", found.reached ? ordered_json(*found.reached) : ordered_json()},
+                    {"cases", found.cases},
+                    {"uncertain", found.uncertain}};
+  if (!found.kept.empty()) json["kept"] = found.kept;
+  if (found.struts) json["struts"] = true;
+  return json;
 }
 
 ordered_json answer_json(const LoadSteps& found) {

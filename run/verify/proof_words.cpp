@@ -4,10 +4,14 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
+#include "support/input_error.hpp"
 #include "verify/wedged/block_proof.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {
 
@@ -19,6 +23,41 @@ VerifyFindings refusal_of_certificate(const VerifyOptions& options, const std::s
 std::string indefinite_stiffness(std::size_t motions) {
   return fmt::format("K was not proved to be positive definite{}",
                      motions == 0 ? "" : " except for rigid-body modes of unconstrained bodies");
+}
+
+std::optional<problems::Structure> in_case_of_certificate(const problems::Structure& structure,
+                                                          const std::string& load_case) {
+  const auto cases = problems::load_cases(structure);
+  if (load_case.empty() && cases.empty()) return structure;
+  for (const auto& each : cases) {
+    if (verify::on_one_line(each) == load_case) return problems::in_load_case(structure, each);
+  }
+  return {};
+}
+
+std::string no_such_case(const VerifyOptions& options, const std::string& load_case) {
+  if (load_case.empty()) return options.problem + ": no load case has the loads of the certificate";
+  return fmt::format("{}: no load case {}", options.problem, support::in_quotes(load_case));
+}
+
+std::string covered_cases_text(const std::vector<std::string>& covered) {
+  std::string text;
+  for (const auto& each : covered) {
+    if (!each.empty()) text += "load case " + support::in_quotes(each) + "\n";
+  }
+  return text;
+}
+
+std::string cases_left_text(const std::vector<std::string>& covered,
+                            const problems::Structure& structure) {
+  std::vector<std::string> left;
+  for (const auto& name : problems::load_cases(structure)) {
+    if (std::ranges::find(covered, verify::on_one_line(name)) == covered.end())
+      left.push_back(support::in_quotes(name));
+  }
+  if (left.empty()) return {};
+  return fmt::format("not part of the certificate: load case{} {}\n", left.size() == 1 ? "" : "s",
+                     fmt::join(left, ", "));
 }
 
 std::string verified_problem(const VerifyOptions& options,

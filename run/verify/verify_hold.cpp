@@ -15,7 +15,6 @@
 #include "engine/index_range.hpp"
 #include "engine/search.hpp"
 #include "nodes/evidence/verified_structure.hpp"
-#include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
@@ -93,17 +92,6 @@ verify::HoldCertificate hold_certificate_in(const std::string& text, const std::
   }
 }
 
-// The structure with the loads of the certificate's case.
-problems::Structure in_case_of(const problems::Structure& structure, const std::string& load_case,
-                               const VerifyOptions& options) {
-  const auto cases = problems::load_cases(structure);
-  if (load_case.empty() && cases.empty()) return structure;
-  for (const auto& each : cases)
-    if (verify::on_one_line(each) == load_case) return problems::in_load_case(structure, each);
-  throw WrongInput(fmt::format("{}: has no load case '{}', as {} says", options.problem, load_case,
-                               options.certificate));
-}
-
 std::string refusal_line(const VerifyOptions& options, const verify::HoldCertificate& certificate,
                          const HoldVerification::Solution& refusal) {
   const auto nodes = certificate.nodes.size();
@@ -179,12 +167,14 @@ std::string summary_of(const VerifyOptions& options, const problems::CheckedStru
                        std::uint64_t except_large_displacements) {
   const auto& [enclosure, friction] = consistent;
   return fmt::format(
-      "contact candidates: {}\n{}{}"
+      "contact candidates: {}\n{}{}{}{}"
       "K and the loads were recomputed from the structure with errors up to {:.1e}\n"
       "nodes without a state: {} of {}{}\nstates: {}\n",
       fmt::join(certificate.header.names, " "), verified_problem(options, structure),
-      verified_friction(structure, friction), enclosure.problem.stiffness.radius.nearest(),
-      certificate.nodes.size(), counted(certificate.trees.size(), "tree"),
+      verified_friction(structure, friction), covered_cases_text({certificate.load_case}),
+      cases_left_text({certificate.load_case}, structure),
+      enclosure.problem.stiffness.radius.nearest(), certificate.nodes.size(),
+      counted(certificate.trees.size(), "tree"),
       large_displacements_text(except_large_displacements), certificate.states.size());
 }
 
@@ -199,8 +189,9 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
         options.certificate));
   }
   const auto certificate = hold_certificate_in(text, options.certificate);
-  const auto loaded = in_case_of(*structure, certificate.load_case, options);
-  const auto verified = evidence::verified_under_load(loaded);
+  const auto loaded = in_case_of_certificate(*structure, certificate.load_case);
+  if (!loaded) return refusal_of_certificate(options, no_such_case(options, certificate.load_case));
+  const auto verified = evidence::verified_under_load(*loaded);
   auto found = verify::consistency_under_load(certificate.header, verified);
   if (const auto* why = std::get_if<std::string>(&found))
     return refusal_of_certificate(options, fmt::format("{}: {}", options.problem, *why));
@@ -225,6 +216,7 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   const bool reference =
       std::ranges::any_of(enclosure.loads[1].acts, [](bool acts) { return acts; });
   auto held = held_of(proof.claims(trees, states), friction, reference);
+  held.load_case = certificate.load_case;
   held.except_large_displacements = except_large_displacements > 0;
   held.displacement_ratio = verify::largest_displacement_ratio;
   findings.check.claim = std::move(held);

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verdict/words.hpp"
@@ -23,6 +22,7 @@
 #include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -150,6 +150,31 @@ CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statemen
   return factor;
 }
 
+// A claim at residual strength about the same loads as one at full strength.
+bool is_counterpart(const CheckedStatement& one, const CheckedStatement& other) {
+  return one.claim == other.claim && one.load_case == other.load_case &&
+         one.half_widths == other.half_widths;
+}
+
+// Bounds of the factors that are carried while no strut falls below its residual strength: those
+// carried at residual strength are, and those beyond the bounds at full strength are not.
+CertificateCheck::Factor factor_of_struts(const std::vector<CheckedStatement>& at_strength,
+                                          const std::vector<CheckedStatement>& after_buckling) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  auto factor = factor_of(at_strength);
+  factor.struts = true;
+  const bool of_all = std::ranges::all_of(at_strength, [&](const auto& full) {
+    return full.claim != LimitClaim::largest ||
+           std::ranges::any_of(after_buckling,
+                               [&](const auto& each) { return is_counterpart(each, full); });
+  });
+  const auto carried = factors_of(after_buckling);
+  factor.lower = of_all ? carried.largest_lower : -unknown;
+  if (factor.minimum)
+    factor.minimum->second = of_all && carried.of_least ? carried.min_upper : unknown;
+  return factor;
+}
+
 // Load cases of the claims at residual strength; empty: the same as those at strength.
 std::string cases_at_residual_text(std::span<const CheckedStatement> at_strength,
                                    std::span<const CheckedStatement> after_buckling) {
@@ -164,17 +189,10 @@ std::string cases_at_residual_text(std::span<const CheckedStatement> at_strength
                      cases.size() == 1 ? "" : "s", fmt::join(cases, ", "));
 }
 
-// Load cases of the file without a statement.
-std::string cases_left_text(const std::vector<CheckedStatement>& statements,
-                            const problems::Structure& structure) {
-  std::vector<std::string> left;
-  for (const auto& name : problems::load_cases(structure)) {
-    if (std::ranges::find(statements, name, &CheckedStatement::load_case) == statements.end())
-      left.push_back(support::in_quotes(name));
-  }
-  if (left.empty()) return {};
-  return fmt::format("not part of the certificate: load case{} {}\n", left.size() == 1 ? "" : "s",
-                     fmt::join(left, ", "));
+std::vector<std::string> covered_cases(const std::vector<CheckedStatement>& statements) {
+  std::vector<std::string> covered;
+  for (const auto& each : statements) covered.push_back(verify::on_one_line(each.load_case));
+  return covered;
 }
 
 }  // namespace
@@ -203,18 +221,21 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
     summary += truss_of_certificate;
   }
   summary += summary_of(statements);
-  if (structure) summary += cases_left_text(statements, *structure);
+  if (structure) summary += cases_left_text(covered_cases(statements), **structure);
   const auto is_at_strength = [](const CheckedStatement& each) { return !each.residual; };
   const auto split = std::stable_partition(statements.begin(), statements.end(), is_at_strength);
   const std::vector<CheckedStatement> after_buckling(split, statements.end());
   statements.erase(split, statements.end());
   if (!after_buckling.empty()) {
     summary += cases_at_residual_text(statements, after_buckling);
-    summary +=
-        fmt::format("all struts at {}, PROVED: {}\n", residual_strength(structure.has_value()),
-                    factor_claim(factor_of(after_buckling)));
+    summary += fmt::format(
+        "all struts at their strength, an upper value: {}\nall struts at {}, PROVED: {}\n",
+        factor_claim(factor_of(statements)), residual_strength(structure.has_value()),
+        factor_claim(factor_of(after_buckling)));
   }
-  findings.check.claim = factor_of(statements);
+  const bool struts = residual.size() > 0 || !after_buckling.empty();
+  findings.check.claim =
+      struts ? factor_of_struts(statements, after_buckling) : factor_of(statements);
   return findings;
 }
 

@@ -20,7 +20,6 @@
 #include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
-#include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
 #include "verify/limit/loss_claim.hpp"
@@ -40,22 +39,11 @@ std::vector<LossStatement> losses_in(const std::string& text, const std::string&
   }
 }
 
-// The structure in the load case of the statement; nothing: there is no such case.
-std::optional<problems::CheckedStructure> in_case_of(const LossStatement& statement,
-                                                     const problems::CheckedStructure& structure) {
-  const auto names = problems::load_cases(structure);
-  if (names.empty() && statement.load_case.empty()) return structure;
-  for (const auto& name : names) {
-    if (verify::on_one_line(name) == statement.load_case)
-      return problems::in_chosen_case(structure, name);
-  }
-  return {};
-}
-
 std::vector<std::string> names_of(const LossStatement& statement,
+                                  const std::vector<std::size_t>& members,
                                   const std::optional<problems::CheckedStructure>& structure) {
   std::vector<std::string> names;
-  for (const auto member : statement.lost) {
+  for (const auto member : members) {
     const auto& bar = statement.truss.bars[member];
     const auto name = [&](std::size_t node) {
       return structure ? (*structure)->node_names[node] : statement.truss.names[node];
@@ -63,6 +51,19 @@ std::vector<std::string> names_of(const LossStatement& statement,
     names.push_back(name(bar.first) + '-' + name(bar.second));
   }
   return names;
+}
+
+// A statement without a load case is that of `limit --case`: it gets the name of the first case of
+// the file with its truss and loads. @throws support::InputError if limit analysis does not apply
+void name_case(const problems::CheckedStructure& structure, LossStatement& statement) {
+  if (!statement.load_case.empty()) return;
+  for (const auto& name : problems::load_cases(structure)) {
+    const auto of_case = problems::in_chosen_case(structure, name);
+    problems::limit_problem(of_case);
+    if (verify::LossClaim(statement, evidence::verified_structure(of_case)).difference()) continue;
+    statement.load_case = verify::on_one_line(name);
+    return;
+  }
 }
 
 // Checks the states of a statement on all ranks. @return refusals
@@ -92,12 +93,11 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
                             const Eigen::VectorXd& residual) {
   std::optional<verify::Structure> truss;
   if (structure) {
-    const auto of_case = in_case_of(statement, *structure);
-    if (!of_case)
-      return {.refusals = {fmt::format("{}: no load case {}", options.problem,
-                                       support::in_quotes(statement.load_case))}};
-    problems::limit_problem(*of_case);
-    truss = evidence::verified_structure(*of_case);
+    auto loaded = in_case_of_certificate(*structure, statement.load_case);
+    if (!loaded) return {.refusals = {no_such_case(options, statement.load_case)}};
+    const auto of_case = problems::checked(*std::move(loaded));
+    problems::limit_problem(of_case);
+    truss = evidence::verified_structure(of_case);
     if (statement.residual) {
       if (auto why = set_residual(*truss, residual)) return {.refusals = {*std::move(why)}};
     }
@@ -113,11 +113,17 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
   return checked;
 }
 
+// The subject in which two statements differ, so that no sentence is about both; empty: none.
+std::string difference(const LossStatement& one, const LossStatement& other) {
+  if (one.maximum != other.maximum) return "numbers of lost members";
+  if (one.sudden != other.sudden) return "dynamic factors";
+  return one.kept == other.kept ? "" : "kept members";
+}
+
 // Merges a proved statement into that about all load cases.
 void add(const LossStatement& statement, double upper,
          const std::optional<problems::CheckedStructure>& structure, CertificateCheck::Loss& all) {
   all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
-  all.kept = std::max<std::uint64_t>(all.kept, statement.kept.size());
   if (!statement.lower || !all.lower)
     all.lower.reset();
   else
@@ -125,7 +131,7 @@ void add(const LossStatement& statement, double upper,
   if (upper > all.upper || all.fatal) return;
   all.upper = upper;
   all.fatal = statement.fatal;
-  all.lost = names_of(statement, structure);
+  all.lost = names_of(statement, statement.lost, structure);
 }
 
 std::string summary_of(const VerifyOptions& options, const std::vector<LossStatement>& statements,
@@ -138,6 +144,12 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
   }
   if (const double sudden = statements.front().sudden; sudden != 1)
     summary += fmt::format("yield forces divided by {}\n", sudden);
+  std::vector<std::string> cases;
+  for (const auto& statement : statements) {
+    if (!statement.residual) cases.push_back(statement.load_case);
+  }
+  summary += covered_cases_text(cases);
+  if (structure) summary += cases_left_text(cases, **structure);
   std::size_t states = 0;
   for (const auto& statement : statements) states += statement.states.size();
   return summary + fmt::format("{} cover all losses\n", counted(states, "carrying stress state"));
@@ -148,13 +160,19 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
                            const Eigen::VectorXd& residual, const std::string& text) {
-  const auto statements = losses_in(text, options.certificate);
+  auto statements = losses_in(text, options.certificate);
+  for (auto& statement : statements) {
+    if (structure) name_case(*structure, statement);
+  }
   const auto cases =
       static_cast<std::uint64_t>(std::ranges::count(statements, false, &LossStatement::residual));
   const auto after_buckling = statements.size() - cases;
+  const auto& first = statements.front();
   VerifyFindings findings;
-  const CertificateCheck::Loss none{.maximum = statements.front().maximum,
+  const CertificateCheck::Loss none{.maximum = first.maximum,
                                     .cases = cases,
+                                    .load_case = cases == 1 ? first.load_case : "",
+                                    .kept = names_of(first, first.kept, structure),
                                     .lower = std::numeric_limits<double>::infinity(),
                                     .upper = std::numeric_limits<double>::infinity()};
   std::array all{none, none};  // at strength, and at residual strength
@@ -162,8 +180,8 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
     auto [refusals, upper] = check_statement(run, options, statement, structure, residual);
     if (statement.residual && after_buckling != cases)
       refusals.emplace_back("some load cases have no claim at residual strength");
-    if (statement.maximum != none.maximum)
-      refusals.emplace_back("its load cases have different numbers of lost members");
+    if (const auto why = difference(first, statement); !why.empty())
+      refusals.push_back(fmt::format("its load cases have different {}", why));
     for (const auto& why : refusals)
       findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);
     findings.check.refusals += refusals.size();
@@ -171,9 +189,16 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
   }
   if (findings.check.refusals > 0) return findings;
   findings.summary = summary_of(options, statements, structure);
+  if (after_buckling > 0) {
+    findings.summary += fmt::format(
+        "all struts at their strength, an upper value; {}\nall struts at {}, {}\n",
+        loss_claim(all[0]), residual_strength(structure.has_value()), loss_claim(all[1]));
+  }
+  // The factor at strength bounds that of struts with a residual strength from outside only.
   if (after_buckling > 0)
-    findings.summary += fmt::format("all struts at {}, {}\n",
-                                    residual_strength(structure.has_value()), loss_claim(all[1]));
+    all[0].lower = all[1].lower;
+  else if (residual.size() > 0)
+    all[0].lower.reset();
   findings.check.claim = std::move(all[0]);
   return findings;
 }

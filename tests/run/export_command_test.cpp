@@ -105,6 +105,7 @@ TEST_F(ExportCommand, ZeroOneProgramHasTheFactorOfTheWorstVertex) {
   const auto truss = example("static-gap.toml");
   const auto worst = exported("mps " + truss + " --alpha 0.45", "worst.mps");
   const auto statics = exported("mps " + truss + " --program static", "static.mps");
+  EXPECT_THAT(content(worst), HasSubstr("half-widths of 0.45 "));
   const auto uncertain = uncertain_of(kusabi::linear::read_program(worst).mixed.program);
   ASSERT_EQ(uncertain.size(), 7U);
   const double minimum =
@@ -113,6 +114,12 @@ TEST_F(ExportCommand, ZeroOneProgramHasTheFactorOfTheWorstVertex) {
   EXPECT_NEAR(result("limit " + truss + " --alpha 0.45")["worst_case"]["upper"], minimum, 1e-8);
   if (!has("glpsol --version")) GTEST_SKIP() << "glpsol is not installed";
   EXPECT_NEAR(by_glpsol(worst), minimum, 1e-6);
+}
+
+// A named group of loads is multiplied by alpha, which has no unit then.
+TEST_F(ExportCommand, GivesTheHalfWidthOfGroupsWithoutAUnit) {
+  const auto file = exported("mps " + example("truss-bridge.toml") + " --alpha 1", "bridge.mps");
+  EXPECT_THAT(content(file), HasSubstr("half-widths of 1 times their weights."));
 }
 
 // Truss and figure of the paper.

@@ -101,6 +101,19 @@ class HoldCertificate(KusabiCase):
             self.assertEqual(run.returncode, 1, f"{new}: {said}")
         self.assertIn("expected --problem FILE", self.refused("verify", self.folder / "cert"))
 
+    def test_certificates_name_their_load_case(self):
+        file = EXAMPLES / "peg-under-two-loads.toml"
+        text = self.written(file, "--mu", "0.5", "--case", "side")
+        run, said = self.verified(self.folder / "cert", file)
+        self.assertEqual(run.returncode, 0, said)
+        self.assertIn('not part of the certificate: load case "moment"', said)
+        self.assertIn('PROVED: at friction coefficient 0.5 in load case "side"', said)
+        other = self.folder / "other.cert"
+        other.write_text(sealed(text[:text.rindex("digest ")].replace("side", "lift")))
+        run, said = self.verified(other, file)
+        self.assertEqual(run.returncode, 1, said)
+        self.assertIn('no load case "lift"', " ".join((run.stdout + run.stderr).split()))
+
     def test_forgeries_prove_nothing_wrong(self):
         text = self.written(LADDER, "--mu", "0.4")
         body = text[:text.rindex("digest ")]

@@ -1,4 +1,5 @@
 // kusabi limit --lose: factors after the loss of members, on one rank and on two, and wrong calls.
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -49,8 +50,15 @@ nodes = ["a"]
 force = [0, -3]
 )";
 
+// Without the line ends of a narrow page.
+std::string on_one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
 class LossCommand : public LimitCalls {
  protected:
+  [[nodiscard]] std::string verified_after(const std::string& from, const std::string& to) const;
   void write_hanger() const { std::ofstream(in_folder("hanger.toml")) << hanger; }
 };
 
@@ -194,6 +202,9 @@ TEST_F(LossCommand, GivesBothFactorsOfStruts) {
   std::ofstream(in_folder("hanger.toml")) << hanger_with_strut(", residual = 0.3");
   const auto json = file_of(argument("hanger.toml"));
   EXPECT_NEAR(json["result"]["nominal"], 11, 1e-9);
+  EXPECT_THAT(json["verdict"]["sentence"],
+              testing::AllOf(HasSubstr("It carries 8.9"), HasSubstr("; 11"),
+                             HasSubstr("at full strength is an upper value")));
   const auto& struts = json["result"]["struts"];
   EXPECT_NEAR(struts["nominal"], 8.9, 1e-9);
   EXPECT_EQ(struts["at_strength"], nlohmann::json({"a-e"}));
@@ -221,6 +232,9 @@ TEST_F(LossCommand, ProvesBothFactorsOfStruts) {
     EXPECT_EQ(proved.exit_code, 0) << proved.output;
     EXPECT_THAT(proved.output, HasSubstr(std::string("all struts at ") + strength + ", PROVED"));
     EXPECT_THAT(proved.output, HasSubstr("and 8.9"));
+    const auto claim = on_one_line(proved.output.substr(proved.output.rfind("PROVED")));
+    EXPECT_THAT(claim, testing::AllOf(HasSubstr("is between 8.89"), HasSubstr("and 11"),
+                                      HasSubstr("residual strength")));
   }
   for (const char* const other : {"hanger18.toml", "hanger0.toml"}) {
     const auto refused = shell(verify + " --problem " + argument(other));
@@ -289,23 +303,39 @@ std::string dead_load(const std::string& force) {
 
 TEST_F(LossCommand, ReportsTheGoverningCaseBeforeAndAfterBuckling) {
   std::ofstream(in_folder("two.toml")) << tie_and_strut();
-  const auto sentences = [&](const std::string& options) {
-    return file_of(argument("two.toml") + options)["verdict"].dump();
+  const auto verdict = [&](const std::string& options) {
+    return file_of(argument("two.toml") + options)["verdict"];
   };
   EXPECT_NEAR(file_of(argument("two.toml"))["result"]["nominal"], 3, 1e-9);
-  EXPECT_THAT(sentences(""),
-              HasSubstr("With all struts at their residual strength the load factor is 0.4."));
-  const auto uncertain = sentences(" --alpha 0.1 --certificate " + argument("cert"));
-  EXPECT_THAT(
-      uncertain,
-      HasSubstr("With all struts at their residual strength the load factor is at least 0.4"));
-  EXPECT_THAT(uncertain, Not(HasSubstr("not proved")));
+  EXPECT_THAT(verdict("")["sentence"],
+              testing::ContainsRegex("It carries 0.(4|39999) times the reference load"));
+  const auto uncertain = verdict(" --alpha 0.1 --certificate " + argument("cert"));
+  EXPECT_THAT(uncertain["sentence"],
+              testing::ContainsRegex("to 0.(4|39999) of the reference load"));
+  EXPECT_THAT(uncertain["sentence"], HasSubstr("Open: whether every factor from 0 to 1"));
+  EXPECT_NEAR(uncertain["answer"]["most"]["upper"]["value"], 3, 1e-6);
+  EXPECT_THAT(uncertain.dump(), Not(HasSubstr("not proved")));
   const auto proved =
       shell(command + " verify " + argument("cert") + " --problem " + argument("two.toml"));
   EXPECT_EQ(proved.exit_code, 0) << proved.output;
   EXPECT_THAT(proved.output, Not(HasSubstr("only")));
-  EXPECT_THAT(sentences(" --lose 1"),
-              HasSubstr("With all struts at their residual strength the load factor is at least"));
+  EXPECT_THAT(proved.output.substr(proved.output.rfind("PROVED")),
+              testing::ContainsRegex("is between 0.(4|399)"));
+  EXPECT_NEAR(verdict(" --lose 1")["answer"]["factor"]["lower"]["value"], 0, 1e-6);
+}
+
+// The strut holds 4, and 0.4 after buckling, so that factor 1 is carried before buckling only.
+TEST_F(LossCommand, DoesNotPassStrutsThatCarryTheLoadBeforeBucklingOnly) {
+  std::ofstream(in_folder("push.toml")) << tie_and_strut();
+  const auto json = file_of(argument("push.toml") + " --case push --alpha 0");
+  const auto& interval = json["result"]["guaranteed_interval"];
+  EXPECT_TRUE(interval["passed"].is_null()) << interval;
+  EXPECT_NEAR(interval["upper"]["lower"], 0.4, 1e-6);
+  EXPECT_NEAR(interval["upper"]["upper"], 4, 1e-6);
+  EXPECT_THAT(json["verdict"]["sentence"], Not(HasSubstr("Passed")));
+  const auto swept = shell(command + " sweep " + argument("push.toml") + " --case push --alpha 1");
+  EXPECT_EQ(swept.exit_code, 2) << swept.output;
+  EXPECT_THAT(swept.output, HasSubstr("has members with `residual`"));
 }
 
 // Without the claim of the second case the factor of the first one would be that of both.
@@ -329,11 +359,47 @@ TEST_F(LossCommand, RefusesResidualClaimsOfSomeCasesAfterALoss) {
 
 TEST_F(LossCommand, NamesTheLossInTheSentenceOnStruts) {
   std::ofstream(in_folder("hanger.toml")) << hanger_with_strut(", residual = 0.3");
-  EXPECT_THAT(file_of(argument("hanger.toml") + " --lose 1")["verdict"].dump(),
-              HasSubstr(" after the worst loss."));
+  EXPECT_THAT(file_of(argument("hanger.toml") + " --lose 1")["verdict"]["sentence"],
+              testing::ContainsRegex("while no strut falls below its residual strength, the limit "
+                                     "load factor is at least 3.(9|899)"));
   std::ofstream(in_folder("two.toml")) << tie_and_strut(dead_load("[0.2, 0]"));
   EXPECT_THAT(file_of(argument("two.toml") + " --lose 1")["verdict"].dump(),
               HasSubstr("no load factor remains after the worst loss."));
+}
+
+// @return the output of verify for a certificate with a replaced line and a correct digest
+std::string LossCommand::verified_after(const std::string& from, const std::string& to) const {
+  auto text = content(in_folder("cert"));
+  text.resize(text.rfind("digest "));
+  const auto at = text.rfind(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  std::ofstream(in_folder("other")) << text;
+  const auto other = argument("other");
+  shell("printf 'digest %s\\n' $(sha1sum < " + other + " | cut -d' ' -f1) >> " + other);
+  return on_one_line(
+      shell(command + " verify " + other + " --problem " + argument("two.toml")).output);
+}
+
+TEST_F(LossCommand, OneClaimForCasesThatDifferIsRefused) {
+  auto text = tie_and_strut();
+  text.erase(text.find(", residual = 0.1"), 16);
+  std::ofstream(in_folder("two.toml")) << text;
+  const auto certificate = " --certificate " + argument("cert");
+  file_of(argument("two.toml") + " --lose 1 --keep a-b" + certificate);
+  EXPECT_THAT(verified_after("kept 1 0\n", "kept 1 0\n"),
+              testing::AllOf(HasSubstr("load case \"hang\""), HasSubstr("load case \"push\""),
+                             HasSubstr("any member except a-b (kept) in each of 2 load")));
+  EXPECT_THAT(verified_after("kept 1 0\n", "kept 0\n"), HasSubstr("different kept members"));
+  EXPECT_THAT(verified_after("lose 1 0x1p+0", "lose 1 0x1.8p+0"),
+              HasSubstr("different dynamic factors"));
+  file_of(argument("two.toml") + " --case hang --lose 1" + certificate);
+  const auto one = verified_after("case\n", "case\n");
+  EXPECT_THAT(one, HasSubstr("not part of the certificate: load case \"push\""));
+  EXPECT_THAT(one, HasSubstr("in load case \"hang\""));
+  const auto none = verified_after("case\n", "case lift\n");
+  EXPECT_THAT(none, HasSubstr("refused: "));
+  EXPECT_THAT(none, HasSubstr("no load case \"lift\""));
 }
 
 // Case "hang" is carried at no factor, so it is not analysed after buckling.

@@ -103,6 +103,14 @@ TEST_F(SweepCommand, VariesTheLoadsWithoutAHalfWidthInTheFile) {
       shell(command + " draw " + argument("out.json") + " --svg " + argument("o.svg"));
   EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
 
+  auto displaced = content(in_folder("open.toml"));
+  for (const std::string yield : {"yield = {", "yield = 5"})
+    displaced.insert(displaced.find(yield), "EA = 1\n");
+  displaced.insert(displaced.find("[[loads]]"), "displacement = [0.1, 0]\n");
+  std::ofstream(in_folder("displaced.toml")) << displaced;
+  EXPECT_THAT(shell(command + " sweep " + argument("displaced.toml") + " --alpha 1").output,
+              HasSubstr("sweep --alpha ignores temperature and displaced supports"));
+
   std::ofstream(in_folder("closed.toml")) << limit::two_bars(wind);
   EXPECT_THAT(refusal(argument("closed.toml") + " --alpha 1"),
               HasSubstr("expected uncertain loads without alpha"));

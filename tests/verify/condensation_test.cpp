@@ -69,6 +69,17 @@ TEST(Condensation, ContainsTheClosedFormOfTwoBars) {
   expect_holds(condensed(structure), {2, 1, 1, 2});
 }
 
+// The load is as small as it may be beside another one; K and E'f of the other are known.
+TEST(Condensation, ContainsLoadsOfAnyRatio) {
+  const auto structure = chain(1, 1, 0.75);
+  const ForceList forces{{2, {0x1p40, 0, 0}}, {2, {0, 0x1p-1060, 0}}};
+  const auto found = loaded_stiffness(structure, std::vector<ForceList>{forces});
+  const auto& load = std::get<LoadedStiffness>(found).loads.front();
+  const mpq_class error = load.error.rational();
+  EXPECT_LE(abs(load.forces[0].rational() + mpq_class(0x1p40)), error);
+  EXPECT_LE(abs(load.forces[1].rational()), error + mpq_class(0x1p-1060));
+}
+
 TEST(Condensation, ContainsTheStiffnessOfBarsInARowAtAnyContrast) {
   for (const double contrast : {1.0, 3.0, 1e3, 1e6, 1e9, 1e12}) {
     for (const bool stiff_at_the_tip : {false, true}) {

@@ -92,7 +92,8 @@ TEST(LimitConsistency, ErrorsRaiseTheUpperBoundAndPreventTheLower) {
   for (auto& [place, entry] : coarse.columns[1]) entry.error = error;
   const LimitProof of_columns(certificate, coarse);
   EXPECT_GE(std::get<mpq_class>(of_columns.upper()).get_d(), 0.5 + 0x1p-20);
-  EXPECT_THAT(std::get<std::string>(of_columns.lower(certificate.nodes[0])), HasSubstr("yields"));
+  EXPECT_THAT(std::get<std::string>(of_columns.lower(certificate.nodes[0])),
+              HasSubstr("member low-tip yields"));
   coarse = agreed(certificate, truss());
   coarse.dead[0].error = error;
   const LimitProof of_dead(certificate, coarse);

@@ -182,6 +182,7 @@ std::optional<std::string> other_bars(const LimitCertificate& certificate,
              " is not that of the truss";
     }
     truss.columns.push_back(*std::move(column));
+    truss.members.push_back(bar_name(structure, bar));
   }
   return {};
 }

@@ -340,7 +340,7 @@ std::optional<std::string> LimitProof::yielding(const LimitNode& node,
     const Dyadic tension = Dyadic(certificate_.tension[i]) - force - taken[i];
     const Dyadic compression = Dyadic(certificate_.compression[i]) + force - taken[i];
     const Dyadic& minimum = tension < compression ? tension : compression;
-    if (minimum.sign() < 0) return "member " + std::to_string(i) + " yields";
+    if (minimum.sign() < 0) return name_of(i) + " yields";
     slack.push_back(double_below(minimum));
   }
   const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
@@ -349,10 +349,17 @@ std::optional<std::string> LimitProof::yielding(const LimitNode& node,
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
     if (!(against[i] <= slack[i])) {
-      return "member " + std::to_string(i) + " yields under the equilibrium defect";
+      return name_of(i) + " yields under the equilibrium defect";
     }
   }
   return std::nullopt;
+}
+
+// A certificate without a problem file has numbers of members only.
+std::string LimitProof::name_of(std::size_t member) const {
+  if (truss_.members.empty())
+    return "member " + std::to_string(member + 1) + " of the certificate, counted from 1,";
+  return "member " + truss_.members[member];
 }
 
 bool LimitProof::shows_no_factor() const {

@@ -30,7 +30,8 @@ struct LimitTruss {
   std::vector<std::vector<std::pair<std::size_t, Approximate>>> columns;  ///< B, by member
   std::vector<Approximate> dead;                                          ///< f_D
   std::vector<Approximate> reference;                                     ///< f_R
-  std::vector<double> half_widths{};  ///< of the uncertain loads of the problem file, in its order
+  std::vector<double> half_widths{};   ///< of the uncertain loads of the problem file, in its order
+  std::vector<std::string> members{};  ///< names; empty: that of a certificate, with numbers only
 };
 
 /// The truss with the numbers of the certificate.
@@ -66,6 +67,7 @@ class LimitProof {
                                                     const std::vector<double>& defects) const;
   [[nodiscard]] std::vector<Dyadic> still_motion(bool without_work) const;
   [[nodiscard]] bool load_is_admissible() const;
+  [[nodiscard]] std::string name_of(std::size_t member) const;
 
   const LimitCertificate& certificate_;
   LimitTruss truss_;

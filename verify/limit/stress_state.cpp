@@ -56,7 +56,9 @@ ExactColumns::ExactColumns(const ExactTruss& truss, const StressState& state)
     const auto& column = state.columns[load];
     auto& values = values_.emplace_back(support.size() + 1);
     for (const auto& [member, force] : column.forces) {
-      const auto place = std::ranges::lower_bound(support, member) - support.begin();
+      const auto found = std::ranges::lower_bound(support, member);
+      if (found == support.end() || *found != member) continue;
+      const auto place = found - support.begin();
       const double length = std::sqrt(truss.square_lengths[member].get_d());
       values[static_cast<std::size_t>(place)] = force / length;
       stressed_[static_cast<std::size_t>(place)] = true;

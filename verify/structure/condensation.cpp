@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -155,10 +154,7 @@ void Condensation::add_loads(SparseEnclosure& stiffness) {
     load_scales_.push_back(scale);
     for (const auto& [node, components] : loads_[load]) {
       for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
-        const double scaled = std::ldexp(components[axis], scale);
-        if (std::ldexp(scaled, -scale) != components[axis])
-          throw std::domain_error("a force is too small beside another one");
-        const Enclosure force(scaled);
+        const Enclosure force(Dyadic(components[axis]).scaled(scale));
         if (force.is_zero()) continue;
         for (const auto& [number, weight] : freedom_.weighted(node, axis)) {
           stiffness[row][number] += force * weight;

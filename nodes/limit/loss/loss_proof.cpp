@@ -1,6 +1,7 @@
 // One certificate, whose yield forces, load and motion are replaced from proof to proof.
 #include "nodes/limit/loss/loss_proof.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -17,6 +18,17 @@ IndexSet set_of(const std::vector<std::size_t>& members) {
   IndexSet set;
   for (const auto member : members) set.insert(static_cast<int>(member));
   return set;
+}
+
+// The state without members outside `support`, and without their forces.
+verify::StressState within(verify::StressState state, const std::vector<std::size_t>& support) {
+  state.support = support;
+  for (auto& column : state.columns) {
+    std::erase_if(column.forces, [&](const auto& force) {
+      return !std::ranges::binary_search(support, force.first);
+    });
+  }
+  return state;
 }
 
 }  // namespace
@@ -50,8 +62,9 @@ std::optional<ProvedState> LossProof::proved(verify::StressState state, double t
     state.support.push_back(static_cast<std::size_t>(i));
   const auto all = reached();
   if (!all) return {};
-  auto left = std::exchange(state.support, all->members);
-  if (!reached()) state.support = std::move(left);
+  auto smaller = within(state, all->members);
+  if (const auto found = verify::carried_factor(exact_, smaller); found && found->factor >= target)
+    state = std::move(smaller);
   return with_support();
 }
 

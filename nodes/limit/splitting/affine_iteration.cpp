@@ -55,7 +55,7 @@ KUSABI_ALSO_FOR_AVX2 void AffineIteration::move(double relaxation, double share)
       [&](const BlockPlace& place, int row, const Segment& z) {
         return reflected(is_first(place), row, z);
       },
-      [&](const BlockPlace& place, int row, const Segment& w, Segment& y) {
+      [&](const BlockPlace& place, int row, const Segment& /*w*/, Segment& y) {
         auto* const result = results.data() + 2 * static_cast<std::size_t>(place.group);
         const double weight = 1 / metric(row);
         if (row == members && is_first(place)) {

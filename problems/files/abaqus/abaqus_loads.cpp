@@ -72,7 +72,8 @@ void AbaqusGravity::read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& 
       direction(static_cast<Eigen::Index>(axis)) = line.real(axis + 3, "a direction");
     if (direction.isZero(0))
       line.fail("gravity without a direction; expected SET, GRAV, g, x, y, z");
-    const std::string set = all ? "" : assembly.groups.surface_name(line, 0);
+    const std::string set =
+        all ? "" : assembly.groups.element_set(text, std::string(line.field(0))).name;
     auto& own = loads_[set];
     if (own.step != step_) own.acceleration.setZero();
     own.acceleration += magnitude * direction.normalized();

@@ -21,6 +21,11 @@ constexpr double variable_factor = 1.5;
 constexpr double reduction = 0.85;
 constexpr double max_cases = 1000;
 
+// Refusal of loads that no rule combines.
+constexpr const char* factor_one =
+    "{} beside [[actions]] would have the factor 1 in every combination; expected its forces as an "
+    "action, or [[loads]] in place of [[actions]]";
+
 // Limits of the factors of a file.
 constexpr double min_factor = 1e-6;
 constexpr double max_factor = 1e6;
@@ -37,6 +42,7 @@ class ActionsReader {
   ActionCombinations read();
 
  private:
+  void refuse_other_loads(const toml::node& actions) const;
   void read_rule(const toml::node& section);
   void read_action(const TomlTable& table);
   void read_factors(const TomlTable& table, Action& action) const;
@@ -64,6 +70,18 @@ ActionCombinations ActionsReader::read() {
     reader_.fail(*rule,
                  "[combinations] stands without [[actions]]; expected the actions to combine");
   }
+  refuse_other_loads(*actions);
+  read_rule(*rule);
+  const auto tables = reader_.groups(*actions, "actions");
+  all_.actions.reserve(tables.size());
+  for (const TomlTable& table : tables) read_action(table);
+  find_reference();
+  limit_cases();
+  return std::move(all_);
+}
+
+// Loads that no rule combines would have the factor 1 in every combination.
+void ActionsReader::refuse_other_loads(const toml::node& actions) const {
   for (const std::string_view other : {"loads", "uncertainty"}) {
     if (const toml::node* section = draft_.section(other); section != nullptr) {
       reader_.fail(*section,
@@ -72,13 +90,13 @@ ActionCombinations ActionsReader::read() {
                                other));
     }
   }
-  read_rule(*rule);
-  const auto tables = reader_.groups(*actions, "actions");
-  all_.actions.reserve(tables.size());
-  for (const TomlTable& table : tables) read_action(table);
-  find_reference();
-  limit_cases();
-  return std::move(all_);
+  for (const std::string_view other : {"gravity", "temperature"}) {
+    if (const toml::node* entry = draft_.section(other); entry != nullptr)
+      reader_.fail(*entry, fmt::format(factor_one, other));
+  }
+  if (draft_.displaced().empty()) return;
+  const auto& name = draft_.node_name(draft_.displaced().begin()->first);
+  reader_.fail(actions, fmt::format(factor_one, "the displaced support " + name));
 }
 
 void ActionsReader::read_rule(const toml::node& section) {

@@ -27,6 +27,7 @@
 #include "verify/limit/loss_certificate.hpp"
 #include "verify/limit/loss_claim.hpp"
 #include "verify/limit/loss_cover.hpp"
+#include "verify/limit/stress_state.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -398,6 +399,28 @@ TEST(LossCover, ContainsAllLossesOrNamesAMissingOne) {
     EXPECT_TRUE(covers_all(needed, kept, members, {}, 0, maximum)) << trial;
   }
   EXPECT_GT(covered, 200);
+}
+
+// By hand: the first of three bars side by side carries the load 1; the second one is no part of
+// the support, so its force belongs to no bar of the state.
+TEST(Loss, LeavesOutForcesOutsideTheSupportOfAState) {
+  const std::vector<mpq_class> ones(3, 1);
+  verify::ExactTruss truss{.displacements = 1,
+                           .columns = std::vector<verify::SparseRational>(3),
+                           .square_lengths = ones,
+                           .tension = ones,
+                           .compression = ones,
+                           .dead = std::vector<mpq_class>(1),
+                           .reference = std::vector<mpq_class>(1, 1)};
+  for (auto& column : truss.columns) column.emplace_back(0, 1);
+  verify::StressState state;
+  state.support = {0, 2};
+  state.columns.emplace_back().factor = 1;
+  state.columns.front().forces = {{0, 1.0}, {1, 0.5}};
+  const auto carried = verify::carried_factor(truss, state);
+  ASSERT_TRUE(carried);
+  EXPECT_EQ(carried->factor, 1);
+  EXPECT_THAT(carried->members, testing::ElementsAre(0));
 }
 
 TEST(Loss, CertificateIsRefusedIfForged) {

@@ -13,6 +13,7 @@
 
 #include "problems/files/draft/mesh_file.hpp"
 #include "problems/files/structure_file.hpp"
+#include "support/input_error.hpp"
 #include "tests/problems/files/mesh_problems.hpp"
 
 namespace kusabi::problems::deck_problem_test {
@@ -23,6 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::ThrowsMessage;
 
 /// Block of 2 x 1 (1 to 6) on a block of 3 x 1 below it, (11 to 18), which is held at the bottom.
 const std::string blocks =
@@ -117,6 +119,13 @@ TEST(DeckProblem, AddsUpTheGravityOfAStep) {
   const auto both = loaded("*DLOAD\n, GRAV, 1, 0, -1\nUP, GRAV, 1, 0, -1\n");
   EXPECT_THAT(both.text, HasSubstr("gravity = [0, -2]"));
   EXPECT_THAT(both.warnings, ElementsAre(HasSubstr("*STEP"), HasSubstr("gravity of another size")));
+}
+
+TEST(DeckProblem, LooksForTheElementSetOfGravity) {
+  const std::string deck = blocks + contact + "*STEP\n*DLOAD\nWRONG, GRAV, 1, 0, -1\n";
+  EXPECT_THAT(
+      [&] { static_cast<void>(imported(deck)); },
+      ThrowsMessage<support::InputError>(HasSubstr("element set \"WRONG\" does not exist")));
 }
 
 TEST(DeckProblem, WarnsOnceOfGravityThatIsLeftOut) {

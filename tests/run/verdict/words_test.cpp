@@ -256,6 +256,75 @@ TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
   EXPECT_THAT(headline({.answer = steps}), HasSubstr("is open"));
 }
 
+Verdict read_back(const Verdict& verdict) {
+  const ResultReader reader(
+      ResultJson::parse(nlohmann::ordered_json{{"verdict", verdict_json(verdict)}}.dump()),
+      "result.json");
+  return result_verdict(reader);
+}
+
+// Carried up to 0.4 after buckling, and to 1.2 at most.
+TEST(LoadWords, PassStrutsByTheirResidualStrength) {
+  const auto bound = [](double value) { return Bound{value, Standing::proved}; };
+  LoadInterval interval{.uncertain = LoadRange{40, "kN"},
+                        .minimum = {bound(-3), bound(-1)},
+                        .maximum = {bound(0.4), bound(1.2)},
+                        .struts = true};
+  const auto sentence = [&] { return headline(read_back({.answer = interval})); };
+  EXPECT_EQ(
+      sentence(),
+      "It carries every factor from -1 to 0.4 of the reference load, for every dead load "
+      "within ± 40 kN, while no strut falls below its residual strength; 1.2 at full strength "
+      "is an upper value. Open: whether every factor from 0 to 1 is carried.");
+  interval.maximum.upper = bound(0.9);
+  EXPECT_THAT(sentence(), HasSubstr("Not passed"));
+  interval.maximum = {bound(1.1), bound(1.2)};
+  EXPECT_THAT(sentence(), HasSubstr(" Passed"));
+}
+
+TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
+  LoadInterval nominal;
+  nominal.maximum.lower = nominal.maximum.upper = Bound{-0.5, Standing::computed};
+  EXPECT_EQ(headline({.answer = nominal}),
+            "It carries its dead load only at load factors up to -0.5 (computed, not proved).");
+  const MemberLoss loss{.factor = {{}, Bound{-0.5, Standing::proved}}, .lost = {"a-b"}};
+  EXPECT_EQ(headline({.answer = loss}),
+            "After the loss of a-b it carries its dead load only at load factors up to -0.5.");
+}
+
+TEST(LoadWords, CallADeadLoadWithoutUncertaintyByItsName) {
+  const Bracket one{Bound{1, Standing::proved}, Bound{1, Standing::proved}};
+  EXPECT_EQ(headline({.answer = LoadInterval{.uncertain = LoadRange{0, "kN"},
+                                             .minimum = {},
+                                             .maximum = one,
+                                             .cases = 2}}),
+            "The largest factor of the reference load that it carries is at least 1, under its "
+            "dead load, in each of 2 load cases.");
+}
+
+TEST(LossWords, NameTheMembersThatAreKept) {
+  MemberLoss loss{.factor = {Bound{2, Standing::proved}, {}}, .kept = {"a-b", "b-c"}};
+  EXPECT_THAT(headline(read_back({.answer = loss})),
+              HasSubstr("any one member except a-b b-c (kept)"));
+  loss.struts = true;
+  EXPECT_THAT(headline(read_back({.answer = loss})),
+              HasSubstr("while no strut falls below its residual strength"));
+}
+
+TEST(HoldingWords, SayAfterReadingThatTheRangeIsNotProved) {
+  const HoldingGrip grip{.minimum = {Bound{1, Standing::computed}, Bound{1, Standing::computed}}};
+  const Verdict verdict{.answer = HoldingFactors{.friction = 0.4, .grip = grip}};
+  EXPECT_EQ(all_words(read_back(verdict)), all_words(verdict));
+  EXPECT_NE(all_words(verdict), all_words({.answer = HoldingFactors{.friction = 0.4}}));
+}
+
+TEST(LossWords, OfVerifyNameTheLoadCase) {
+  const CertificateCheck check{.claim = CertificateCheck::Loss{
+                                   .load_case = "wind", .lost = {"a-b"}, .lower = 1, .upper = 2}};
+  EXPECT_THAT(headline({.answer = check}),
+              HasSubstr("PROVED: in load case \"wind\", after the loss of any member"));
+}
+
 TEST(LoadWords, ReportAnEmptyInterval) {
   const LoadInterval empty{.uncertain = LoadRange{2.5, "kN"},
                            .minimum = {Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}},
