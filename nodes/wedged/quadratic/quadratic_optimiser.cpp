@@ -43,6 +43,8 @@ constexpr int max_reductions = 4;
 /// Logarithms of s for S = F_nt, where s only lowers the coefficient: as small as the least
 /// eigenvalue of F_nn requires and the proof permits.
 constexpr std::array log_squares_of_spectral_form{-14.0, -11.0, -8.0};
+/// With more candidates no thresholds are tried: 35 of them take half a minute.
+constexpr Eigen::Index max_candidates_for_thresholds = 600;
 
 /// Root of P_ij at the start.
 constexpr double first_root = 0.02;
@@ -102,7 +104,10 @@ class Optimiser {
         slopes_(point_),
         scales_(point_) {}
 
-  void start();
+  // Sets the best of the first multipliers, P = -I. @return their coefficient
+  double start();
+  // Makes P_ij positive. @param best coefficient of the first multipliers
+  void leave_diagonal(double best);
   void round(double weight);
 
   [[nodiscard]] bool ended() const { return support::asked(stop_); }
@@ -148,7 +153,7 @@ double Optimiser::clip(double threshold, double log_square, double above) {
   return factor(above);
 }
 
-void Optimiser::start() {
+double Optimiser::start() {
   const auto m = form_.candidates();
   Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(m, m);
   for (Eigen::Index k = 1; k <= form_.tangents(); ++k)
@@ -165,6 +170,7 @@ void Optimiser::start() {
   };
   const auto try_all = [&] {
     for (const double log_square : log_squares_of_spectral_form) try_one(0, log_square);
+    if (m > max_candidates_for_thresholds && best > 0) return;
     for (const double quantile : {0.01, 0.03, 0.1, 0.3, 0.6, 0.9, 0.97})
       for (const double log_square : {-5.0, -4.0, -3.0, -2.0, -1.0}) {
         if (ended() && best > 0) return;
@@ -179,11 +185,15 @@ void Optimiser::start() {
     try_all();
   }
   clip(chosen.first, chosen.second, 0);
-  point_.roots().setConstant(first_root);
-  point_.roots().diagonal().setZero();
-  for (double root = first_root; !(factor() > best / 2) && root > first_root / 100; root /= 2) {
+  return best;
+}
+
+// Roots of zero would stay there.
+void Optimiser::leave_diagonal(double best) {
+  for (double root = first_root; root > first_root / 100; root /= 2) {
     point_.roots().setConstant(root);
     point_.roots().diagonal().setZero();
+    if (factor() > best / 2) break;
   }
   point_.log_factor() = std::log(inside * factor());
 }
@@ -241,8 +251,8 @@ QuadraticBound quadratic_bound(const problems::WedgedProblem& block,
   const auto form = form_of(block);
   if (!form) return bound;
   Optimiser optimiser(*form, parameters.stop);
-  optimiser.start();
-  double best = 0;
+  double best = optimiser.start();
+  if (parameters.rounds > 0) optimiser.leave_diagonal(std::exchange(best, 0));
   double weight = std::max(min_first_weight,
                            first_weight_per_candidate * static_cast<double>(form->candidates()));
   for (int round = 0; round < parameters.rounds && !optimiser.ended(); ++round, weight *= growth) {

@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "nodes/wedged/quadratic/whole_form.hpp"
+#include "solvers/conic/dense_product.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -83,9 +84,11 @@ struct RoundedForm {
 RoundedForm products_of_rows(const ScaledForm& form) {
   const auto& [products, slips, squares, pairs] = form.multipliers;
   const auto m = squares.size();
-  Eigen::MatrixXd acting = pairs * form.rows;
+  Eigen::MatrixXd acting = Eigen::MatrixXd::Zero(m, form.rows.cols());
+  if (!pairs.isZero(0.0)) acting = conic::product_with_transpose(pairs, form.rows.transpose());
   acting.leftCols(m) += products;
-  const Eigen::MatrixXd matrix = form.rows.transpose() * acting;
+  const Eigen::MatrixXd matrix =
+      conic::product_with_transpose(form.rows.transpose(), acting.transpose());
   const double u = form.rows.norm();
   const double own = form.row_error;
   const double rounding = gamma(m) * u * (acting.norm() + pairs.norm() * u);

@@ -24,7 +24,10 @@ QuadraticPoint ReducedForm::first_point() const {
 
 void ReducedForm::assemble(QuadraticPoint& point) {
   const auto m = candidates();
-  responses_ = conic::product_with_transpose(products_.transpose(), rows().transpose());
+  if (products_.isDiagonal(0.0))
+    responses_ = products_.diagonal().asDiagonal() * rows();
+  else
+    responses_ = conic::product_with_transpose(products_.transpose(), rows().transpose());
   sums_ = responses_.rightCols(tangents() * m) + point.slips();
   shares_ = sums_;
   for (Eigen::Index k = 0; k < tangents(); ++k)

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "dense.hpp"
+#include "faces.hpp"
 #include "nodes/wedged/critical/critical_start.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/quadratic/quadratic_optimiser.hpp"
@@ -236,24 +237,43 @@ QuadraticMultipliers spectral(const problems::WedgedProblem& problem) {
           .squares = Eigen::VectorXd::Constant(m, 1e-9)};
 }
 
-// P = -I and S = F_nt: the form is negative definite below the least eigenvalue of F_nn over
-// sym|F_nt|.
+// The least eigenvalue of F_nn over sym|F_nt|.
+double spectral_coefficient(const problems::WedgedProblem& problem) {
+  const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
+  Eigen::MatrixXd normal(m, m), sizes(m, m);
+  const Eigen::Index d = problem.dimension;
+  for (Eigen::Index i = 0; i < m; ++i)
+    for (Eigen::Index j = 0; j < m; ++j) {
+      const Eigen::VectorXd response = problem.compliance.matrix.row(d * i).segment(d * j, d);
+      normal(i, j) = response[0];
+      sizes(i, j) = response.tail(d - 1).norm();
+    }
+  sizes = (sizes + sizes.transpose()).eval() / 2;
+  return 1 / dense::eigenvalues(sizes, normal).maxCoeff();
+}
+
+// P = -I and S = F_nt: the form is negative definite below the spectral coefficient.
 TEST(QuadraticProof, IsValidUpToTheSpectralCoefficient) {
   const auto problem = random_problem(3, 9, 5);
   const auto multipliers = spectral(problem);
-  const auto m = multipliers.squares.size();
-  Eigen::MatrixXd sizes =
-      (multipliers.slips.leftCols(m).cwiseAbs2() + multipliers.slips.rightCols(m).cwiseAbs2())
-          .cwiseSqrt();
-  sizes = (sizes + sizes.transpose()).eval() / 2;
-  const Eigen::MatrixXd normal = normal_rows(problem).leftCols(m);
-  const double exact = 1 / dense::eigenvalues(sizes, normal).maxCoeff();
+  const double exact = spectral_coefficient(problem);
   const auto infeasible = [&](double factor) {
     return form_proves_infeasible(problem, std::vector<double>(9, factor), multipliers);
   };
   EXPECT_TRUE(infeasible(exact * (1 - 1e-5)));
   EXPECT_FALSE(infeasible(exact * (1 + 1e-5)));
   EXPECT_GT(bound_of(problem).factor, exact);
+}
+
+// A long face with a soft F_nn, for which S with a threshold is far too small.
+TEST(QuadraticBound, OfAFaceReachesTheSpectralCoefficient) {
+  const auto problem = cantilever_face(32);
+  const double spectral = spectral_coefficient(problem);
+  const auto with = [&](int rounds) {
+    return quadratic_bound(problem, {.enough = 0, .maximum = 1000, .rounds = rounds}).factor;
+  };
+  EXPECT_GT(with(0), 0.99 * spectral);
+  EXPECT_GT(with(4), spectral);
 }
 
 TEST(QuadraticProof, CountsTheErrorOfTheCompliance) {
