@@ -47,8 +47,9 @@ struct PatternsOptions {
   bool lines = false;           ///< result file with one line per pattern
   bool exists = false;          ///< one pattern, or the proof that there is none, is enough
 
-  std::string trace;  ///< timeline file; empty: none
-  std::string vtu;    ///< folder of pictures; empty: none
+  std::string trace;   ///< timeline file; empty: none
+  std::string record;  ///< file of the nodes, for bench scaling; empty: none
+  std::string vtu;     ///< folder of pictures; empty: none
 
   void describe(OptionTable& table);
   /// @throws WrongInput for options that exclude each other
