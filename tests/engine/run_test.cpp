@@ -18,7 +18,7 @@ using examples::Queens;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr ProblemKind with_bound{.minimising = true, .bounded = true};
+constexpr ProblemKind with_bound{.has_objective = true, .bounded = true};
 constexpr ProblemKind plain{};
 
 // Arguments of main, with the name of the program before them.
