@@ -15,9 +15,9 @@ int main(int argc, char** argv) {
     kusabi::engine::require_equal_on_all_ranks(session.transport(),
                                                different && last ? 0xBAD : 0x900D);
   } catch (const kusabi::engine::RankMismatch& error) {
-    if (session.speaks()) std::printf("%s\n", error.what());
+    if (session.is_first()) std::printf("%s\n", error.what());
     return 0;
   }
-  if (session.speaks()) std::printf("all ranks agree\n");
+  if (session.is_first()) std::printf("all ranks agree\n");
   return 0;
 }

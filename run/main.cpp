@@ -21,7 +21,7 @@ namespace {
 using namespace kusabi::run;
 
 int complain(Session& session, const std::string& message) {
-  if (session.speaks()) {
+  if (session.is_first()) {
     std::fflush(stdout);
     print_message("{}\n", message);
   }
@@ -32,7 +32,7 @@ int run(Session& session, int argc, char** argv) {
   auto list = command_list();
   const auto asked = parse(list, argc, argv);
   if (asked.entry == nullptr) {
-    if (session.speaks()) print_answer(asked.text);
+    if (session.is_first()) print_answer(asked.text);
     return asked.wrong ? wrong_input : solved;
   }
   auto& entry = *asked.entry;
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
   } catch (const kusabi::engine::RankMismatch& error) {
-    if (session.speaks()) print_message("kusabi: {}\n", error.what());
+    if (session.is_first()) print_message("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {
     const auto reason = kusabi::engine::reason_of(error.what());

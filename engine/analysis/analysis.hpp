@@ -110,7 +110,8 @@ class Analysis {
     return outcome;
   }
 
-  /// A part of the analysis: engine::share_work. It does not end early; long pieces ask the budget.
+  /// A part of the analysis: engine::share_work. It does not end early unless its pieces test the
+  /// budget.
   template <class Result>
   std::vector<Result> share(std::uint64_t pieces, std::function<Result(std::uint64_t)> piece) {
     return part<std::vector<Result>>(

@@ -121,14 +121,14 @@ class Explorer {
     for (; count > 0; --count) {
       if (frontier_.empty() && !next_nodes()) return;
       if (!open_node()) return;
-      if (order_ != Order::depth_first) rank_nodes();
+      if (order_ != Order::depth_first) move_to_heap();
     }
   }
 
   /// Least bound of the open nodes; infinity if there are none.
   [[nodiscard]] double bound() const {
     if (!has_nodes()) return std::numeric_limits<double>::infinity();
-    if (!looks_at_bounds()) return bound_of_any();
+    if (!prunes_by_bound()) return bound_of_any();
     double minimum = std::numeric_limits<double>::infinity();
     if (!heap_.empty()) minimum = bound_of(heap_.best());
     frontier_.for_each([&](const Node& node) { minimum = std::min(minimum, bound_of(node)); });
@@ -229,10 +229,10 @@ class Explorer {
 
   // Bound by which a node is pruned.
   [[nodiscard]] double bound_of(const Node& node) const {
-    return looks_at_bounds() ? rank_of(node) : bound_of_any();
+    return prunes_by_bound() ? sort_key(node) : bound_of_any();
   }
 
-  [[nodiscard]] bool looks_at_bounds() const { return Bounded<P> && goal_ == Goal::best; }
+  [[nodiscard]] bool prunes_by_bound() const { return Bounded<P> && goal_ == Goal::best; }
 
   // Least bound of open nodes that were not pruned by bound.
   [[nodiscard]] double bound_of_any() const {
@@ -240,7 +240,7 @@ class Explorer {
   }
 
   // Sort key of a node in the heap: its bound, even if the goal does not prune by it.
-  [[nodiscard]] double rank_of(const Node& node) const {
+  [[nodiscard]] double sort_key(const Node& node) const {
     if constexpr (Bounded<P>) {
       if (std::isnan(node.bound)) {
         node.bound = oriented<P>(std::as_const(problem_).bound(node.node));
@@ -262,7 +262,7 @@ class Explorer {
       waiting_nodes_ += bundle.nodes.size();
       waiting_.push_back({std::move(bundle.trail), NodeStack<Node>(std::move(bundle.nodes))});
     } else {
-      heap_.put(std::move(bundle), [this](const Node& node) { return rank_of(node); });
+      heap_.put(std::move(bundle), [this](const Node& node) { return sort_key(node); });
     }
   }
 
@@ -299,7 +299,7 @@ class Explorer {
 
   // Moves the children of the node just opened, and all other nodes of the frontier, into the heap,
   // unless the order continues below this node or the heap is full.
-  void rank_nodes() {
+  void move_to_heap() {
     statistics_.peak_open = std::max(statistics_.peak_open, open());
     const bool goes_on = order_ == Order::hybrid && frontier_.branches() > 0;
     if (frontier_.empty() || goes_on || heap_.full()) return;
@@ -309,7 +309,7 @@ class Explorer {
   // @return true if it was opened, or pruned: not put back
   bool open_node() {
     Node node = frontier_.open();
-    if (looks_at_bounds()) bound_ = rank_of(node);
+    if (prunes_by_bound()) bound_ = sort_key(node);
     if (solutions_.incumbent().rules_out(bound_, frontier_.place())) {
       ++statistics_.pruned;
     } else {
@@ -368,7 +368,7 @@ class Explorer {
     expand(std::move(node));
     expanded_ = nullptr;
     frontier_.for_each_child([&](const Node& child) {
-      expanded.children.push_back({pack(node_of(child)), oriented<P>(rank_of(child))});
+      expanded.children.push_back({pack(node_of(child)), oriented<P>(sort_key(child))});
     });
     return expanded;
   }

@@ -8,7 +8,7 @@ namespace kusabi::engine {
 namespace member_names {
 
 // A class that inherits from `Class` and from this one has an ambiguous name if `Class` has it.
-struct Bait {
+struct AmbiguousNames {
   int serialize;
   int objective;
   int bound;
@@ -21,7 +21,7 @@ struct Bait {
 };
 
 template <class Class>
-struct Both : Class, Bait {};
+struct Both : Class, AmbiguousNames {};
 
 template <class Class>
 concept Inheritable = std::is_class_v<Class> && !std::is_final_v<Class>;

@@ -19,7 +19,7 @@ bool has_fixed(const problems::LimitProblem& problem) {
 // @return alpha of the search
 double settle(problems::LimitProblem& problem, double alpha) {
   const std::array cases{&problem};
-  return problems::settle_half_widths(cases, {.alpha = alpha}).value();
+  return problems::set_half_widths(cases, {.alpha = alpha}).value();
 }
 
 }  // namespace

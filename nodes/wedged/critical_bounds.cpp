@@ -129,7 +129,7 @@ engine::Status CriticalBounds::bisect() {
   auto not_infeasible = std::numeric_limits<std::int64_t>::max();
   bracket_.prove_lower(0);
   bracket_.move_upper(std::nullopt);
-  const auto ask = [&](std::int64_t cell) {
+  const auto decide = [&](std::int64_t cell) {
     const auto decided =
         decisions_.tree(BracketSide::lower, grid.at(cell), CriticalPhase::lower_bound, {},
                         [](const DecidedTree& all) { return all.is_proved_infeasible(); });
@@ -149,10 +149,10 @@ engine::Status CriticalBounds::bisect() {
   const auto goes_on = [&] { return status == engine::Status::solved; };
   for (const auto end : ends)
     if (goes_on() && end > infeasible && end < not_infeasible && grid.at(end) > minimum)
-      status = ask(end);
+      status = decide(end);
   while (goes_on() && not_infeasible <= maximum && not_infeasible - infeasible > 1 &&
          grid.at(std::midpoint(infeasible, not_infeasible)) > minimum)
-    status = ask(std::midpoint(infeasible, not_infeasible));
+    status = decide(std::midpoint(infeasible, not_infeasible));
   return status;
 }
 

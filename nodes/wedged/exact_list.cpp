@@ -29,7 +29,7 @@ ExactTest test_of(const ExactParameters& parameters) {
 }
 
 bool is_wanted(const ExactTest& test) {
-  return test.asked || test.scale_ratio > wide_scales;
+  return test.asked || test.scale_ratio > max_safe_scale_ratio;
 }
 
 PatternFindings exact_list(engine::Analysis& analysis, const ExactParameters& parameters,
@@ -45,7 +45,7 @@ void add(ExactTest& test, const PatternFindings& list) {
   test.done = list.exact.done;
   test.refused += list.exact.refused;
   test.unproved += list.exact.unproved;
-  test.doubted += list.exact.doubted;
+  test.closed_unproved += list.exact.closed_unproved;
   test.unable = list.exact.unable;
   if (test.unable.empty() && !list.whole()) test.unable = "the exact test was stopped early";
   if (test.unable.empty() && list.unresolved() > 0)

@@ -37,7 +37,7 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analy
   if (structure == nullptr) return {};
   exact.scale_ratio = problems::scale_ratio(*structure, problem);
   const bool asked = exact.asked = parameters.proving == Proving::always;
-  if (!asked && exact.scale_ratio <= wide_scales) return {};
+  if (!asked && exact.scale_ratio <= max_safe_scale_ratio) return {};
   auto enclosed = enclosed_within(analysis, *structure,
                                   asked ? enclosed_stiffness_without_limit : enclosed_stiffness);
   if (!enclosed) {
@@ -128,19 +128,19 @@ void count_kept(PatternFindings& findings) {
 // Every node is tested exactly; nodes that fail are refused.
 void test_all_nodes(SignPatternTree& tree, const EvidenceCheck& check, bool unconstrained,
                     PatternFindings& findings) {
-  findings.exact.done = check.is_able();
+  findings.exact.done = check.can_prove();
   // For constrained bodies the bounds of the solver are valid without the test. For unconstrained
   // ones they depend on its tolerances for rigid-body modes.
-  if (!check.is_able() && unconstrained)
+  if (!check.can_prove() && unconstrained)
     findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
-  if (check.is_able() || unconstrained)
+  if (check.can_prove() || unconstrained)
     tree.test_with([&check](const auto& evidence) { return check.holds(evidence); }, true);
 }
 
 void test_degenerate_nodes(SignPatternTree& tree, const EvidenceCheck& check) {
   tree.test_with(
       [&check](const auto& evidence) {
-        return evidence.kind != Evidence::Kind::marginal || check.holds(evidence);
+        return evidence.kind != Evidence::Kind::no_claim || check.holds(evidence);
       },
       false);
 }
@@ -160,7 +160,7 @@ void collect_leaves(PatternFindings& findings, std::vector<Configuration>& known
   });
   findings.exact.refused = tally.refused;
   findings.exact.unproved = tally.unproved;
-  findings.exact.doubted = tally.doubted;
+  findings.exact.closed_unproved = tally.closed_unproved;
 }
 
 }  // namespace
@@ -195,11 +195,11 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     of_unconstrained = enclosed_if_small(analysis, parameters);
   std::optional<EvidenceCheck> check;
   if (enclosed || of_unconstrained) {
-    const bool badly_scaled = enclosed && findings.exact.scale_ratio > wide_scales;
+    const bool badly_scaled = enclosed && findings.exact.scale_ratio > max_safe_scale_ratio;
     check.emplace(problem, enclosed ? *enclosed : *of_unconstrained, friction,
                   proved_bounds(prepared),
                   badly_scaled ? LargeDisplacements::counted : LargeDisplacements::left_out);
-    if (check->is_able() && !check->proves_bounds()) remove_bounds(prepared);
+    if (check->can_prove() && !check->proves_bounds()) remove_bounds(prepared);
   }
   configure(tree, prepared);
   if (parameters.recorder) tree.report_to(parameters.recorder);

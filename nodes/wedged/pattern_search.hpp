@@ -31,7 +31,7 @@ struct PatternBlock {
 
 /// Verification of every node by the exact test of `kusabi verify` during the search.
 enum class Proving {
-  automatic,  ///< if floating point may miss a pattern: scale_ratio() is above wide_scales
+  automatic,  ///< if floating point may miss a pattern: scale_ratio() is above max_safe_scale_ratio
   always,     ///< for structures of any size
 };
 
@@ -40,14 +40,15 @@ struct ExactTest {
   double scale_ratio = 1;
   bool asked = false;
   bool done = false;
-  std::string unable{};        ///< the reason why a required test was impossible, a sentence
-  std::uint64_t refused = 0;   ///< claims that it did not accept
-  std::uint64_t doubted = 0;   ///< nodes closed nevertheless, since their subtrees are too large
+  std::string unable{};       ///< the reason why a required test was impossible, a sentence
+  std::uint64_t refused = 0;  ///< claims that it did not accept
+  std::uint64_t closed_unproved =
+      0;                       ///< nodes closed nevertheless, since their subtrees are too large
   std::uint64_t unproved = 0;  ///< closed nodes without claim that it does not prove either
 
   /// True if the list may be incomplete although all its patterns are decided.
   [[nodiscard]] bool is_open() const {
-    return !unable.empty() || doubted > 0 || (asked && unproved > 0);
+    return !unable.empty() || closed_unproved > 0 || (asked && unproved > 0);
   }
 };
 

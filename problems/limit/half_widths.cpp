@@ -45,20 +45,20 @@ void settle_group(std::vector<Settled>& columns, const std::string& name, double
     if (!is_called(*each.column, name)) continue;
     any = true;
     if (each.column->in_file) {
-      throw UnfitHalfWidths(
+      throw HalfWidthError(
           fmt::format("the file says alpha = {} of {}; expected a group that it "
                       "leaves open",
                       each.column->half_width, support::in_quotes(name)));
     }
     if (each.known) {
-      throw UnfitHalfWidths(fmt::format(
+      throw HalfWidthError(fmt::format(
           "{} is given twice, as by its name and by its group; expected once", each.name()));
     }
     each.column->half_width = half_width;
     each.known = true;
   }
   if (any) return;
-  throw UnfitHalfWidths(
+  throw HalfWidthError(
       fmt::format("no uncertain load has the name or the group {}; expected one "
                   "of [[uncertainty]]{}",
                   support::in_quotes(name), names_instead(columns, name)));
@@ -85,18 +85,18 @@ void fix_half_widths(LimitProblem& problem,
   for (auto& each : columns) each.column->in_file = each.known;
 }
 
-std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
-                                         const AskedHalfWidths& asked) {
+std::optional<double> set_half_widths(std::span<LimitProblem* const> cases,
+                                      const RequestedHalfWidths& asked) {
   auto columns = columns_of(cases);
   for (const auto& [name, half_width] : asked.groups) settle_group(columns, name, half_width);
   const auto open = std::ranges::find(columns, false, &Settled::known);
   if (std::ranges::find(columns, true, &Settled::known) == columns.end()) return asked.alpha;
   if (open == columns.end()) {
     if (!asked.alpha) return 1;
-    throw UnfitHalfWidths("every uncertain load has a half-width of its own; expected no --alpha");
+    throw HalfWidthError("every uncertain load has a half-width of its own; expected no --alpha");
   }
   if (!asked.alpha) {
-    throw UnfitHalfWidths(
+    throw HalfWidthError(
         fmt::format("other uncertain loads have half-widths of their own, but {} has none; "
                     "expected --alpha as well",
                     open->name()));

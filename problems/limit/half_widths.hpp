@@ -13,13 +13,13 @@
 namespace kusabi::problems {
 
 /// Requested half-widths of parameters without one in the file, in the unit of force.
-struct AskedHalfWidths {
+struct RequestedHalfWidths {
   std::optional<double> alpha{};  ///< of all parameters without a half-width of their own
   std::vector<std::pair<std::string, double>> groups{};  ///< by the name of a load or a group, >= 0
 };
 
 /// The requested half-widths do not fit the file; the message has the expected ones.
-class UnfitHalfWidths : public std::invalid_argument {
+class HalfWidthError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
@@ -27,13 +27,13 @@ class UnfitHalfWidths : public std::invalid_argument {
 /// Sets the half-width of each column of T, equally in all load cases.
 /// @return alpha of the search: the requested one, or 1 if columns have half-widths of their own;
 ///         nothing: neither the options nor the file request a worst case
-/// @throws UnfitHalfWidths if a group does not exist, has a half-width in the file, or if a
+/// @throws HalfWidthError if a group does not exist, has a half-width in the file, or if a
 ///         half-width is missing
-std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
-                                         const AskedHalfWidths& asked);
+std::optional<double> set_half_widths(std::span<LimitProblem* const> cases,
+                                      const RequestedHalfWidths& asked);
 
 /// Sets half-widths of these groups as if specified by the file.
-/// @throws UnfitHalfWidths as above
+/// @throws HalfWidthError as above
 void fix_half_widths(LimitProblem& problem, std::span<const std::pair<std::string, double>> groups);
 
 /// The common half-width of all columns; nothing if they differ.

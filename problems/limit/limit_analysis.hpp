@@ -51,11 +51,11 @@ struct LimitModel {
 
 /// Default limit of scaled yield forces; the search increases it if it is active. With the fourteen
 /// digits of a simplex method's objective, ten remain.
-inline constexpr double usual_most_yield = 0x1p14;
+inline constexpr double default_max_yield = 0x1p14;
 
 /// @param force_unit F
 LimitModel limit_model(const LimitProblem& problem, double force_unit,
-                       double max_yield = usual_most_yield);
+                       double max_yield = default_max_yield);
 
 /// With the median of the yield forces as F.
 LimitModel limit_model(const LimitProblem& problem);

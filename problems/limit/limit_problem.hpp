@@ -68,8 +68,8 @@ bool works_with_reference(const LimitProblem& problem, const UncertainColumn& co
 
 /// Checks the requirements of limit analysis; assumption 3.1 of the paper is not required.
 /// @throws InputError if loads or yield forces are missing; if the loads are of several cases; if
-/// no reference load acts on a free displacement; if the
-///         structure is a mechanism (with the nodes that move)
+///         no reference load acts on a free displacement; if the structure is a mechanism (with the
+///         nodes that move)
 LimitProblem limit_problem(const CheckedStructure& structure);
 
 }  // namespace kusabi::problems

@@ -133,7 +133,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
                  seed, wrong, seed);
       std::fflush(stdout);
     }
-    if (!session.speaks() || Clock::now() < next_line) continue;
+    if (!session.is_first() || Clock::now() < next_line) continue;
     next_line = Clock::now() + interval;
     print_message("{} of {} schedules, {} failed\n", tried * step, options.seeds, failed_seeds);
   }

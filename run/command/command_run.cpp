@@ -59,7 +59,7 @@ CommandRun::CommandRun(Session& session, const CommandList::Entry& entry, const 
 
 int CommandRun::execute() {
   check();
-  if (session_.speaks() && !session_.silent()) {
+  if (session_.is_first() && !session_.silent()) {
     for (const auto& line : table_.warnings()) warn(line);
   }
   settle_time_limit();
@@ -74,7 +74,7 @@ int CommandRun::execute() {
   if (shows()) announce();
   command_.search(*this);
   std::uint64_t code = solved;
-  if (session_.speaks()) {
+  if (session_.is_first()) {
     auto steps = command_.results(*this);
     if (journal_options_) steps.insert(steps.begin(), [this] { write_status(); });
     do_all(steps);
@@ -153,7 +153,7 @@ support::LongWork CommandRun::long_work() {
 }
 
 int CommandRun::stopped_before_the_search() {
-  if (session_.speaks()) {
+  if (session_.is_first()) {
     const auto why =
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
     print_warning(fmt::format(
@@ -299,7 +299,7 @@ engine::AnalysisOptions CommandRun::analysis_options(const engine::Limits& limit
     left.seconds = std::max(0.0, until.count());
   }
   auto result = run::analysis_options(kept_.finished ? engine::Limits{} : left, quiet_);
-  if (ends_with_the_job_at_ && session_.speaks()) reserve_time_to_write(result);
+  if (ends_with_the_job_at_ && session_.is_first()) reserve_time_to_write(result);
   if (kept_.finished) result.interrupt = {};  // too short to be stopped
   result.warn = warn;
   result.journal_options = journal_options_;

@@ -51,7 +51,7 @@ class CommandRun {
   [[nodiscard]] std::string_view name() const { return name_; }
   [[nodiscard]] Session& session() { return session_; }
   /// True on the rank that prints: rank 0, unless --quiet is given.
-  [[nodiscard]] bool shows() { return session_.speaks() && !quiet_; }
+  [[nodiscard]] bool shows() { return session_.is_first() && !quiet_; }
   [[nodiscard]] bool quiet() const { return quiet_; }
 
   /// Runs long work that every rank does by itself before the search. Its progress is shown; limits

@@ -137,7 +137,7 @@ void Critical::search(CommandRun& run) {
       analysis, contact_.structure, contact_.problem, options_.parameters,
       bound_recorder(run.session(), {options_.certificate, options_.input.file, run.quiet()},
                      contact_.problem));
-  if (!run.session().speaks()) return;
+  if (!run.session().is_first()) return;
   const double answer = findings_.upper.value_or(findings_.lower);
   warn_of_facets(run, options_.input, contact_.facets, answer);
 }

@@ -31,7 +31,7 @@ class BoundCertificate final : public wedged::BoundRecord {
   void end(std::span<const wedged::ProvedBound> bounds, wedged::BoundClaim claim,
            bool holds) override {
     file_.close();
-    if (!session_.speaks()) return;
+    if (!session_.is_first()) return;
     if (holds) {
       const bool one = claim == wedged::BoundClaim::one_pattern;
       file_.put_in_place(certificate_header(problem_, friction_, bounds) +

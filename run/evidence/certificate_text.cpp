@@ -45,7 +45,7 @@ const char* kind_name(wedged::Evidence::Kind kind) {
       return "form";
     case Kind::feasible:
       return "alive";
-    case Kind::marginal:
+    case Kind::no_claim:
       break;
   }
   return "marginal";

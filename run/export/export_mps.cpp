@@ -40,7 +40,7 @@ class ExportMps final : public ExportedFile {
   void write(std::ostream& out) const override;
 
  private:
-  void settle_half_widths();
+  void set_half_widths();
   [[nodiscard]] linear::MixedProgram program() const;
   [[nodiscard]] std::vector<std::string> comments() const;
   [[nodiscard]] std::vector<std::string> comments_on_worst_case() const;
@@ -79,16 +79,16 @@ void ExportMps::check() const {
 
 void ExportMps::prepare(CommandRun& run) {
   problem_ = problems::limit_problem(problems::in_chosen_case(input().structure(run), load_case_));
-  if (choice_ == Program::worst_case) settle_half_widths();
+  if (choice_ == Program::worst_case) set_half_widths();
   engine::require_equal_on_all_ranks(run.session().transport(), problem_->fingerprint);
 }
 
-void ExportMps::settle_half_widths() {
+void ExportMps::set_half_widths() {
   problems::LimitProblem* const one = &*problem_;
   try {
-    alpha_ = problems::settle_half_widths(
+    alpha_ = problems::set_half_widths(
         {&one, 1}, {.alpha = alpha_, .groups = group_half_widths(group_alpha_)});
-  } catch (const problems::UnfitHalfWidths& error) {
+  } catch (const problems::HalfWidthError& error) {
     throw WrongInput(
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));
   }

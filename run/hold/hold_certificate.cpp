@@ -51,7 +51,7 @@ class HoldCertificate final : public wedged::HoldRecord {
 
   void state(std::uint32_t block, const std::optional<wedged::LoadShare>& share,
              const wedged::LoadedPattern& pattern, std::span<const double> numbers) override {
-    if (!session_.speaks()) return;
+    if (!session_.is_first()) return;
     auto line = fmt::format("{} {}", share ? "alive" : "wedged", block + 1);
     if (share) append_numbers(line, std::array{share->dead, share->reference});
     line += ' ' + sets(pattern);
@@ -61,7 +61,7 @@ class HoldCertificate final : public wedged::HoldRecord {
 
   void finish() override {
     file_.close();
-    if (!session_.speaks()) return;
+    if (!session_.is_first()) return;
     std::string text = "kusabi hold certificate 1\ncase";
     if (!certificates_.load_case.empty()) text += ' ' + one_line(certificates_.load_case);
     text += '\n' + candidate_lines(loaded_.problem, friction_) + motion_lines(loaded_.problem);

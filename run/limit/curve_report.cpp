@@ -70,10 +70,12 @@ NamedMode named_mode(const LimitProblem& problem, const CurvePiece& piece) {
   return result;
 }
 
-void write_table(std::string& text, const LimitProblem& problem, const NamedCurve& named) {
+void write_table(std::string& text, const LimitProblem& problem, const NamedCurve& named,
+                 bool struts) {
   const auto out = std::back_inserter(text);
   const auto& curve = *named.curve;
-  fmt::format_to(out, "\n{}\n", named.title);
+  fmt::format_to(out, "\n{}{}\n", named.title,
+                 struts ? ", all struts at their strength: upper values" : "");
   if (curve.pieces.empty()) {
     text += "  not found\n";
     return;
@@ -122,7 +124,8 @@ ordered_json pieces_json(const LimitProblem& problem, const LoadCurve& curve) {
 
 std::string CurveReport::table() const {
   std::string text;
-  for (const auto& named : curves_of(*this)) write_table(text, problem, named);
+  const bool struts = options.parameters.residual.size() > 0;
+  for (const auto& named : curves_of(*this)) write_table(text, problem, named, struts);
   return text;
 }
 

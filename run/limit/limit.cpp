@@ -50,7 +50,7 @@ class Limit final : public Subcommand {
 
  private:
   void take_cases(const problems::CheckedStructure& whole);
-  void settle_half_widths();
+  void set_half_widths();
   [[nodiscard]] const char* option_of_worst_case() const;
   void refuse_with_losses() const;
   void refuse_without_worst_case() const;
@@ -147,13 +147,13 @@ void Limit::refuse_without_worst_case() const {
 }
 
 // Half-widths of uncertain loads, from the file and the call.
-void Limit::settle_half_widths() {
+void Limit::set_half_widths() {
   options_.asked.groups = group_half_widths(group_alpha_);
   std::vector<problems::LimitProblem*> problems;
   for (auto& each : cases_) problems.push_back(&each.problem);
   try {
-    options_.parameters.alpha = problems::settle_half_widths(problems, options_.asked);
-  } catch (const problems::UnfitHalfWidths& error) {
+    options_.parameters.alpha = problems::set_half_widths(problems, options_.asked);
+  } catch (const problems::HalfWidthError& error) {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
@@ -193,7 +193,7 @@ void Limit::prepare(CommandRun& run) {
   options_.parameters.residual =
       problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
   take_cases(structure);
-  settle_half_widths();
+  set_half_widths();
   options_.parameters.loss = options_.loss.parameters(cases_.front().problem);
   engine::Facts facts;
   for (const auto& [name, truss, problem, found] : cases_) {

@@ -17,7 +17,7 @@ struct LimitOptions {
   ProblemInput input;
   std::string load_case;   ///< requested load case; empty: all
   std::string curve_load;  ///< file of the load of a curve
-  problems::AskedHalfWidths asked;
+  problems::RequestedHalfWidths asked;
   limit::LimitParameters parameters;  ///< its alpha follows from `asked` and the file
   engine::Limits limits;              ///< limits of the tree search
   LossOptions loss;

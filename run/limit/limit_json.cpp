@@ -158,7 +158,7 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
 void add_interval(ordered_json& result, const LimitReport& report) {
   auto& interval = result["guaranteed_interval"];
   interval = interval_json(guaranteed_interval(report.answer, report.residual));
-  const auto& reversed = report.answer.reversed;
+  const auto& reversed = (report.residual ? *report.residual : report.answer).reversed;
   if (!reversed || reversed->zeta.size() == 0) return;
   interval["lower"]["critical_parameters"] = parameters_json(report.problem, reversed->zeta);
 }

@@ -90,9 +90,10 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 // Load factors carried under all loads, and the load at their lower end if zero is not among them.
 void write_interval(std::string& text, const LimitReport& report) {
   const auto interval = guaranteed_interval(report.answer, report.residual);
+  if (report.residual) text += "  while no strut falls below its residual strength:\n";
   text += "  " + interval_text(interval) + '\n';
   text += "  " + passed_text(interval) + '\n';
-  const auto& reversed = report.answer.reversed;
+  const auto& reversed = (report.residual ? *report.residual : report.answer).reversed;
   if (!reversed || reversed->zeta.size() == 0 || interval.minimum.upper <= 0) return;
   text += "  load that determines the least of these factors:\n" +
           critical_load_text(report.problem, reversed->zeta);
@@ -175,9 +176,9 @@ std::string LimitReport::table(const Page& page) const {
     const auto [minimum, greatest] = std::ranges::minmax(answer.samples);
     double sum = 0;
     for (const double factor : answer.samples) sum += factor;
-    fmt::format_to(out, "\n{} random dead loads: load factors {:.6g} ... {:.6g}, mean {:.6g}\n",
-                   answer.samples.size(), minimum, greatest,
-                   sum / static_cast<double>(answer.samples.size()));
+    fmt::format_to(out, "\n{} random dead loads: load factors{} {:.6g} ... {:.6g}, mean {:.6g}\n",
+                   answer.samples.size(), residual ? " with all struts at their strength" : "",
+                   minimum, greatest, sum / static_cast<double>(answer.samples.size()));
   }
   text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {

@@ -26,8 +26,8 @@ class LineSorter {
   /// @param line without a line end @throws std::runtime_error if the disk is full
   void add(std::string_view line);
 
-  /// Calls `take` with each line in order; of lines none of which comes before the other with one
-  /// only. Ends the sorter. @throws std::runtime_error if a block cannot be read
+  /// Calls `take` with each line in order; with one only of several lines that are equal in this
+  /// order. Ends the sorter. @throws std::runtime_error if a block cannot be read
   void each(const std::function<void(std::string_view)>& take);
 
  private:

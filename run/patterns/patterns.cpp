@@ -93,7 +93,7 @@ class Patterns final : public Subcommand {
   [[nodiscard]] PatternsReport report() const;
   void end_certificate();
   void draw(OutputFolder& folder, const WholeStates& states) const;
-  [[nodiscard]] std::string what_became_of_the_certificate() const;
+  [[nodiscard]] std::string certificate_remark() const;
 
   const OptionTable* table_ = nullptr;
   PatternsOptions options_;
@@ -108,7 +108,7 @@ class Patterns final : public Subcommand {
   std::optional<wedged::LoadedProblem> loaded_;  // if the file has a reference load
   std::optional<engine::Analysis> unlimited_;    // of the firmness of lines
   std::optional<wedged::PatternFirmness> firmness_;
-  bool goes_on_ = false;  // a state is kept from which the search can be resumed
+  bool can_resume_ = false;  // a state is kept from which the search can be resumed
 };
 
 // Fingerprint of the tree: a checkpoint belongs to a tree, which depends on friction and tolerance.
@@ -228,17 +228,17 @@ void Patterns::end_certificate() {
   if (!certificate_->wanted()) return;
   if (whole()) {
     certificate_->put_in_place(certificate_header(contact_.problem, friction_, findings_->bounds));
-  } else if (goes_on_) {
+  } else if (can_resume_) {
     certificate_->require_parts();
   } else {
     certificate_->drop();
   }
 }
 
-std::string Patterns::what_became_of_the_certificate() const {
+std::string Patterns::certificate_remark() const {
   if (whole()) return fmt::format("wrote {}", options_.certificate);
-  if (goes_on_) return fmt::format("the proofs so far are in {}.part.*", options_.certificate);
-  return "no certificate: an incomplete one could not be resumed";
+  if (can_resume_) return fmt::format("the proofs so far are in {}.part.*", options_.certificate);
+  return "no certificate was written, since the search ended early; --resume keeps its parts";
 }
 
 void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
@@ -263,12 +263,12 @@ Step Patterns::result_lines(CommandRun& run) {
       [this](std::ostream& out) {
         return lines_->write(out, report().head_line(contact_.structure), *findings_);
       },
-      [this] { lines_->end(goes_on_ && !whole()); });
+      [this] { lines_->end(can_resume_ && !whole()); });
 }
 
 std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(this->report());
-  goes_on_ = !options_.checkpoint.state.empty();
+  can_resume_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
   return {lines_ ? result_lines(run) : run.result([report, states](JsonWriter& json) {
             report->write(json, WholeStateJson(*states));
@@ -301,7 +301,7 @@ std::vector<std::string> Patterns::remarks(CommandRun& run) {
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (!options_.certificate.empty() && !(whole() && run.quiet())) {
-    remarks.push_back(what_became_of_the_certificate());
+    remarks.push_back(certificate_remark());
   }
   return remarks;
 }

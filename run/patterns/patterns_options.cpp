@@ -76,7 +76,9 @@ void PatternsOptions::describe_tree(OptionTable& table) {
                "with second-order cones");
   Range even_facets = between(FacetBound::minimum, FacetBound::maximum);
   even_facets.even = true;
-  table.number("--facets", &facets, even_facets, "number of facets of each polyhedral cone")
+  table
+      .number("--facets", &facets, even_facets,
+              "number of facets of each cone, with --method polyhedral")
       .needs("--method");
   table
       .flag("--candidates", list_candidates,
@@ -145,7 +147,7 @@ void PatternsOptions::check(const OptionTable& table) const {
   if (!record.empty() && !one_search_depth_first)
     throw WrongInput(
         "--record: is not possible with --exists, --resume or breadth-first order; "
-        "expected --record without them");
+        "expected depth-first order and neither of the others");
 }
 
 // Lines have no further outputs, which would need the whole list.

@@ -60,7 +60,9 @@ class LimitSection {
     const bool struts = ResultReader::find(result_, "struts") != nullptr;
     const std::string upper = struts ? ", struts at full strength: an upper value" : "";
     take(result_, "nominal", ("nominal load factor" + upper).c_str());
-    take(result_, "nominal_interval", "nominal load is carried at factors from, to");
+    const std::string full = struts ? ", if all struts kept their full strength" : "";
+    take(result_, "nominal_interval",
+         ("nominal load is carried at factors from, to" + full).c_str());
     const auto unit = unit_of_alpha(reader_);
     const auto alpha = unit ? "α, half-width of each uncertain load, " + *unit
                             : "α, half-width of the factor of each uncertain load";
@@ -74,7 +76,13 @@ class LimitSection {
         take(*worst, proved, fmt::format("{}: proved", name).c_str());
       }
     }
-    if (const auto* const interval = ResultReader::find(result_, "guaranteed_interval")) {
+    const auto* const buckled = ResultReader::find(result_, "struts");
+    const auto* const of_struts =
+        buckled == nullptr ? nullptr : ResultReader::find(*buckled, "guaranteed_interval");
+    if (of_struts != nullptr) facts["carried factors below"] = "all struts at residual strength";
+    const auto* const interval =
+        of_struts != nullptr ? of_struts : ResultReader::find(result_, "guaranteed_interval");
+    if (interval != nullptr) {
       const auto* const empty = ResultReader::find(*interval, "empty");
       if (empty != nullptr && *empty == true) {
         facts["carried under every admissible load"] = "no factor";
@@ -86,7 +94,8 @@ class LimitSection {
       }
       take(*interval, "proved", "carried under every admissible load: proved");
     }
-    take(result_, "critical_interval", "critical load is carried at factors from, to");
+    take(result_, "critical_interval",
+         ("critical load is carried at factors from, to" + full).c_str());
     add_facts(page_, "Factors of the reference load", facts);
   }
 

@@ -277,9 +277,35 @@ engine::Status ended_as(const ResultReader& reader, const std::string& status) {
   reader.refuse("'status' is not that of a search");
 }
 
+namespace {
+
+// Files from before answers had the key `struts` state bounds at full strength, which bound the
+// factors that are carried from outside only.
+void leave_outer_bounds(LoadInterval& found) {
+  found.struts = true;
+  found.minimum.upper.reset();
+  found.maximum.lower.reset();
+}
+
+void leave_outer_bounds(MemberLoss& found) {
+  found.struts = true;
+  found.factor.lower.reset();
+  if (found.reached == true) found.reached.reset();
+}
+
+}  // namespace
+
 Verdict result_verdict(const ResultReader& reader) {
-  if (ResultReader::find(reader.all(), "verdict") == nullptr) return older_verdict(reader);
-  return WrittenVerdict(reader).verdict();
+  auto verdict = ResultReader::find(reader.all(), "verdict") == nullptr
+                     ? older_verdict(reader)
+                     : WrittenVerdict(reader).verdict();
+  const auto* const result = ResultReader::find(reader.all(), "result");
+  if (result == nullptr || ResultReader::find(*result, "struts") == nullptr) return verdict;
+  if (auto* const load = std::get_if<LoadInterval>(&verdict.answer); load && !load->struts)
+    leave_outer_bounds(*load);
+  if (auto* const loss = std::get_if<MemberLoss>(&verdict.answer); loss && !loss->struts)
+    leave_outer_bounds(*loss);
+  return verdict;
 }
 
 }  // namespace kusabi::run

@@ -39,7 +39,7 @@ void warn(const std::string& line) {
 }
 
 void warn_all(Session& session, const std::vector<std::string>& lines) {
-  if (!session.speaks()) return;
+  if (!session.is_first()) return;
   for (const auto& line : lines) {
     if (!session.silent()) warn(line);
     session.note(line);

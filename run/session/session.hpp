@@ -38,7 +38,7 @@ class Session {
   [[nodiscard]] int ranks() { return transport().size(); }
 
   /// True on rank 0, which reads files, prints and writes.
-  [[nodiscard]] bool speaks() { return transport().rank() == 0; }
+  [[nodiscard]] bool is_first() { return transport().rank() == 0; }
 
   /// Restricts warnings about the input and the call to the answer (--quiet).
   void silence_warnings() { silent_ = true; }

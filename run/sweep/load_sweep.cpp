@@ -119,7 +119,7 @@ void LoadSweep::refuse_struts(const problems::CheckedStructure& structure) const
 void LoadSweep::fix_groups() {
   try {
     problems::fix_half_widths(problem_, group_half_widths(options_.group_alpha));
-  } catch (const problems::UnfitHalfWidths& error) {
+  } catch (const problems::HalfWidthError& error) {
     throw WrongInput(fmt::format("--group-alpha: {}", error.what()));
   }
 }

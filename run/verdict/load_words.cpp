@@ -42,13 +42,14 @@ std::string nominal(const LoadInterval& found) {
                        of_struts(found));
   }
   const auto& [value, standing] = *found.maximum.lower;
+  const char* const only = found.struts ? "" : "only ";
   if (const auto& from = found.minimum.upper; from && from->value > 0) {
     const auto [low, high] = inside(from->value, value);
-    return fmt::format("It carries its dead load only at load factors from {} to {}{}{}.", low,
+    return fmt::format("It carries its dead load {}at load factors from {} to {}{}{}.", only, low,
                        high, unless_proved(standing), of_struts(found));
   }
   if (value < 0) {
-    return fmt::format("It carries its dead load only at load factors up to {}{}{}.",
+    return fmt::format("It carries its dead load {}at load factors up to {}{}{}.", only,
                        rounded_down(value), unless_proved(standing), of_struts(found));
   }
   return fmt::format("It carries {} times the reference load{}{}{}.", rounded_down(value),
@@ -103,7 +104,8 @@ std::string factors_headline(const LoadInterval& found) {
         of_struts(found));
   }
   if (is_undecided(found)) {
-    return fmt::format("It is numerically undecided whether any load factor is carried {}.", loads);
+    return fmt::format("It is {}undecided whether any load factor is carried {}.",
+                       found.struts ? "" : "numerically ", loads);
   }
   const auto [low, high] = inside(from->value, to->value);
   return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}{}.",

@@ -35,8 +35,13 @@ std::string after_any(const MemberLoss& found) {
   text += except_kept(found.kept);
   if (found.uncertain) text += " and under every admissible load";
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
-  if (found.struts) text += ", while no strut falls below its residual strength,";
+  if (found.struts) text += ", while no strut falls below its residual strength";
   return text;
+}
+
+// The same at the beginning of a sentence.
+std::string after_any_first(const MemberLoss& found) {
+  return after_any(found) + (found.struts ? "," : "");
 }
 
 std::string capital(std::string text) {
@@ -61,8 +66,8 @@ std::string of_target(const MemberLoss& found) {
                        *found.target, after_any(found));
   }
   if (*found.reached) {
-    return capital(
-        fmt::format("{} the limit load factor is at least {}.", after_any(found), *found.target));
+    return capital(fmt::format("{} the limit load factor is at least {}.", after_any_first(found),
+                               *found.target));
   }
   return capital(fmt::format("{}, less than {}.", at_most(found), *found.target));
 }
@@ -78,9 +83,9 @@ std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
   if (found.target) return of_target(found);
   if (const auto& lower = found.factor.lower) {
     const auto upper = at_most(found);
-    return capital(fmt::format("{} the limit load factor is at least {}{}{}{}.", after_any(found),
-                               rounded_down(lower->value), unless_proved(lower->standing),
-                               upper.empty() ? "" : "; ", upper));
+    return capital(fmt::format("{} the limit load factor is at least {}{}{}{}.",
+                               after_any_first(found), rounded_down(lower->value),
+                               unless_proved(lower->standing), upper.empty() ? "" : "; ", upper));
   }
   if (!found.factor.upper) return "The factor that remains after the loss of members is not known.";
   return capital(at_most(found)) + ".";

@@ -54,7 +54,7 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   if (factor.struts) {
     text += std::isfinite(factor.lower)
                 ? ", while no strut falls below its residual strength"
-                : ", an upper value, since no claim is about the residual strength of its struts";
+                : ", an upper value: no lower bound at residual strength is proved";
   }
   if (!factor.minimum) return text;
   const auto& [lower, upper] = *factor.minimum;
@@ -151,12 +151,13 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
   if (!loss.lower)
     return fmt::format("{}{} the load factor is at most {:.17g}", proved, lost, loss.upper);
   return fmt::format(
-      "{}after the loss of any {}{}{}{} the load factor is at least {:.17g}; {} it is at most "
+      "{}after the loss of any {}{}{}{}{} the load factor is at least {:.17g}; {} it is at most "
       "{:.17g}",
       proved, loss.maximum == 1 ? std::string("member") : fmt::format("{} members", loss.maximum),
       except_kept(loss.kept), loss.uncertain ? " and under every admissible load" : "",
       loss.cases == 1 ? std::string() : fmt::format(" in each of {} load cases", loss.cases),
-      *loss.lower, lost, loss.upper);
+      loss.struts ? ", while no strut falls below its residual strength," : "", *loss.lower, lost,
+      loss.upper);
 }
 
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {

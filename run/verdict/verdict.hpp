@@ -279,6 +279,7 @@ struct CertificateCheck {
     bool fatal = false;               ///< no factor remains after it
     std::optional<double> lower{};    ///< absent: only the upper bound is proved
     double upper = 0;
+    bool struts = false;  ///< as in LoadInterval
   };
   std::uint64_t refusals = 0;
   std::variant<std::monostate, List, Example, Factor, Loss, Held> claim{};

@@ -10,13 +10,13 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
   if (engine::branch_into_halves(node, few, out)) return;
   for (auto number = node.first; number < node.last; ++number) {
     const auto& record = certificate_.records[number];
-    auto judgement = proof_.judgement(record);
-    if (judgement.refusal) {
-      out.solution({number, std::move(*judgement.refusal)});
+    auto proof_result = proof_.proof_result(record);
+    if (proof_result.refusal) {
+      out.solution({number, std::move(*proof_result.refusal)});
       continue;
     }
-    if (judgement.except_large_displacements) ++tally_.except_large_displacements;
-    if (judgement.unloaded) ++tally_.unloaded;
+    if (proof_result.except_large_displacements) ++tally_.except_large_displacements;
+    if (proof_result.unloaded) ++tally_.unloaded;
     switch (record.claim) {
       case verify::Claim::infeasible:
       case verify::Claim::cut:
@@ -26,7 +26,7 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
       case verify::Claim::feasible:
         ++tally_.feasible;
         break;
-      case verify::Claim::marginal:
+      case verify::Claim::none:
         ++tally_.marginal;
         break;
     }

@@ -62,15 +62,15 @@ class HoldVerification {
     if (engine::branch_into_halves(node, few, out)) return;
     const auto nodes = certificate_.nodes.size();
     for (auto number = node.first; number < node.last; ++number) {
-      auto judgement =
+      auto proof_result =
           number < nodes
-              ? proof_.judgement(certificate_.nodes[number])
-              : verify::Judgement{.refusal = proof_.refusal(certificate_.states[number - nodes])};
-      if (judgement.refusal) {
-        out.solution({number, std::move(*judgement.refusal)});
+              ? proof_.proof_result(certificate_.nodes[number])
+              : verify::ProofResult{.refusal = proof_.refusal(certificate_.states[number - nodes])};
+      if (proof_result.refusal) {
+        out.solution({number, std::move(*proof_result.refusal)});
       } else {
         ++tally_.proved;
-        if (judgement.except_large_displacements) ++tally_.except_large_displacements;
+        if (proof_result.except_large_displacements) ++tally_.except_large_displacements;
       }
       out.poll();
     }
@@ -207,7 +207,7 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   const auto outcome = engine::search(verification, run.session().transport(), engine::Options{});
   if (outcome.status != engine::Status::solved) return {.status = outcome.status};
   VerifyFindings findings;
-  if (!run.session().speaks()) {  // refusals are on rank 0
+  if (!run.session().is_first()) {  // refusals are on rank 0
     findings.check.refusals = outcome.solutions.size();
     return findings;
   }

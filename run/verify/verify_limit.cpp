@@ -112,17 +112,18 @@ struct ProvedFactors {
 
 ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
   ProvedFactors all;
-  std::set<std::string> largest;
-  std::set<std::string> minimum;
+  using Loads = std::pair<std::string, std::vector<std::pair<std::string, double>>>;
+  std::set<Loads> largest;
+  std::set<Loads> minimum;
   for (const auto& each : statements) {
     if (each.claim == LimitClaim::none) all.at_none = true;
     if (each.claim == LimitClaim::largest) {
-      largest.insert(each.load_case);
+      largest.emplace(each.load_case, each.half_widths);
       all.largest_lower = std::min(all.largest_lower, each.lower);
       all.largest_upper = std::min(all.largest_upper, each.upper);
     }
     if (each.claim == LimitClaim::minimum) {
-      minimum.insert(each.load_case);
+      minimum.emplace(each.load_case, each.half_widths);
       all.min_lower = std::max(all.min_lower, each.lower);
       all.min_upper = std::max(all.min_upper, each.upper);
     }

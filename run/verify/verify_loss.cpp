@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,28 +40,30 @@ std::vector<LossStatement> losses_in(const std::string& text, const std::string&
   }
 }
 
+// @pre the members of the statement are those of the structure
 std::vector<std::string> names_of(const LossStatement& statement,
                                   const std::vector<std::size_t>& members,
                                   const std::optional<problems::CheckedStructure>& structure) {
+  const auto truss = structure ? evidence::verified_structure(*structure) : statement.truss;
   std::vector<std::string> names;
   for (const auto member : members) {
-    const auto& bar = statement.truss.bars[member];
-    const auto name = [&](std::size_t node) {
-      return structure ? (*structure)->node_names[node] : statement.truss.names[node];
-    };
-    names.push_back(name(bar.first) + '-' + name(bar.second));
+    const auto& bar = truss.bars[member];
+    names.push_back(truss.names[bar.first] + '-' + truss.names[bar.second]);
   }
   return names;
 }
 
 // A statement without a load case is that of `limit --case`: it gets the name of the first case of
 // the file with its truss and loads. @throws support::InputError if limit analysis does not apply
-void name_case(const problems::CheckedStructure& structure, LossStatement& statement) {
+void name_case(const problems::CheckedStructure& structure, const Eigen::VectorXd& residual,
+               LossStatement& statement) {
   if (!statement.load_case.empty()) return;
   for (const auto& name : problems::load_cases(structure)) {
     const auto of_case = problems::in_chosen_case(structure, name);
     problems::limit_problem(of_case);
-    if (verify::LossClaim(statement, evidence::verified_structure(of_case)).difference()) continue;
+    auto truss = evidence::verified_structure(of_case);
+    if (statement.residual && set_residual(truss, residual)) return;
+    if (verify::LossClaim(statement, std::move(truss)).difference()) continue;
     statement.load_case = verify::on_one_line(name);
     return;
   }
@@ -152,6 +155,7 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
   if (structure) summary += cases_left_text(cases, **structure);
   std::size_t states = 0;
   for (const auto& statement : statements) states += statement.states.size();
+  if (states == 0) return summary;
   return summary + fmt::format("{} cover all losses\n", counted(states, "carrying stress state"));
 }
 
@@ -162,7 +166,7 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const Eigen::VectorXd& residual, const std::string& text) {
   auto statements = losses_in(text, options.certificate);
   for (auto& statement : statements) {
-    if (structure) name_case(*structure, statement);
+    if (structure) name_case(*structure, residual, statement);
   }
   const auto cases =
       static_cast<std::uint64_t>(std::ranges::count(statements, false, &LossStatement::residual));
@@ -172,7 +176,6 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
   const CertificateCheck::Loss none{.maximum = first.maximum,
                                     .cases = cases,
                                     .load_case = cases == 1 ? first.load_case : "",
-                                    .kept = names_of(first, first.kept, structure),
                                     .lower = std::numeric_limits<double>::infinity(),
                                     .upper = std::numeric_limits<double>::infinity()};
   std::array all{none, none};  // at strength, and at residual strength
@@ -188,6 +191,7 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
     if (refusals.empty()) add(statement, upper, structure, all[statement.residual ? 1 : 0]);
   }
   if (findings.check.refusals > 0) return findings;
+  for (auto& each : all) each.kept = names_of(first, first.kept, structure);
   findings.summary = summary_of(options, statements, structure);
   if (after_buckling > 0) {
     findings.summary += fmt::format(
@@ -195,10 +199,8 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
         loss_claim(all[0]), residual_strength(structure.has_value()), loss_claim(all[1]));
   }
   // The factor at strength bounds that of struts with a residual strength from outside only.
-  if (after_buckling > 0)
-    all[0].lower = all[1].lower;
-  else if (residual.size() > 0)
-    all[0].lower.reset();
+  all[0].struts = after_buckling > 0 || residual.size() > 0;
+  if (all[0].struts) all[0].lower = after_buckling > 0 ? all[1].lower : std::nullopt;
   findings.check.claim = std::move(all[0]);
   return findings;
 }

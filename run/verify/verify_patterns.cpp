@@ -178,7 +178,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     findings.check.claim = CertificateCheck::Example{.patterns = proved.feasible};
   else
     findings.check.claim = list_of(proved);
-  if (!run.session().speaks()) return findings;  // refusals are on rank 0
+  if (!run.session().is_first()) return findings;  // refusals are on rank 0
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {
     write_refusal(findings.refusals, options, certificate, found.solution);

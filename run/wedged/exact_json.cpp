@@ -7,13 +7,13 @@ nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
   return {{"scale_ratio", test.scale_ratio},
           {"done", test.done},
           {"refused", test.refused},
-          {"doubted", test.doubted},
+          {"doubted", test.closed_unproved},
           {"ties", test.unproved}};
 }
 
 std::optional<ExactDoubt> doubt_of(const wedged::ExactTest& test) {
   if (!test.is_open()) return std::nullopt;
-  return ExactDoubt{test.scale_ratio, test.unable, test.doubted + test.unproved};
+  return ExactDoubt{test.scale_ratio, test.unable, test.closed_unproved + test.unproved};
 }
 
 }  // namespace kusabi::run

@@ -7,9 +7,8 @@
 
 namespace kusabi::conic {
 
-/// Proved sign of t*: feasible (positive), infeasible (negative), or marginal
-/// (neither is proved).
-enum class Sign { feasible, infeasible, marginal };
+/// Proved sign of t*: feasible (positive), infeasible (negative), or unproved.
+enum class Sign { feasible, infeasible, unproved };
 
 /// Tolerances, in the scaled units of the compliance (mean diagonal of its normal block 1).
 struct Tolerances {
@@ -41,9 +40,9 @@ struct StopEarly {
 /// stated error of F.
 struct ConicResult {
   /// feasible: lower > tolerance; infeasible: upper < -tolerance, or the resolution if it is less;
-  /// otherwise marginal: degenerate if the bracket lies within [-tolerance, tolerance], numerically
+  /// otherwise unproved: degenerate if the bracket lies within [-tolerance, tolerance], numerically
   /// undecided if it does not.
-  Sign sign = Sign::marginal;
+  Sign sign = Sign::unproved;
   double lower = 0;    ///< minus infinity if nothing is proved
   double upper = 0;    ///< proved by multipliers(); minus infinity if R contains all candidates
   int iterations = 0;  ///< number of factorisations, at all precision levels
@@ -57,10 +56,10 @@ struct ConicResult {
 inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
   const double minimum = tolerances.min_resolved();
   if (answer.upper < -minimum) return Sign::infeasible;
-  return answer.lower > minimum ? Sign::feasible : Sign::marginal;
+  return answer.lower > minimum ? Sign::feasible : Sign::unproved;
 }
 
-/// True if the bracket of a marginal result lies within the tolerance.
+/// True if the bracket of a result with an unproved sign lies within the tolerance.
 inline bool is_within_tolerance(const ConicResult& answer, const Tolerances& tolerances) {
   return answer.upper <= tolerances.sign && answer.lower >= -tolerances.sign;
 }
@@ -84,7 +83,7 @@ inline bool is_settled(const ConicResult& answer, StopEarly stop, const Toleranc
       answer.upper - answer.lower <= stop.width)
     return true;
   const Sign sign = sign_of(answer, tolerances);
-  if (sign == Sign::marginal) return false;
+  if (sign == Sign::unproved) return false;
   if (sign == Sign::infeasible ? stop.when_infeasible : stop.when_feasible) return true;
   const double size = std::max(std::abs(answer.upper), std::abs(answer.lower));
   if (!std::isfinite(size)) return false;

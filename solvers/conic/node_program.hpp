@@ -100,9 +100,8 @@ class NodeProgram {
   /// u_n is free.
   /// @param cuts at most one per candidate, which is not ignored and has one cone
   /// @param lifted candidates that are omitted from the rows, since a motion opens them
-  /// @throws std::invalid_argument if the sets overlap or contain a candidate that does not exist,
-  ///     or
-  ///   there is no room for the cuts
+  /// @throws std::invalid_argument if the sets overlap, if they contain a candidate that does not
+  ///         exist, or if there is no room for the cuts
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
               const support::IndexSet& ignored = {}, std::span<const Cut> cuts = {},
               const support::IndexSet& lifted = {});

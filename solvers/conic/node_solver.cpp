@@ -120,7 +120,7 @@ ConicResult NodeSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& 
 
 // Both bounds improve monotonically, so an early stop and a full run cannot disagree on a sign.
 template <int D, class Real>
-void NodeSolver<D, Real>::sink_upper(ConicResult& answer) {
+void NodeSolver<D, Real>::decrease_upper(ConicResult& answer) {
   if (program_.motions().count() > 0) return take_equilibrated(answer, iteration_.multipliers());
   const Real value = program_.level(iteration_.dual_value(program_));
   if (!(value < best_value_)) return;

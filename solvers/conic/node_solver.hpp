@@ -60,8 +60,8 @@ class NodeSolver {
   /// Allocates room for cuts; initially there is none.
   void make_room(int max_cuts);
 
-  /// Sets the stop test: solve() then throws support::Stopped soon after it becomes true. Only
-  /// programs with many rows ask, once an iteration.
+  /// Sets the stop test: solve() then throws support::Stopped soon after it becomes true. It is
+  /// evaluated once an iteration, in programs with many rows only.
   void end_when(support::Stop stop) { stop_ = std::move(stop); }
 
   /// Sets mu for the next calls of solve(). See NodeProgram.
@@ -126,7 +126,7 @@ class NodeSolver {
   template <class Ends>
   bool iterate(ConicResult& answer, Keep keep, Ends ends);
   void raise_lower(ConicResult& answer, Keep keep);
-  void sink_upper(ConicResult& answer);
+  void decrease_upper(ConicResult& answer);
   void prove_upper(ConicResult& answer);
   void take_multipliers(ConicResult& answer, const Vector& y);
   void take_equilibrated(ConicResult& answer, const Vector& y);
@@ -172,7 +172,7 @@ template <class Ends>
 bool NodeSolver<D, Real>::iterate(ConicResult& answer, Keep keep, Ends ends) {
   const int maximum = extended<Real> ? max_extended_iterations : tolerances_.iterations;
   for (int iteration = 0;; ++iteration) {
-    sink_upper(answer);
+    decrease_upper(answer);
     if (ends(ExaminedBound::upper) || iteration == maximum) return true;
     ++answer.iterations;
     if (extended<Real> || program_.rows() >= rows_that_take_long) support::leave_if(stop_);

@@ -298,7 +298,7 @@ class MpsReader {
                "all of a column together");
       }
       content_.columns.push_back(
-          {.name = std::string(name), .whole = in_integers_, .line = line_.number});
+          {.name = std::string(name), .is_integer = in_integers_, .line = line_.number});
     }
     const int column = static_cast<int>(content_.columns.size()) - 1;
     for (const auto& [row_name, word] : pairs) {
@@ -406,7 +406,7 @@ class MpsReader {
   }
 
   void bound(MpsColumn& column, std::string_view type, double value) {
-    if (type == "LI" || type == "UI" || type == "BV") column.whole = true;
+    if (type == "LI" || type == "UI" || type == "BV") column.is_integer = true;
     if (type == "UP" || type == "UI") {
       set_upper(column, value);
       if (value < 0 && !column.lower_given) {

@@ -23,7 +23,7 @@ std::size_t objective_of(const MpsContent& content, const std::string& file,
   }
   if (content.objective_name) {
     refuse_line(file, last_line,
-                fmt::format("OBJNAME says {}, which is not a row of type N",
+                fmt::format("OBJNAME names {}, which is not a row of type N",
                             in_quotes(*content.objective_name)),
                 "one of ROWS");
   }
@@ -31,7 +31,7 @@ std::size_t objective_of(const MpsContent& content, const std::string& file,
 }
 
 bool is_binary(const MpsColumn& column, const std::string& file) {
-  if (!column.whole) return false;
+  if (!column.is_integer) return false;
   if (column.lower >= 0 && column.upper <= 1) return true;
   if (column.lower == column.upper && std::floor(column.lower) == column.lower) return false;
   refuse_line(file, column.line,
@@ -84,7 +84,7 @@ ProgramFile program_of(MpsContent content, const std::string& file, std::size_t 
                               in_quotes(column.name), column.lower, column.upper),
                   "a lower bound that is not above the upper one");
     }
-    if (column.whole && !column.lower_given && !column.upper_given) {
+    if (column.is_integer && !column.lower_given && !column.upper_given) {
       refuse_line(file, column.line,
                   fmt::format("integer column {} has no bounds, which some readers take for 0 to 1 "
                               "and others for none",

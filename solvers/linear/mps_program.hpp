@@ -24,7 +24,7 @@ struct MpsRow {
 /// A column, with its bounds.
 struct MpsColumn {
   std::string name;
-  bool whole = false;
+  bool is_integer = false;
   double lower = 0;
   double upper = infinity;
   bool lower_given = false;
@@ -47,8 +47,8 @@ struct MpsContent {
                               std::string_view expected);
 
 /// The program of a file. @param file its name in messages  @param last_line its number of lines
-/// @throws support::InputError if there is no objective, or a column has no value or is a general
-/// integer
+/// @throws support::InputError if there is no objective, if the bounds of a column contradict each
+///         other, or if an integer column has no bounds or is not binary
 ProgramFile program_of(MpsContent content, const std::string& file, std::size_t last_line);
 
 }  // namespace kusabi::linear

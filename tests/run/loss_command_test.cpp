@@ -338,6 +338,38 @@ TEST_F(LossCommand, DoesNotPassStrutsThatCarryTheLoadBeforeBucklingOnly) {
   EXPECT_THAT(swept.output, HasSubstr("has members with `residual`"));
 }
 
+TEST_F(LossCommand, VerifiesStrutsOfAChosenCase) {
+  std::ofstream(in_folder("two.toml")) << tie_and_strut();
+  const auto run = shell(command + " limit " + argument("two.toml") +
+                         " --case push --lose 1 --keep a-b --certificate " + argument("cert"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto verify = command + " verify " + argument("cert") + " --problem ";
+  const auto proved = shell(verify + argument("two.toml"));
+  EXPECT_EQ(proved.exit_code, 0) << proved.output;
+  EXPECT_THAT(proved.output, HasSubstr("in load case \"push\""));
+  std::ofstream(in_folder("bar.toml")) << R"(name = "bar"
+dimension = 2
+[nodes]
+a = [0, 0]
+b = [1, 0]
+[[members]]
+yield = 1
+between = [["a", "b"]]
+[[supports]]
+nodes = ["a"]
+[[supports]]
+nodes = ["b"]
+fixed = ["y"]
+[[loads]]
+kind = "reference"
+nodes = ["b"]
+force = [1, 0]
+)";
+  const auto refused = shell(verify + argument("bar.toml"));
+  EXPECT_EQ(refused.exit_code, 1) << refused.output;
+  EXPECT_THAT(refused.output, HasSubstr("refused"));
+}
+
 // Without the claim of the second case the factor of the first one would be that of both.
 TEST_F(LossCommand, RefusesResidualClaimsOfSomeCasesAfterALoss) {
   std::ofstream(in_folder("two.toml")) << tie_and_strut();

@@ -73,7 +73,7 @@ TEST(Bounds, AreValidForEveryStiffnessWithinTheRadius) {
     stiffness.radius = Dyadic(radius);
     Proof proof(certificate, stiffness);
     EXPECT_EQ(proof.add_bound(certificate.bounds[0]), std::nullopt);
-    return proof.judgement(certificate.records[0]).refusal.has_value();
+    return proof.proof_result(certificate.records[0]).refusal.has_value();
   };
   for (const double near : {1e-3, 1e-9}) {
     EXPECT_FALSE(refused(2 - near, 0));

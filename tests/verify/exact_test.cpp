@@ -86,7 +86,7 @@ TEST(EnclosedSum, IsNotBelowTheExactSumAndHardlyAbove) {
       sum.add({1}, -nearest);
       expected.add_product(Dyadic(1.0), -nearest);
     }
-    const auto above = sum.size_above();
+    const auto above = sum.magnitude_above();
     if (last == 2 && !above) continue;
     ASSERT_TRUE(above);
     EXPECT_FALSE(Dyadic(*above) < absolute(expected) + errors);
@@ -98,18 +98,18 @@ TEST(EnclosedSum, IsNotBelowTheExactSumAndHardlyAbove) {
 TEST(EnclosedSum, CountsTheErrorOfAZero) {
   EnclosedSum sum;
   sum.add(TwoDoubles::of({}, Dyadic(1e-3)), 2);
-  EXPECT_FALSE(sum.size_above());
+  EXPECT_FALSE(sum.magnitude_above());
   sum.add({1}, 1);
-  EXPECT_GE(sum.size_above().value_or(0), 1.002);
+  EXPECT_GE(sum.magnitude_above().value_or(0), 1.002);
 }
 
 TEST(EnclosedSum, HasNoBoundIfItMayBeZero) {
   EnclosedSum sum;
-  EXPECT_EQ(sum.size_above(), 0.0);
+  EXPECT_EQ(sum.magnitude_above(), 0.0);
   const auto third = TwoDoubles::of(Dyadic(1.0 / 3), {});
   sum.add(third, 3);
   sum.add(third, -3);
-  EXPECT_FALSE(sum.size_above());
+  EXPECT_FALSE(sum.magnitude_above());
 }
 
 TEST(Dyadic, RootIsATightUpperBound) {

@@ -226,6 +226,26 @@ TEST(LimitCertificate, RoundsABoundBeyondAllDoublesToInfinity) {
   EXPECT_EQ(rounded_up(std::get<mpq_class>(upper)), std::numeric_limits<double>::infinity());
 }
 
+// Expects that bounds proved for truss() with alpha = 1/2, if any, contain its factor 1/2.
+void expect_no_false_claim(const LimitCertificate& certificate) {
+  auto structure = truss();
+  structure.uncertain = {{{2, 0, 1}}};
+  const auto found = limit_consistency(certificate, structure);
+  const auto* const meant = std::get_if<LimitTruss>(&found);
+  if (meant == nullptr || certificate.alpha != evidence().alpha) return;
+  const LimitProof proof(certificate, *meant);
+  const auto upper = proof.upper();
+  if (const auto* value = std::get_if<mpq_class>(&upper)) EXPECT_GE(*value, mpq_class(0.5));
+  if (flaw_of_sign_cover(certificate)) return;
+  bool is_below = false;  // the least bound of all nodes, or one without a bound
+  for (const auto& node : certificate.nodes) {
+    const auto lower = proof.lower(node);
+    const auto* const value = std::get_if<mpq_class>(&lower);
+    is_below = is_below || value == nullptr || *value <= mpq_class(0.5);
+  }
+  EXPECT_TRUE(is_below);
+}
+
 TEST(LimitCertificate, NoAlterationProvesAFalseClaim) {
   const auto text = text_of(evidence());
   std::mt19937_64 generator(5);
@@ -265,6 +285,7 @@ TEST(LimitCertificate, NoAlterationProvesAFalseClaim) {
         const auto lower = proof.lower(node);
         if (const auto* value = std::get_if<mpq_class>(&lower)) rounded_down(*value);
       }
+      expect_no_false_claim(certificate);
     } catch (const CertificateError& error) {
       EXPECT_THAT(error.what(), HasSubstr("cert"));
     }

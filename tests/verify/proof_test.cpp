@@ -176,7 +176,7 @@ TEST(Proof, IsValidForEveryStiffnessWithinTheRadius) {
     const Proof proof(certificate, stiffness);
     EXPECT_TRUE(proof.min_eigenvalue());
     EXPECT_LE(proof.min_eigenvalue()->nearest(), 1 - radius);
-    return proof.judgement(certificate.records[0]).refusal.has_value();
+    return proof.proof_result(certificate.records[0]).refusal.has_value();
   };
   const std::string feasible = "alive 1 1 0 0x1p+1\n";
   const std::string infeasible = "dead 1 1 0 -0x1p+0\n";

@@ -119,7 +119,7 @@ TEST(ReferenceBounds, AreProvedAndValid) {
       }
     }
     for (const auto& record : problem.certificate.records)
-      EXPECT_EQ(proof.judgement(record).refusal, std::nullopt);
+      EXPECT_EQ(proof.proof_result(record).refusal, std::nullopt);
   }
 }
 
@@ -208,13 +208,13 @@ TEST(ReferenceBounds, AreRequiredToProveNodesByCuts) {
     for (const auto& bound : problem.certificate.bounds)
       ASSERT_EQ(all.add_bound(bound), std::nullopt);
     for (auto record : problem.certificate.records) {
-      EXPECT_TRUE(none.judgement(record).refusal);
+      EXPECT_TRUE(none.proof_result(record).refusal);
       auto negative = record;
       for (auto& number : negative.numbers) number = -number;
-      EXPECT_TRUE(all.judgement(negative).refusal);
+      EXPECT_TRUE(all.proof_result(negative).refusal);
       record.claim = Claim::infeasible;
       record.numbers.resize(problem.certificate.candidates());
-      EXPECT_TRUE(all.judgement(record).refusal);
+      EXPECT_TRUE(all.proof_result(record).refusal);
     }
   }
 }

@@ -141,7 +141,7 @@ TEST(RoundedNormals, AdmitNoProofOfInfeasibilityOfAWedgedNode) {
       record.contact = leaf.contact;
       record.separated = leaf.separated;
       for (int candidate = 0; candidate < 10; candidate += 3) {
-        EXPECT_TRUE(proof.judgement(record).refusal.has_value());
+        EXPECT_TRUE(proof.proof_result(record).refusal.has_value());
         ++tried;
         const auto one = support::IndexSet::single(candidate);
         record.contact -= one;
@@ -167,7 +167,7 @@ TEST(RoundedNormals, OfAConeAdmitAProofThatAPlugWedges) {
   const auto refused = [&] {
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& record : certificate.records) {
-      if (record.claim == Claim::feasible && !proof.judgement(record).refusal) return false;
+      if (record.claim == Claim::feasible && !proof.proof_result(record).refusal) return false;
     }
     return true;
   };

@@ -195,15 +195,15 @@ Verdict verdict(const std::string& text, const Structure* structure) {
     }
   }
   for (const auto& record : certificate.records) {
-    const auto judgement = proof.judgement(record);
-    if (judgement.except_large_displacements) ++result.except_large_displacements;
-    if (judgement.unloaded) ++result.unloaded;
-    if (judgement.refusal) {
-      result.refusals.push_back(*judgement.refusal);
+    const auto proof_result = proof.proof_result(record);
+    if (proof_result.except_large_displacements) ++result.except_large_displacements;
+    if (proof_result.unloaded) ++result.unloaded;
+    if (proof_result.refusal) {
+      result.refusals.push_back(*proof_result.refusal);
     } else if (record.claim == Claim::feasible) {
       result.feasible.insert(record.contact);
     } else {
-      ++(record.claim == Claim::marginal ? result.marginal : result.infeasible);
+      ++(record.claim == Claim::none ? result.marginal : result.infeasible);
     }
   }
   if (auto flaw = flaw_of_cover(certificate)) result.refusals.push_back(*flaw);

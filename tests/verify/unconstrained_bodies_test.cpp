@@ -321,7 +321,7 @@ TEST(UnconstrainedTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
         record.contact = leaf.contact;
         record.separated = leaf.separated;
         for (const int candidate : certificate.all_candidates()) {
-          EXPECT_TRUE(proof.judgement(record).refusal.has_value());
+          EXPECT_TRUE(proof.proof_result(record).refusal.has_value());
           ++tried;
           const auto one = support::IndexSet::single(candidate);
           record.contact -= one;
@@ -370,10 +370,10 @@ normal = [0, 0, 1]
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   for (auto& record : certificate.records) {
     if (record.claim != Claim::feasible) continue;
-    record.claim = Claim::marginal;
-    EXPECT_FALSE(proof.judgement(record).unloaded);
+    record.claim = Claim::none;
+    EXPECT_FALSE(proof.proof_result(record).unloaded);
     record.separated = {};  // the third has no reaction, but it is not in U
-    EXPECT_FALSE(proof.judgement(record).unloaded);
+    EXPECT_FALSE(proof.proof_result(record).unloaded);
   }
 }
 

@@ -26,6 +26,7 @@ struct TwoDoubles {
   }
 };
 
+/// A sum of products, computed in double precision with a running correction.
 class EnclosedSum {
  public:
   /// Adds a * b.
@@ -41,8 +42,8 @@ class EnclosedSum {
     ++terms_;
   }
 
-  /// Upper bound of the size of the sum; nothing if the sum of the middles may be zero.
-  [[nodiscard]] std::optional<double> size_above() const {
+  /// Upper bound of |sum|; nothing if the computed sum cannot be distinguished from zero.
+  [[nodiscard]] std::optional<double> magnitude_above() const {
     if (terms_ == 0) return 0;
     // A term has four roundings of numbers below (n + 4) 2^-53 times the size, n the number of
     // terms. Underflow is far below this bound for the minimum size.
@@ -57,7 +58,7 @@ class EnclosedSum {
  private:
   double sum_ = 0;
   double low_ = 0;
-  double size_ = 0;   // sum of the sizes
+  double size_ = 0;   // sum of the magnitudes of the products
   double error_ = 0;  // of the factors
   std::size_t terms_ = 0;
 };

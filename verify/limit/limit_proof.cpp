@@ -98,7 +98,7 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
 Sparse LimitProof::defect_of(const LimitCut& cut, std::span<const EnclosedSum> sums) const {
   Sparse sizes;
   for (std::size_t e = 0; e < sums.size(); ++e) {
-    const auto size = sums[e].size_above();
+    const auto size = sums[e].magnitude_above();
     if (!size) return exact_defect_of(cut);
     if (*size != 0) sizes.emplace_back(e, *size);
   }
@@ -210,7 +210,7 @@ std::vector<Dyadic> without_elongations(std::vector<Dyadic> motion,
 // exactly and, if requested, the reference load does no work. A large yield force, which stands for
 // an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
 // is computed exactly.
-std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
+std::vector<Dyadic> LimitProof::corrected_motion(bool without_work) const {
   std::vector<Dyadic> motion;
   double largest = 0;
   for (const double u : certificate_.motion) {
@@ -254,7 +254,7 @@ bool LimitProof::load_is_admissible() const {
 
 std::variant<mpq_class, std::string> LimitProof::upper() const {
   if (!load_is_admissible()) return "the load is outside of its bounds";
-  const auto u = still_motion(false);
+  const auto u = corrected_motion(false);
   Dyadic work;        // of f_R
   Dyadic work_error;  // of the work
   Dyadic value;
@@ -370,7 +370,7 @@ bool LimitProof::shows_no_factor() const {
     return false;
   }
   std::vector<mpq_class> motion;
-  for (const auto& u : still_motion(true)) motion.push_back(u.rational());
+  for (const auto& u : corrected_motion(true)) motion.push_back(u.rational());
   const auto largest = std::ranges::max_element(certificate_.reference, {},
                                                 [](double value) { return std::abs(value); });
   const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());

@@ -65,7 +65,7 @@ class LimitProof {
   [[nodiscard]] std::optional<std::string> yielding(const LimitNode& node,
                                                     const std::vector<Dyadic>& taken,
                                                     const std::vector<double>& defects) const;
-  [[nodiscard]] std::vector<Dyadic> still_motion(bool without_work) const;
+  [[nodiscard]] std::vector<Dyadic> corrected_motion(bool without_work) const;
   [[nodiscard]] bool load_is_admissible() const;
   [[nodiscard]] std::string name_of(std::size_t member) const;
 

@@ -110,10 +110,10 @@ Frame frame(const ContactPoint& point, std::size_t dimension) {
   if (dimension == 2 && !point.tangent) return {n, {n[1], -n[0]}};
   Vector axis{};
   axis[point.tangent_axis] = 1;
-  const auto wish = components(point.tangent.value_or(axis), dimension);
-  const auto along = dot(n, wish);
+  const auto unprojected = components(point.tangent.value_or(axis), dimension);
+  const auto along = dot(n, unprojected);
   Components across;
-  for (std::size_t k = 0; k < dimension; ++k) across.push_back(wish[k] - along * n[k]);
+  for (std::size_t k = 0; k < dimension; ++k) across.push_back(unprojected[k] - along * n[k]);
   const auto t = normalised(across);
   if (dimension == 2) return {n, t};
   return {n, t, {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};

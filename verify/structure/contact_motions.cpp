@@ -25,17 +25,18 @@ std::vector<std::vector<Number>> directions(const ContactPoint& point, std::size
   Components n;
   Vector axis{};
   axis[point.tangent_axis] = 1;
-  const Vector wish = point.tangent.value_or(axis);
+  const Vector unprojected = point.tangent.value_or(axis);
   Number square(0.0);
   Number along(0.0);
   for (std::size_t k = 0; k < d; ++k) {
     n.emplace_back(point.normal[k]);
     square = Number(square + n[k] * n[k]);
-    along = Number(along + n[k] * Number(wish[k]));
+    along = Number(along + n[k] * Number(unprojected[k]));
   }
   if (d == 2 && !point.tangent) return {n, {n[1], Number(-n[0])}};
   Components t;
-  for (std::size_t k = 0; k < d; ++k) t.push_back(Number(square * Number(wish[k]) - along * n[k]));
+  for (std::size_t k = 0; k < d; ++k)
+    t.push_back(Number(square * Number(unprojected[k]) - along * n[k]));
   if (d == 2) return {n, t};
   Components last;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -39,7 +39,7 @@ class RegularisedStiffness {
   [[nodiscard]] const std::vector<std::size_t>& springs() const { return springs_; }
 
   /// Upper bound of the Frobenius norm of every regularised K.
-  [[nodiscard]] const Dyadic& size() const { return size_; }
+  [[nodiscard]] const Dyadic& norm() const { return size_; }
 
   /// Checks an approximate solution x, given a product K x and a bound `off` of its error for all K
   /// within the enclosure. @return the fault; nothing if x is accurate enough for the proof

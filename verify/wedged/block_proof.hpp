@@ -60,7 +60,7 @@ struct ContactBlock {
 inline constexpr double largest_displacement_ratio = 0x1p20;
 
 /// The result of the check of a claim.
-struct Judgement {
+struct ProofResult {
   std::optional<std::string> refusal{};     ///< reason why it is not proved; nothing if it is
   bool except_large_displacements = false;  ///< proved for all others only
   /// Of an undecided node: its configurations are proved to be those of nodes with fewer contacts.
@@ -81,28 +81,28 @@ class BlockProof {
   /// Proves that no configuration is wedged below the node (U, R).
   /// @param numbers m multipliers, and p coefficients of the mean motion of w
   /// @pre min_eigenvalue()
-  [[nodiscard]] Judgement judge_infeasible(const support::IndexSet& contact,
-                                           const support::IndexSet& separated,
-                                           std::span<const double> numbers) const;
+  [[nodiscard]] ProofResult prove_infeasible(const support::IndexSet& contact,
+                                             const support::IndexSet& separated,
+                                             std::span<const double> numbers) const;
 
   /// The same with the cuts of all added bounds.
-  /// @param numbers those of judge_infeasible(), then m multipliers of cuts
+  /// @param numbers those of prove_infeasible(), then m multipliers of cuts
   /// @pre min_eigenvalue()
-  [[nodiscard]] Judgement judge_cut(const support::IndexSet& contact,
-                                    const support::IndexSet& separated,
-                                    std::span<const double> numbers) const;
+  [[nodiscard]] ProofResult prove_by_cuts(const support::IndexSet& contact,
+                                          const support::IndexSet& separated,
+                                          std::span<const double> numbers) const;
 
   /// Proves that no configuration of the block is wedged, by a quadratic form.
   /// @param numbers m^2 multipliers of products, (d - 1) m^2 of slips, m of squares and, with
   ///        motions, m^2 of products of displacements
   /// @pre min_eigenvalue()
-  [[nodiscard]] Judgement judge_form(std::span<const double> numbers) const;
+  [[nodiscard]] ProofResult prove_by_form(std::span<const double> numbers) const;
 
-  /// Proves a bound of a candidate, or that it is never on a side, with the cuts of the bounds
-  /// added before, and adds it. @return the reason if it is not proved
-  /// @param maximum bound of r_n (contact) or u_n (separated) over sum_k r_nk; nothing: none, it is
-  ///        never on this side
-  /// @param numbers those of judge_cut(), and with `maximum` the multiplier of its opposite
+  /// Proves a bound of a candidate, or that it is never in contact (never separated), with the cuts
+  /// of the bounds added before, and adds it. @return the reason if it is not proved
+  /// @param maximum bound of r_n (side: contact) or u_n (separated) over sum_k r_nk; nothing: no
+  ///        configuration has the candidate on this side
+  /// @param numbers those of prove_by_cuts(), and with `maximum` the multiplier of its opposite
   /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> add_bound(std::size_t candidate, Side side,
                                                      const std::optional<double>& maximum,
@@ -122,14 +122,14 @@ class BlockProof {
 
   /// Proves that below the node (U, R) there is no wedged configuration, and no state under any
   /// combination of the loads with amounts >= 0 of which one is positive.
-  /// @param numbers those of judge_infeasible()
+  /// @param numbers those of prove_infeasible()
   /// @param grip a restriction of the states; nothing: all states
   /// @pre min_eigenvalue(), loads
-  [[nodiscard]] Judgement judge_unheld(const support::IndexSet& contact,
-                                       const support::IndexSet& separated,
-                                       std::span<const LoadShare> shares,
-                                       std::span<const double> numbers,
-                                       const std::optional<GripTerm>& grip = {}) const;
+  [[nodiscard]] ProofResult prove_no_state(const support::IndexSet& contact,
+                                           const support::IndexSet& separated,
+                                           std::span<const LoadShare> shares,
+                                           std::span<const double> numbers,
+                                           const std::optional<GripTerm>& grip = {}) const;
 
   /// Bounds of the sum of the normal reactions of a state.
   struct Grip {
@@ -244,8 +244,8 @@ class BlockProof {
                                                 const Dyadic& w_error, const std::vector<Dyadic>& y,
                                                 const Dyadic& y_error) const;
   // Proves that no configuration satisfies the inequalities, with all proved bounds.
-  [[nodiscard]] Judgement judge(const Combination& combination) const;
-  [[nodiscard]] Judgement judge_with_bounds(Combination combination) const;
+  [[nodiscard]] ProofResult prove(const Combination& combination) const;
+  [[nodiscard]] ProofResult prove_with_bounds(Combination combination) const;
   // Coefficients of u_nk besides the multipliers, and of r besides w.
   [[nodiscard]] Dyadic displacement_share(const Combination& combination, std::size_t k) const;
   [[nodiscard]] DyadicList reaction_shares(const Combination& combination) const;
@@ -282,7 +282,7 @@ class BlockProof {
   [[nodiscard]] std::optional<Dyadic> carried_by_springs(const std::vector<Rationals>& rows,
                                                          const Rationals& forces) const;
   [[nodiscard]] ApproximateList along_normals(const Rationals& forces) const;
-  [[nodiscard]] Judgement judge_unconstrained(const Combination& combination) const;
+  [[nodiscard]] ProofResult prove_unconstrained(const Combination& combination) const;
   [[nodiscard]] std::optional<std::string> check_unconstrained(
       const Combination& combination, const Multipliers& y, const std::vector<double>& mean,
       const DyadicList& w, const DyadicList& nu, const Dyadic& off) const;

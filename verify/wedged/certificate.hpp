@@ -18,7 +18,7 @@ namespace kusabi::verify {
 enum class Claim {
   infeasible,  ///< no wedged configuration below it
   feasible,    ///< a leaf: a configuration satisfies all inequalities strictly
-  marginal,    ///< undecided: no statement
+  none,        ///< no statement; "marginal" in the file
   form,        ///< nothing is wedged in the block: a quadratic form is negative definite
   cut,         ///< infeasible by the cuts that follow from bounds of candidates
 };
@@ -54,7 +54,7 @@ struct CandidateBound {
 /// A closed node: one line of the file.
 struct Record {
   std::size_t line = 0;  ///< of the file, the first being 1
-  Claim claim = Claim::marginal;
+  Claim claim = Claim::none;
   std::size_t block = 0;        ///< block of the node, counted from 0
   support::IndexSet contact;    ///< U: u_n = 0
   support::IndexSet separated;  ///< R: r = 0

@@ -10,9 +10,9 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-Judgement BlockProof::judge_cut(const IndexSet& contact, const IndexSet& separated,
-                                std::span<const double> numbers) const {
-  return judge_with_bounds({.contact = contact,
+ProofResult BlockProof::prove_by_cuts(const IndexSet& contact, const IndexSet& separated,
+                                      std::span<const double> numbers) const {
+  return prove_with_bounds({.contact = contact,
                             .separated = separated,
                             .multipliers = numbers.first(candidates()),
                             .mean = numbers.subspan(candidates(), motions()),
@@ -38,9 +38,9 @@ std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side sid
     }
     combination.opposite = {candidate, side, Dyadic(theta), Dyadic(theta) * Dyadic(*maximum)};
   }
-  const auto judgement = judge_with_bounds(combination);
-  if (judgement.refusal) return judgement.refusal;
-  bounds_except_large_ = bounds_except_large_ || judgement.except_large_displacements;
+  const auto proof_result = prove_with_bounds(combination);
+  if (proof_result.refusal) return proof_result.refusal;
+  bounds_except_large_ = bounds_except_large_ || proof_result.except_large_displacements;
   if (maximum) {
     bounds_.limit(candidate, side, *maximum);
   } else {
@@ -49,7 +49,7 @@ std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side sid
   return {};
 }
 
-Judgement BlockProof::judge_with_bounds(Combination combination) const {
+ProofResult BlockProof::prove_with_bounds(Combination combination) const {
   const auto eta = combination.of_cuts;
   if (!all_finite(combination.multipliers) || !all_finite(combination.mean) || !all_finite(eta)) {
     return {"its numbers are too large to compute with"};
@@ -60,10 +60,10 @@ Judgement BlockProof::judge_with_bounds(Combination combination) const {
   combination.contact |= bounds_.in_contact();
   combination.separated |= bounds_.separated();
   // A candidate that must be on both sides excludes every configuration.
-  auto judgement =
-      combination.contact.meets(combination.separated) ? Judgement{} : judge(combination);
-  if (!judgement.refusal && bounds_except_large_) judgement.except_large_displacements = true;
-  return judgement;
+  auto proof_result =
+      combination.contact.meets(combination.separated) ? ProofResult{} : prove(combination);
+  if (!proof_result.refusal && bounds_except_large_) proof_result.except_large_displacements = true;
+  return proof_result;
 }
 
 // Coefficient of u_nk in the inequalities, beside nu_nk.

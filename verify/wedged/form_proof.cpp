@@ -48,7 +48,7 @@ std::optional<BlockProof::MotionsOfForm> BlockProof::motions_of_form(
 }
 
 // Proves that minus the form has a least eigenvalue larger than the effect of all errors.
-Judgement BlockProof::judge_form(std::span<const double> numbers) const {
+ProofResult BlockProof::prove_by_form(std::span<const double> numbers) const {
   const auto m = candidates();
   const auto d = block_.dimension;
   const auto form = parts_of_form(numbers, m, d);

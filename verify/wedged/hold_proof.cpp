@@ -68,7 +68,7 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
   if (loaded != 1) minimum_.reset();
 }
 
-Judgement HoldProof::judgement(const HoldNode& node) const {
+ProofResult HoldProof::proof_result(const HoldNode& node) const {
   const auto& tree = certificate_.trees[node.tree];
   const auto& block = certificate_.header.blocks[tree.block];
   std::span<const double> numbers = node.record.numbers;
@@ -81,9 +81,9 @@ Judgement HoldProof::judgement(const HoldNode& node) const {
       return {.refusal = "the multiplier of the sum has the wrong sign"};
     grip = GripTerm{tree.grip->total, multiplier};
   }
-  return blocks_[tree.block].judge_unheld(within(block, node.record.contact),
-                                          within(block, node.record.separated), tree.shares,
-                                          numbers, grip);
+  return blocks_[tree.block].prove_no_state(within(block, node.record.contact),
+                                            within(block, node.record.separated), tree.shares,
+                                            numbers, grip);
 }
 
 std::optional<std::string> HoldProof::refusal_of_unbalanced(LoadShare share) const {

@@ -52,7 +52,7 @@ class HoldProof {
   [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
   /// @pre min_eigenvalue()
-  [[nodiscard]] Judgement judgement(const HoldNode& node) const;
+  [[nodiscard]] ProofResult proof_result(const HoldNode& node) const;
   /// @return the reason if it is not proved @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> refusal(const HoldState& state) const;
 

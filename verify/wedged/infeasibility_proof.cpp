@@ -32,9 +32,9 @@ double not_below(const Dyadic& number) {
 
 }  // namespace
 
-Judgement BlockProof::judge_infeasible(const IndexSet& contact, const IndexSet& separated,
-                                       std::span<const double> numbers) const {
-  return judge({.contact = contact,
+ProofResult BlockProof::prove_infeasible(const IndexSet& contact, const IndexSet& separated,
+                                         std::span<const double> numbers) const {
+  return prove({.contact = contact,
                 .separated = separated,
                 .multipliers = numbers.first(candidates()),
                 .mean = numbers.subspan(candidates()),
@@ -42,14 +42,14 @@ Judgement BlockProof::judge_infeasible(const IndexSet& contact, const IndexSet& 
                 .opposite = {}});
 }
 
-Judgement BlockProof::judge(const Combination& combination) const {
+ProofResult BlockProof::prove(const Combination& combination) const {
   const bool unloaded = combination.separated == IndexSet::below(static_cast<int>(candidates()));
   if (unloaded && combination.loads.empty()) return {};  // r = 0 is the only solution
-  return motions() == 0 ? Judgement{refusal_of_constrained(combination)}
-                        : judge_unconstrained(combination);
+  return motions() == 0 ? ProofResult{refusal_of_constrained(combination)}
+                        : prove_unconstrained(combination);
 }
 
-Judgement BlockProof::judge_unconstrained(const Combination& combination) const {
+ProofResult BlockProof::prove_unconstrained(const Combination& combination) const {
   const auto mean = own_coefficients(combination.mean);
   const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
     if (!y) return not_in_equilibrium;

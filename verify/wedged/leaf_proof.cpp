@@ -161,9 +161,9 @@ std::optional<Dyadic> BlockProof::error_of_lift(const RegularisedStiffness& stif
                                                 const Dyadic& pressures) const {
   const auto& s = *stiffness.min_eigenvalue();
   const auto change = (leaf.lift * leaf.correction).scaled(1);
-  if (!(s > change * stiffness.size())) return {};
-  const auto gap = stiffness.size() * normal_size(shift, leaf.contact).scaled(1);
-  return gap + change * (pressures + quotient_above(stiffness.size() * gap, s));
+  if (!(s > change * stiffness.norm())) return {};
+  const auto gap = stiffness.norm() * normal_size(shift, leaf.contact).scaled(1);
+  return gap + change * (pressures + quotient_above(stiffness.norm() * gap, s));
 }
 
 std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness& stiffness,
@@ -178,7 +178,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
   }
   auto right_error = leaf.right_error;
   auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times the error of u
-  auto error = stiffness.size() * rest + s * unknown;            // s times the error of K u
+  auto error = stiffness.norm() * rest + s * unknown;            // s times the error of K u
   auto reaction = r;                                             // K u minus the load
   if (leaf.forces.size() > 0) {
     auto forces = leaf.forces;
@@ -195,7 +195,7 @@ std::optional<std::string> BlockProof::check_feasible(const RegularisedStiffness
     if (!lifted) return "its sliding modes displace the contacts along their normals by too much";
     right_error = right_error + *lifted;
     rest = rest + *lifted;
-    error = error + stiffness.size() * *lifted;
+    error = error + stiffness.norm() * *lifted;
     off = s * shift.error;
     moved += std::move(shift.values);
   }

@@ -32,10 +32,10 @@ BlockProof::ActingLoad BlockProof::acting(LoadShare share) const {
   return load;
 }
 
-Judgement BlockProof::judge_unheld(const IndexSet& contact, const IndexSet& separated,
-                                   std::span<const LoadShare> shares,
-                                   std::span<const double> numbers,
-                                   const std::optional<GripTerm>& grip) const {
+ProofResult BlockProof::prove_no_state(const IndexSet& contact, const IndexSet& separated,
+                                       std::span<const LoadShare> shares,
+                                       std::span<const double> numbers,
+                                       const std::optional<GripTerm>& grip) const {
   Combination combination{.contact = contact,
                           .separated = separated,
                           .multipliers = numbers.first(candidates()),
@@ -44,7 +44,7 @@ Judgement BlockProof::judge_unheld(const IndexSet& contact, const IndexSet& sepa
                           .opposite = {}};
   for (const auto& share : shares) combination.loads.push_back(acting(share));
   combination.grip = grip;
-  return judge(combination);
+  return prove(combination);
 }
 
 // L_j = w'f_j + sum_k y_k g_jk, minus the share of the grip.

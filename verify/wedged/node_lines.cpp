@@ -23,7 +23,7 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   record.separated = lines.set(sets);
   const auto known = record.contact | record.separated;
   if (record.contact.meets(record.separated) || !block.includes(known)) lines.refuse(sets);
-  const bool leaf = claim == Claim::feasible || (claim == Claim::marginal && !version.names_blocks);
+  const bool leaf = claim == Claim::feasible || (claim == Claim::none && !version.names_blocks);
   if (leaf && known != block) {
     lines.refuse("a leaf: every contact candidate in one of the two sets");
   }
@@ -48,7 +48,7 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
           (certificate.dimension - 1) * touching + moving, record.numbers,
           moving > 0 ? "tangential reactions and parts of motions" : "tangential reactions");
       break;
-    case Claim::marginal:
+    case Claim::none:
       lines.numbers(0, record.numbers, "numbers");
       break;
   }
@@ -116,7 +116,7 @@ void read_records(Lines& lines, Version version, Certificate& certificate) {
       }
       break;
     }
-    std::vector<Claim> claims{Claim::infeasible, Claim::feasible, Claim::marginal};
+    std::vector<Claim> claims{Claim::infeasible, Claim::feasible, Claim::none};
     if (version.has_bounds) claims.insert(claims.end(), {Claim::cut, Claim::form});
     const auto claim = std::find_if(claims.begin(), claims.end(),
                                     [&](Claim one) { return keyword == claim_name(one); });

@@ -98,18 +98,18 @@ std::optional<std::string> Proof::add_bound(const CandidateBound& bound) {
                                         bound.numbers);
 }
 
-Judgement Proof::judgement(const Record& record) const {
+ProofResult Proof::proof_result(const Record& record) const {
   const auto& block = certificate_.blocks[record.block];
   const auto contact = within(block, record.contact);
   const auto separated = within(block, record.separated);
   const auto& proof = blocks_[record.block];
   switch (record.claim) {
     case Claim::infeasible:
-      return proof.judge_infeasible(contact, separated, record.numbers);
+      return proof.prove_infeasible(contact, separated, record.numbers);
     case Claim::cut:
-      return proof.judge_cut(contact, separated, record.numbers);
+      return proof.prove_by_cuts(contact, separated, record.numbers);
     case Claim::form:
-      return proof.judge_form(record.numbers);
+      return proof.prove_by_form(record.numbers);
     case Claim::feasible:
       return {proof.refusal_of_feasible(contact, separated, record.numbers)};
     default:

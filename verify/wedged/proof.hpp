@@ -32,7 +32,7 @@ class Proof {
   /// proved then.
   [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
-  /// Proves a bound with those added before, and adds it for all later judgements. @return the
+  /// Proves a bound with those added before, and adds it for all later proofs. @return the
   /// reason if it is not proved
   /// @param bound with as many numbers as its claim requires, its candidate in its block
   /// @pre min_eigenvalue()
@@ -40,7 +40,7 @@ class Proof {
 
   /// Checks the claim on a node. A node without a claim is not refused.
   /// @pre min_eigenvalue()
-  [[nodiscard]] Judgement judgement(const Record& record) const;
+  [[nodiscard]] ProofResult proof_result(const Record& record) const;
 
  private:
   const Certificate& certificate_;

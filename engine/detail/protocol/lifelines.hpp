@@ -41,9 +41,9 @@ class Lifelines {
     }
   }
 
-  /// True if all lifelines know that this rank waits.
+  /// True if this rank is registered with all its lifelines.
   [[nodiscard]] bool all_aware() const { return aware_ == neighbours_.size(); }
-  /// Number of those that know.
+  /// Number of lifelines with which it is registered.
   [[nodiscard]] std::size_t aware() const { return aware_; }
 
   /// True if a lifeline has not answered yet.
@@ -54,7 +54,8 @@ class Lifelines {
     });
   }
 
-  /// A lifeline to ask, if there is one that neither was asked nor knows.
+  /// The next lifeline to ask: the first with which this rank is not registered and that has no
+  /// request of it; nothing if there is none.
   std::optional<int> ask_next() {
     for (auto& neighbour : neighbours_) {
       if (neighbour.state != State::unaware) continue;

@@ -34,7 +34,7 @@ struct LossParameters {
 
 struct LimitParameters {
   /// Half-width of the uncertain loads, relative to those of the columns of T
-  /// (`problems::settle_half_widths`); nothing: nominal only.
+  /// (`problems::set_half_widths`); nothing: nominal only.
   std::optional<double> alpha{};
   LimitMethod method = LimitMethod::static_cuts;
   std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived

@@ -27,7 +27,7 @@ BoundDecisions::BoundDecisions(engine::Analysis& analysis,
       recorder_(recorder),
       costs_(costs),
       badly_scaled_(problem.modes.matrix.cols() > 0 &&
-                    problems::scale_ratio(structure, problem) > wide_scales) {}
+                    problems::scale_ratio(structure, problem) > max_safe_scale_ratio) {}
 
 bool BoundDecisions::enclose() {
   if (!stiffness_) stiffness_ = enclosed_within(analysis_, structure_, enclosed_stiffness);
@@ -54,7 +54,7 @@ std::shared_ptr<const EvidenceCheck> BoundDecisions::check(
 BoundDecisions::Test BoundDecisions::test(std::shared_ptr<const EvidenceCheck> check) const {
   return [badly_scaled = badly_scaled_, check = std::move(check)](const Evidence& evidence) {
     return check ? check->holds(evidence)
-                 : !badly_scaled && evidence.kind != Evidence::Kind::marginal;
+                 : !badly_scaled && evidence.kind != Evidence::Kind::no_claim;
   };
 }
 
@@ -108,7 +108,7 @@ DecidedLeaf BoundDecisions::leaf(const PatternNode& leaf, double factor, LeafRec
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
       decided.holds = evidence.kind == Evidence::Kind::feasible && accepts(evidence);
-      decided.degenerate = evidence.kind == Evidence::Kind::marginal;
+      decided.degenerate = evidence.kind == Evidence::Kind::no_claim;
     });
     try {
       auto decision = tree.decide(leaf);
@@ -137,7 +137,7 @@ DecidedTree BoundDecisions::tree(BracketSide side, double factor, CriticalPhase 
   SignPatternTree tree(problem_, friction, options);
   auto prepared = prepare(analysis_, problem_, friction, options);
   const auto exact = check(friction, proved_bounds(prepared));
-  if (exact && exact->is_able() && !exact->proves_bounds()) remove_bounds(prepared);
+  if (exact && exact->can_prove() && !exact->proves_bounds()) remove_bounds(prepared);
   configure(tree, prepared);
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder ? recorder(side, factor, friction) : nullptr;
@@ -151,11 +151,11 @@ DecidedTree BoundDecisions::tree(BracketSide side, double factor, CriticalPhase 
   auto decided = engine::from_first_rank(analysis_.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
-    const auto judged = outcome.tally();
+    const auto tally = outcome.tally();
     return DecidedTree{.status = outcome.status,
                        .leaves = maximal_cones(std::move(leaves)),
-                       .feasible = judged.proved,
-                       .unproved = judged.doubted + judged.unproved};
+                       .feasible = tally.proved,
+                       .unproved = tally.closed_unproved + tally.unproved};
   });
   if (record) record->end(bounds, BoundClaim::all_patterns, decided.solved() && wanted(decided));
   return decided;

@@ -92,7 +92,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   const auto answer = solver_.solve(node.contact, node.separated, stop);
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
   FrictionProbe probe{.sign = answer.sign,
-                      .degenerate = answer.sign == conic::Sign::marginal &&
+                      .degenerate = answer.sign == conic::Sign::unproved &&
                                     conic::is_within_tolerance(answer, tolerances),
                       .infeasible_below = min_coefficient(pull_, node),
                       .feasible_from = 0,
@@ -160,7 +160,7 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
     case conic::Sign::feasible:
       cell.feasible = point;
       return true;
-    case conic::Sign::marginal:
+    case conic::Sign::unproved:
       if (!said.degenerate || !is_flat(pattern, at(point))) return false;
       cell.feasible = point;
       return true;
@@ -277,7 +277,7 @@ class CriticalFriction::Approach {
     if (point <= cell_.infeasible || point >= cell_.feasible) return true;
     if (critical_.at(point) < critical_.range_.minimum) return false;
     const auto said = ask(critical_.at(point));
-    if (said.sign != conic::Sign::marginal) return true;
+    if (said.sign != conic::Sign::unproved) return true;
     if (!said.degenerate || !critical_.is_flat(pattern_, critical_.at(point))) return false;
     cell_.feasible = point;
     return true;
@@ -352,7 +352,7 @@ std::optional<double> CriticalFriction::infeasible_below_with_cuts(const SignPat
   set_friction(factor);
   const auto cuts = cuts_of(free, bounds_);
   const auto sign = solver_.solve_with(cuts, node.contact, node.separated, {}).sign;
-  if (sign == conic::Sign::marginal) return {};
+  if (sign == conic::Sign::unproved) return {};
   const double below = min_coefficient(solver_.pull(), node);
   return sign == conic::Sign::infeasible ? std::max(below, factor) : below;
 }

@@ -23,7 +23,7 @@ namespace kusabi::wedged {
 
 /// Result of one cone program.
 struct FrictionProbe {
-  conic::Sign sign = conic::Sign::marginal;  ///< at the requested coefficient
+  conic::Sign sign = conic::Sign::unproved;  ///< at the requested coefficient
   bool degenerate = false;  ///< if undecided: the bracket of t* is within the tolerance
   double infeasible_below =
       0;  ///< infeasible for every smaller coefficient, by the multipliers; 0: none

@@ -87,12 +87,12 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
 
 // Adds the interval of a leaf, and removes it from the unknown ranges.
 void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
-                     HeldFactors& found, std::vector<Gap>& unknown, double mu) {
+                     HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const double from = factor_in(leaf, range_of(low, high));
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
   found.unresolved = found.unresolved || !held.high_proved || !held.low_proved;
-  std::vector<Gap> left;
-  for (const Gap& each : unknown) {
+  std::vector<FactorRange> left;
+  for (const FactorRange& each : unknown) {
     if (each.low < held.low_out)
       left.push_back({each.low, std::min(each.high, held.low_out), true});
     if (each.high > held.high_out)
@@ -106,7 +106,7 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
 // Degenerate states of a range: the rest of it beside the first of them that has an interval is
 // searched again. False if there is none.
 bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, double high,
-                            HeldFactors& found, std::vector<Gap>& unknown, double mu) {
+                            HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const auto shares = range_of(low, high);
   for (const auto& leaf : limits) {
     if (!std::isfinite(factor_in(leaf, shares))) continue;
@@ -117,8 +117,8 @@ bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, doub
   return false;
 }
 
-void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
-  std::vector<Gap> unknown{{-unbounded_end, 0, true}, {0, unbounded_end, true}};
+void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_ranges, double mu) {
+  std::vector<FactorRange> unknown{{-unbounded_end, 0, true}, {0, unbounded_end, true}};
   while (!unknown.empty()) {
     const auto [low, high, proved] = unknown.back();
     const auto shares = range_of(low, high);
@@ -127,7 +127,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     if (found.status != engine::Status::solved ||
         static_cast<int>(found.intervals.size()) >= max_intervals) {
       found.unresolved = true;
-      for (const Gap& each : unknown) gaps.push_back({each.low, each.high, false});
+      for (const FactorRange& each : unknown) empty_ranges.push_back({each.low, each.high, false});
       return;
     }
     if (!outcome.leaf.empty()) {
@@ -136,7 +136,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<Gap>& gaps, double mu) {
     }
     if (take_limits(outcome.tally.limits, low, high, found, unknown, mu)) continue;
     unknown.pop_back();
-    gaps.push_back({low, high, outcome.is_infeasible()});
+    empty_ranges.push_back({low, high, outcome.is_infeasible()});
     if (outcome.tally.unresolved() != 0) found.unresolved = true;
   }
 }
@@ -174,11 +174,11 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
     return found;
   }
   if (!with_dead && !grip_) return homogeneous_factors(mu);
-  std::vector<Gap> gaps;
-  explore(found, gaps, mu);
+  std::vector<FactorRange> empty_ranges;
+  explore(found, empty_ranges, mu);
   if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
   found.intervals = joined(std::move(found.intervals));
-  for (const Gap& gap : gaps) {
+  for (const FactorRange& gap : empty_ranges) {
     found.proved = found.proved && gap.proved;
     for (auto& each : found.intervals) {
       if (gap.proved) continue;

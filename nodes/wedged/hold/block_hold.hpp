@@ -72,7 +72,7 @@ class BlockHold {
     bool unbounded_by_limit = false;  ///< infinite, by a state of the reference load at a limit
     bool wide = false;                ///< undecided between them, over more than the usual width
   };
-  struct Gap {
+  struct FactorRange {
     double low, high;
     bool proved;
   };
@@ -96,11 +96,11 @@ class BlockHold {
   Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
               Standard standard) const;
   Ends bisect(Ends ends, double floor, const std::function<HoldResult(double)>& result_at) const;
-  void explore(HeldFactors& found, std::vector<Gap>& gaps, double mu);
+  void explore(HeldFactors& found, std::vector<FactorRange>& empty_ranges, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
-            std::vector<Gap>& unknown, double mu);
+            std::vector<FactorRange>& unknown, double mu);
   bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
-                   std::vector<Gap>& unknown, double mu);
+                   std::vector<FactorRange>& unknown, double mu);
   bool first_bracket(HoldingFriction& found);
   void follow(HoldingFriction& found, double minimum);
   void narrow(HoldingFriction& found);

@@ -28,8 +28,8 @@ Polygon intersection(std::span<const HalfPlane> planes);
 /// The part of two hulls with interior that is common to both; nothing if it has no interior.
 std::optional<Polygon> common_part(const Polygon& one, const Polygon& other);
 
-/// Without vertices that are another one, up to `same`, or that are on the line between their
-/// neighbours, up to `flat`; both relative to the distance from a point inside.
+/// The hull without vertices that coincide with another one, up to `same`, or are on the line
+/// between their neighbours, up to `flat`; both relative to the distance from a point inside.
 Polygon with_corners_only(Polygon hull, const Eigen::Vector2d& inside, double same, double flat);
 
 }  // namespace kusabi::wedged

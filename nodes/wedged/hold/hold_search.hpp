@@ -55,7 +55,7 @@ struct HeldFactors {
   bool unresolved = false;                ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
-  bool one_factor_at_most = false;        ///< in equilibrium; the search records no evidence
+  bool one_factor_at_most = false;        ///< equilibrium at one factor or none; without evidence
   bool not_in_equilibrium = false;        ///< at every factor the load moves a body where no
                                           ///< candidate resists
   std::vector<HoldCost> costs{};
@@ -64,10 +64,10 @@ struct HeldFactors {
 /// Bracket of the smallest friction coefficient at which the dead load can be held.
 struct HoldingFriction {
   engine::Status status = engine::Status::solved;
-  double lower = 0;  ///< cannot be held here, if lower_known
+  double lower = 0;  ///< if lower_known: the load cannot be held at this coefficient
   bool lower_known = false;
   bool lower_proved = true;
-  std::optional<double> upper{};  ///< can be held here
+  std::optional<double> upper{};  ///< the load can be held at this coefficient
   bool upper_proved = true;
   bool any_by_supports = false;
   bool not_in_equilibrium = false;

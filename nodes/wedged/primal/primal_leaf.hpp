@@ -11,8 +11,8 @@
 
 namespace kusabi::wedged {
 
-/// A feasible leaf of one of the blocks that are not small. Every rank makes the same call and gets
-/// the same. @param friction mu of each candidate  @return nothing if none was found
+/// A feasible leaf of one of the blocks that are not small; nothing if none was found. Every rank
+/// makes the same call and gets the same result. @param friction mu of each candidate
 std::optional<Configuration> leaf_without_tree(engine::Analysis& analysis,
                                                const problems::WedgedProblem& problem,
                                                std::span<const double> friction,

@@ -174,7 +174,7 @@ bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarl
 
 bool ContactSolver::is_unresolved(const conic::ConicResult& answer, conic::StopEarly stop) const {
   if (precision_ == Precision::doubles) return false;
-  if (answer.sign == conic::Sign::marginal) return !conic::is_unresolvable(answer, tolerances_);
+  if (answer.sign == conic::Sign::unproved) return !conic::is_unresolvable(answer, tolerances_);
   return answer.sign == conic::Sign::feasible && !stop.when_feasible &&
          answer.upper - answer.lower > three_digits * answer.lower;
 }

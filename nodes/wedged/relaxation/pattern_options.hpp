@@ -10,8 +10,8 @@ namespace kusabi::wedged {
 /// Bounding of candidates before the tree is searched (candidate_bounds.hpp).
 enum class Tightening {
   automatic,  ///< if the tree is large, as decided by find_patterns
-  never,
-  always,  ///< only the bounds that follow from the cones themselves
+  never,      ///< no bounds
+  always,     ///< for trees of any size
 };
 
 /// Options of the search. The patterns do not depend on them.

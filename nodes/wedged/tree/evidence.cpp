@@ -8,7 +8,7 @@ bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const 
   if (!accepted) {
     ++tally.refused;
     if (binding_) return false;
-    if (claim.kind != Evidence::Kind::feasible) ++tally.doubted;
+    if (claim.kind != Evidence::Kind::feasible) ++tally.closed_unproved;
   } else if (claim.kind == Evidence::Kind::feasible) {
     ++tally.proved;
   }

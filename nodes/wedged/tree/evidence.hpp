@@ -21,9 +21,9 @@ struct Evidence {
     cut,   ///< infeasible with cuts; numbers: those of `infeasible`, then one for the cut of each
            ///< candidate
     form,  ///< the whole block; numbers: QuadraticMultipliers::numbers()
-    marginal,  ///< flat, marginal or undecided: no claim and no numbers
+    no_claim,  ///< a flat, marginal or undecided leaf; no numbers
   };
-  Kind kind = Kind::marginal;
+  Kind kind = Kind::no_claim;
   std::uint32_t block = 0;
   SignPattern node;                 ///< of the whole problem's candidates
   std::span<const double> numbers;  ///< valid during the call

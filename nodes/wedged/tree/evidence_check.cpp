@@ -58,10 +58,10 @@ verify::Claim claim_of(Evidence::Kind kind) {
       return verify::Claim::form;
     case Evidence::Kind::feasible:
       return verify::Claim::feasible;
-    case Evidence::Kind::marginal:
+    case Evidence::Kind::no_claim:
       break;
   }
-  return verify::Claim::marginal;
+  return verify::Claim::none;
 }
 
 }  // namespace
@@ -74,10 +74,10 @@ bool EvidenceCheck::holds(const Evidence& evidence) const {
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;
   record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
-  const auto judgement = proof_->judgement(record);
-  if (record.claim == verify::Claim::marginal) return judgement.unloaded;
-  return !judgement.refusal && (large_displacements_ == LargeDisplacements::left_out ||
-                                !judgement.except_large_displacements);
+  const auto proof_result = proof_->proof_result(record);
+  if (record.claim == verify::Claim::none) return proof_result.unloaded;
+  return !proof_result.refusal && (large_displacements_ == LargeDisplacements::left_out ||
+                                   !proof_result.except_large_displacements);
 }
 
 }  // namespace kusabi::wedged

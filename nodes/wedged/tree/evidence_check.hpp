@@ -1,4 +1,4 @@
-// Exact test of evidence during a search: the judgement of `kusabi verify --problem` on a
+// Exact test of evidence during a search, by the proofs that `kusabi verify --problem` applies to a
 // certificate with these nodes.
 #pragma once
 
@@ -24,7 +24,7 @@ inline constexpr int max_enclosed_displacements = 2000;
 
 /// Largest scale ratio of a structure for which the tolerances 1e-10 and 1e-12, relative to the
 /// largest number, are safe. Above it numbers below these may be significant.
-inline constexpr double wide_scales = 1e7;
+inline constexpr double max_safe_scale_ratio = 1e7;
 
 /// Threshold of |t*| above which its sign is used with the exact test, although it is zero in
 /// sixteen digits.
@@ -58,7 +58,7 @@ class EvidenceCheck {
 
   /// True if K was proved to be positive definite up to rigid-body modes; without it nothing can be
   /// proved.
-  [[nodiscard]] bool is_able() const { return proof_->min_eigenvalue().has_value(); }
+  [[nodiscard]] bool can_prove() const { return proof_->min_eigenvalue().has_value(); }
 
   /// True if every bound is proved.
   [[nodiscard]] bool proves_bounds() const { return proves_bounds_; }

@@ -34,7 +34,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::vector<Configuration> largest;
   std::uint64_t proved = 0;   ///< leaves proved feasible by the exact test
   std::uint64_t refused = 0;  ///< claims refused by it
-  std::uint64_t doubted =
+  std::uint64_t closed_unproved =
       0;  ///< nodes closed as infeasible although the test refuses their evidence
   std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
 
@@ -42,7 +42,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
     Counts::operator+=(other);
     proved += other.proved;
     refused += other.refused;
-    doubted += other.doubted;
+    closed_unproved += other.closed_unproved;
     unproved += other.unproved;
     tested.insert(tested.end(), other.tested.begin(), other.tested.end());
     of_block.resize(std::max(of_block.size(), other.of_block.size()));
@@ -64,7 +64,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   template <class Archive>
   void serialize(Archive& archive, unsigned version) {
     Counts::serialize(archive, version);
-    archive& tested& of_block& largest& proved& refused& doubted& unproved;
+    archive& tested& of_block& largest& proved& refused& closed_unproved& unproved;
   }
 
   static constexpr auto fields() {

@@ -111,7 +111,7 @@ SignPatternTree::NodeResult SignPatternTree::decide(const Node& node) {
     case conic::Sign::feasible:
       if (leaf) return close(node, block.configuration(node, LeafState::feasible, answer));
       break;
-    case conic::Sign::marginal:
+    case conic::Sign::unproved:
       return decide_undecided(node, answer);
   }
   return branch_feasible(node);
@@ -138,7 +138,7 @@ std::optional<SignPatternTree::NodeResult> SignPatternTree::decide_with_cuts(con
       return prune_with(cuts, node);
     case conic::Sign::feasible:
       return branch_feasible(node);
-    case conic::Sign::marginal:
+    case conic::Sign::unproved:
       break;
   }
   return {};
@@ -260,7 +260,7 @@ SignPatternTree::NodeResult SignPatternTree::branch_unproved(const Node& node) {
   const auto free = block.free(node.pattern);
   if (free.size() > max_free) {
     ++tally_.infeasible;
-    ++tally_.doubted;
+    ++tally_.closed_unproved;
     record_unclaimed(node);
     return {};
   }
@@ -330,7 +330,7 @@ SignPatternTree::NodeResult SignPatternTree::close(const Node& node, Configurati
 }
 
 void SignPatternTree::record_unclaimed(const Node& node) {
-  evidence_.pass_open({.kind = Evidence::Kind::marginal,
+  evidence_.pass_open({.kind = Evidence::Kind::no_claim,
                        .block = node.block,
                        .node = blocks_[node.block].in_whole(node.pattern),
                        .numbers = {}},

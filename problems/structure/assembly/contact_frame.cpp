@@ -34,10 +34,10 @@ Vector<Scalar> chosen_tangent(const Vector<Scalar>& normal) {
   return Vector<Scalar>::Unit(normal.size(), farthest);
 }
 
-/// @param normal of unit length  @param wish optional tangent of a length near one
+/// @param normal of unit length  @param given optional tangent of a length near one
 template <class Scalar>
-Matrix<Scalar> frame_of(const Vector<Scalar>& normal, const std::optional<Vector<Scalar>>& wish) {
-  const Vector<Scalar> tangent = across<Scalar>(normal, wish ? *wish : chosen_tangent(normal));
+Matrix<Scalar> frame_of(const Vector<Scalar>& normal, const std::optional<Vector<Scalar>>& given) {
+  const Vector<Scalar> tangent = across<Scalar>(normal, given ? *given : chosen_tangent(normal));
   Matrix<Scalar> frame(normal.size(), normal.size());
   frame.col(0) = normal;
   frame.col(1) = tangent / tangent.norm();
@@ -56,9 +56,9 @@ double tangent_sine(const Eigen::VectorXd& normal, const Eigen::VectorXd& tangen
 }
 
 Eigen::MatrixXd contact_frame(const ContactCandidate& candidate) {
-  std::optional<Eigen::VectorXd> wish;
-  if (candidate.tangent) wish = candidate.tangent->stableNormalized();
-  return frame_of<double>(candidate.normal, wish);
+  std::optional<Eigen::VectorXd> given;
+  if (candidate.tangent) given = candidate.tangent->stableNormalized();
+  return frame_of<double>(candidate.normal, given);
 }
 
 numbers::PreciseMatrix precise_contact_frame(const ContactCandidate& candidate) {
@@ -66,14 +66,14 @@ numbers::PreciseMatrix precise_contact_frame(const ContactCandidate& candidate) 
   using numbers::PreciseVector;
   const PreciseVector direction = candidate.direction.value_or(candidate.normal).cast<Precise>();
   const PreciseVector normal = direction / direction.norm();
-  std::optional<PreciseVector> wish;
+  std::optional<PreciseVector> given;
   if (candidate.tangent) {
     // Division by a power of two is exact.
     const double size = std::exp2(-std::round(std::log2(candidate.tangent->stableNorm())));
     const PreciseVector scaled = (*candidate.tangent * size).cast<Precise>();
-    wish = scaled;
+    given = scaled;
   }
-  return frame_of<Precise>(normal, wish);
+  return frame_of<Precise>(normal, given);
 }
 
 }  // namespace kusabi::problems

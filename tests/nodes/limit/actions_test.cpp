@@ -63,7 +63,7 @@ double min_factor_by_box(const Structure& truss, const std::string& load_case) {
   const Structure of_case = problems::in_load_case(truss, load_case);
   auto problem = problems::limit_problem(checked(of_case));
   problems::LimitProblem* const one = &problem;
-  const auto alpha = problems::settle_half_widths({&one, 1}, {});
+  const auto alpha = problems::set_half_widths({&one, 1}, {});
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   const auto answer = limit_loads(analysis, of_case, problem, {.alpha = alpha}).answer;

@@ -16,7 +16,7 @@
 namespace kusabi::limit {
 namespace {
 
-using problems::AskedHalfWidths;
+using problems::RequestedHalfWidths;
 using problems::Structure;
 using test::near;
 using test::PlainTruss;
@@ -24,10 +24,10 @@ using testing::HasSubstr;
 
 // A complete analysis. @return the problem with its half-widths, too
 std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
-                                                       const AskedHalfWidths& asked) {
+                                                       const RequestedHalfWidths& asked) {
   auto problem = problems::limit_problem(checked(truss));
   problems::LimitProblem* const one = &problem;
-  const auto alpha = problems::settle_half_widths({&one, 1}, asked);
+  const auto alpha = problems::set_half_widths({&one, 1}, asked);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
   return {limit_loads(analysis, truss, problem, {.alpha = alpha}), problem};
@@ -86,7 +86,7 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
                                              group),
                                     "two-bars.toml");
   };
-  const auto upper = [](const Structure& truss, const AskedHalfWidths& asked) {
+  const auto upper = [](const Structure& truss, const RequestedHalfWidths& asked) {
     const auto answer = found(truss, asked).first.answer;
     EXPECT_TRUE(answer.whole());
     return answer.worst->ends.upper;
@@ -98,10 +98,10 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
   EXPECT_NEAR(upper(open, {.alpha = 3, .groups = {{"across", 0.5}}}), 1.5, 1e-9);
   EXPECT_NEAR(upper(open, {.groups = {{"across", 0.5}, {"side", 3}}}), 1.5, 1e-9);
   EXPECT_NEAR(upper(read("alpha = 0.5\n", "alpha = 3\n"), {}), 1.5, 1e-9);
-  const auto why = [](const Structure& truss, const AskedHalfWidths& asked) -> std::string {
+  const auto why = [](const Structure& truss, const RequestedHalfWidths& asked) -> std::string {
     try {
       found(truss, asked);
-    } catch (const problems::UnfitHalfWidths& error) {
+    } catch (const problems::HalfWidthError& error) {
       return error.what();
     }
     return "no error";

@@ -17,12 +17,12 @@ double draw(std::mt19937& bits, double from, double to) {
 }
 
 /// A concave curve by its breakpoints, which ends at the last one.
-struct Broken {
+struct PiecewiseLinear {
   std::vector<double> at{0};
   std::vector<double> factor;
   std::vector<double> slope;
 
-  explicit Broken(std::mt19937& bits) {
+  explicit PiecewiseLinear(std::mt19937& bits) {
     factor.push_back(draw(bits, -5, 5));
     double steep = draw(bits, -1, 0);
     for (auto pieces = 1 + bits() % 6; pieces > 0; --pieces) {
@@ -58,7 +58,7 @@ struct Broken {
 TEST(ConcaveCurve, HasAllBreakpoints) {
   std::mt19937 bits(1);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   for (int trial = 0; trial < 500; ++trial) {
-    const Broken known(bits);
+    const PiecewiseLinear known(bits);
     std::size_t samples = 0;
     const auto found = concave_curve(
         [&](double beta) -> CurveSample {
@@ -76,7 +76,7 @@ TEST(ConcaveCurve, BracketsItsEnd) {
   std::mt19937 bits(2);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   for (const double hint : {1.0, nowhere, 0.3, 1.0 + 1e-9, -1.0}) {
     for (int trial = 0; trial < 100; ++trial) {
-      const Broken known(bits);
+      const PiecewiseLinear known(bits);
       const double end = known.at.back();
       const auto found = concave_curve(
           [&](double beta) -> CurveSample {
@@ -96,7 +96,7 @@ TEST(ConcaveCurve, BracketsItsEnd) {
 
 TEST(ConcaveCurve, IsAbsentIfASampleIsUnknown) {
   std::mt19937 bits(3);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
-  const Broken known(bits);
+  const PiecewiseLinear known(bits);
   for (int unknown = 0; unknown < 3; ++unknown) {
     int samples = 0;
     const auto found = concave_curve(

@@ -42,7 +42,7 @@ Leaves leaves(const problems::WedgedProblem& problem, double mu, double truth,
   for (std::uint64_t contact = 0; contact <= all; ++contact) {
     const auto answer =
         solver.solve(contact, all & ~contact, {.when_infeasible = true, .when_feasible = false});
-    if (answer.sign == conic::Sign::marginal && !conic::is_within_tolerance(answer, tolerances))
+    if (answer.sign == conic::Sign::unproved && !conic::is_within_tolerance(answer, tolerances))
       ++result.undecided;
     if (answer.sign != conic::Sign::feasible) continue;
     ++result.feasible;

@@ -303,12 +303,12 @@ TEST(CutTrees, HaveEvidenceThatTheVerifierAccepts) {
       const Searched own(structure, mu, probes);
       const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);
       for (const auto& one : own.evidence) {
-        if (one.evidence.kind == Evidence::Kind::marginal) continue;
+        if (one.evidence.kind == Evidence::Kind::no_claim) continue;
         EXPECT_TRUE(one.holds(check));
       }
       EXPECT_GT(own.of_kind(Evidence::Kind::cut), 10U);
       EXPECT_GT(own.of_kind(Evidence::Kind::feasible), 5U) << structure.name;
-      EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
+      EXPECT_EQ(own.of_kind(Evidence::Kind::no_claim), 0U) << structure.name;
     }
 }
 
@@ -395,7 +395,7 @@ TEST_P(CutTreesIn, HaveEvidenceOfUnconstrainedBodiesThatTheVerifierAccepts) {
       const Searched own(body, mu);
       const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);
       for (const auto& one : own.evidence)
-        EXPECT_TRUE(one.evidence.kind == Evidence::Kind::marginal || one.holds(check));
+        EXPECT_TRUE(one.evidence.kind == Evidence::Kind::no_claim || one.holds(check));
       cut += own.of_kind(Evidence::Kind::cut);
       feasible += own.of_kind(Evidence::Kind::feasible);
       if (own.findings.blocks.size() > 1) continue;

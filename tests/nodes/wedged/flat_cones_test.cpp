@@ -209,7 +209,7 @@ TEST(FlatCones, InSpaceAgreeWithAnEnumerationOfAllLeaves) {
       const auto answer = solver.solve(contact, separated, {.when_feasible = false});
       if (answer.sign == conic::Sign::infeasible) continue;
       SignPattern pattern{.contact = contact, .separated = separated, .inactive = {}};
-      if (answer.sign == conic::Sign::marginal) {
+      if (answer.sign == conic::Sign::unproved) {
         const auto inside = solver.relative_interior(contact, separated);
         ASSERT_TRUE(inside) << seed;
         pattern = {.contact = inside->loaded, .separated = inside->moved, .inactive = {}};

@@ -71,7 +71,7 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
       count.infeasible += answer.sign == Sign::infeasible;
       count.escalated += answer.precision_level > 0;
       EXPECT_LE(answer.lower, answer.upper);
-      EXPECT_TRUE(answer.sign != Sign::marginal || conic::is_within_tolerance(answer, tolerances));
+      EXPECT_TRUE(answer.sign != Sign::unproved || conic::is_within_tolerance(answer, tolerances));
       if (answer.sign == Sign::feasible && open == 0) {
         EXPECT_LE(answer.upper - answer.lower, 1e-3 * answer.lower);
       }

@@ -143,7 +143,7 @@ std::string refusal(const problems::WedgedProblem& problem, double factor,
                     const std::vector<double>& numbers) {
   const auto certificate = certificate_of(problem, factor, numbers);
   const verify::Proof proof(certificate);
-  return proof.judgement(certificate.records.front()).refusal.value_or("");
+  return proof.proof_result(certificate.records.front()).refusal.value_or("");
 }
 
 TEST(QuadraticForm, IsProvedByTheVerifier) {

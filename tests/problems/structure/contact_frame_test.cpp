@@ -27,9 +27,9 @@ TEST(ContactFrame, IsOrthonormalAndRightHandedInSpaceForAnyNormal) {
   std::mt19937 bits(1);
   for (int repeat = 0; repeat < 1000; ++repeat) {
     const ContactCandidate chosen = candidate(test::random_vector(3, bits));
-    ContactCandidate wished = chosen;
-    wished.tangent = test::random_vector(3, bits);
-    for (const Eigen::MatrixXd& frame : {contact_frame(chosen), contact_frame(wished)}) {
+    ContactCandidate with_tangent = chosen;
+    with_tangent.tangent = test::random_vector(3, bits);
+    for (const Eigen::MatrixXd& frame : {contact_frame(chosen), contact_frame(with_tangent)}) {
       expect_orthonormal(frame);
       EXPECT_EQ(Eigen::Vector3d(frame.col(0)), Eigen::Vector3d(chosen.normal));
       EXPECT_NEAR(frame.determinant(), 1.0, frame_rounding);
@@ -51,22 +51,22 @@ TEST(ContactFrame, TangentInThePlaneIsTheNormalTurnedClockwise) {
 }
 
 TEST(ContactFrame, FollowsTheGivenTangentInThePlane) {
-  const Eigen::VectorXd wish = Eigen::Vector2d(-1, 5);
-  const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector2d(3, 4), wish));
+  const Eigen::VectorXd given = Eigen::Vector2d(-1, 5);
+  const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector2d(3, 4), given));
   EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(-0.8, 0.6), frame_rounding));
 }
 
 TEST(ContactFrame, FirstTangentIsTheGivenOneProjectedOntoTheSurface) {
-  const Eigen::VectorXd wish = Eigen::Vector3d(0, 1e-3, 7);  // almost along the normal
-  const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitZ(), wish));
+  const Eigen::VectorXd given = Eigen::Vector3d(0, 1e-3, 7);  // almost along the normal
+  const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitZ(), given));
   EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), frame_rounding));
   EXPECT_TRUE(frame.col(2).isApprox(-Eigen::Vector3d::UnitX(), frame_rounding));
 }
 
 TEST(ContactFrame, DoesNotDependOnTheLengthOfTheGivenTangent) {
   for (const double length : {1e-40, 1.0, 1e40}) {
-    const Eigen::VectorXd wish = length * Eigen::Vector3d(1, 1, 0);
-    const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitX(), wish));
+    const Eigen::VectorXd given = length * Eigen::Vector3d(1, 1, 0);
+    const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitX(), given));
     EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), frame_rounding)) << length;
   }
 }

@@ -36,7 +36,7 @@ class SessionOfOne : public testing::Test {
 TEST_F(SessionOfOne, IsRankZeroAndPrints) {
   EXPECT_EQ(session_.ranks(), 1);
   EXPECT_EQ(session_.transport().rank(), 0);
-  EXPECT_TRUE(session_.speaks());
+  EXPECT_TRUE(session_.is_first());
   EXPECT_EQ(count(), 4);  // --serial is read by the command as well
 }
 

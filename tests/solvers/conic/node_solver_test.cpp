@@ -31,7 +31,7 @@ void expect_optimum(NodeSolver<D>& solver, std::uint64_t contact, std::uint64_t 
   const ConicResult early = solver.solve(contact, separated);
   const Sign sign = optimum > 1e-6    ? Sign::feasible
                     : optimum < -1e-6 ? Sign::infeasible
-                                      : Sign::marginal;
+                                      : Sign::unproved;
   EXPECT_EQ(full.sign, sign);
   EXPECT_EQ(early.sign, sign);
 }
@@ -164,7 +164,7 @@ TEST(NodeSolver, IsMarginalAtTheIterationLimit) {
   NodeSolver<2> solver(compliance, std::array{3.0, 0.1}, Tolerances{.iterations = 1});
   const ConicResult answer = solver.solve(0b01, 0b10, never);  // t* = 0
   EXPECT_EQ(answer.iterations, 1);
-  EXPECT_EQ(answer.sign, Sign::marginal);
+  EXPECT_EQ(answer.sign, Sign::unproved);
   EXPECT_LE(answer.lower, 0);
   EXPECT_GT(answer.upper, 1e-3);
 }

@@ -132,7 +132,7 @@ void expect_both_sides_to_meet(int m, int nodes) {
     feasible += answer.sign == Sign::feasible ? 1 : 0;
     infeasible += answer.sign == Sign::infeasible ? 1 : 0;
     // Equilibrium can leave a candidate of U without a reaction: the node is then degenerate.
-    if (answer.sign == Sign::marginal) {
+    if (answer.sign == Sign::unproved) {
       EXPECT_NEAR(answer.lower, 0, 1e-9) << trial;
       EXPECT_NEAR(answer.upper, 0, 1e-9) << trial;
     }
