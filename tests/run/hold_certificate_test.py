@@ -218,6 +218,7 @@ class HoldCertificate(KusabiCase):
         place.write_text("""
 name = "bar"
 dimension = 2
+units = { length = "m", force = "kN" }
 [nodes]
 a = [0, 0]
 b = [1, 0]

@@ -349,6 +349,7 @@ TEST_F(LossCommand, VerifiesStrutsOfAChosenCase) {
   EXPECT_THAT(proved.output, HasSubstr("in load case \"push\""));
   std::ofstream(in_folder("bar.toml")) << R"(name = "bar"
 dimension = 2
+units = { length = "m", force = "kN" }
 [nodes]
 a = [0, 0]
 b = [1, 0]
