@@ -235,7 +235,9 @@ void expect_no_false_claim(const LimitCertificate& certificate) {
   if (meant == nullptr || certificate.alpha != evidence().alpha) return;
   const LimitProof proof(certificate, *meant);
   const auto upper = proof.upper();
-  if (const auto* value = std::get_if<mpq_class>(&upper)) EXPECT_GE(*value, mpq_class(0.5));
+  if (const auto* value = std::get_if<mpq_class>(&upper)) {
+    EXPECT_GE(*value, mpq_class(0.5));
+  }
   if (flaw_of_sign_cover(certificate)) return;
   bool is_below = false;  // the least bound of all nodes, or one without a bound
   for (const auto& node : certificate.nodes) {
