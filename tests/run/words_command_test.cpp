@@ -139,7 +139,7 @@ TEST_F(TableText, HasTheMarginOfTheInequalityNearestToFailing) {
   EXPECT_THAT(said,
               HasSubstr(fmt::format("{} is closest to touching, at a gap of {:.3g} m", open, gap)));
   EXPECT_THAT(said,
-              HasSubstr(fmt::format("sticks from friction coefficient {:.4g} on, at which {} ",
+              HasSubstr(fmt::format("a friction coefficient of at least {:.4g}; with less, {} ",
                                     steepest, slips)));
 }
 

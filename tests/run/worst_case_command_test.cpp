@@ -40,7 +40,7 @@ TEST_F(WorstCaseCommand, FindsTheSameOnOneAndTwoRanks) {
       EXPECT_EQ(json, alone);
       const auto proved = shell(launch + command + " verify " + argument("cert"));
       EXPECT_EQ(proved.exit_code, 0) << proved.output;
-      EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor"));
+      EXPECT_THAT(proved.output, HasSubstr("PROVED: the worst-case load factor"));
     }
   }
 }

@@ -208,7 +208,7 @@ TEST(TwoBodies, WrongPairsAreRefused) {
   EXPECT_THAT(spoilt([&](Structure& s) { s.inclined.push_back(s.inclined[0]); }),
               HasSubstr("supported twice"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.inclined[0].direction.setZero(); }),
-              HasSubstr("other than zero"));
+              HasSubstr("is not a direction"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.inclined[0].node = pairs[3].node; }),
               HasSubstr("has an inclined support"));
   EXPECT_THAT(spoilt([&](Structure& s) { s.contact.back().normal = Eigen::Vector2d(0.6, 0.8); }),
