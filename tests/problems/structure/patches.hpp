@@ -2,6 +2,8 @@
 // its interior nodes moved at random.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +19,14 @@ inline constexpr ElementShape all_shapes[] = {
     ElementShape::prism15,        ElementShape::pyramid5};
 
 std::string name_of(ElementShape shape);
+/// Those of all_shapes for which a condition is true.
+template <class Condition>
+std::vector<ElementShape> shapes_if(Condition condition) {
+  std::vector<ElementShape> shapes;
+  std::ranges::copy_if(all_shapes, std::back_inserter(shapes), condition);
+  return shapes;
+}
+
 int dimension_of(ElementShape shape);
 bool is_quadratic(ElementShape shape);
 int corners_of(ElementShape shape);
