@@ -161,8 +161,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
     fmt::format_to(out, "  stopped early ({})\n", status_name(loss.search));
   const auto& counts = loss.counts;
   fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.rounds, "round"),
-                 counted(counts.nodes, "node"),
-                 counted(counts.states, "carrying stress state"),
+                 counted(counts.nodes, "node"), counted(counts.states, "carrying stress state"),
                  counted(counts.programs, "linear program"));
   return text;
 }
