@@ -100,7 +100,8 @@ void write_interval(std::string& text, const LimitReport& report) {
 }
 
 void write_worst(std::string& text, const LimitReport& report) {
-  const auto& [options, problem] = std::tie(report.options, report.problem);
+  const auto& options = report.options;
+  const auto& problem = report.problem;
   const auto& worst = *report.answer.worst;
   const auto out = std::back_inserter(text);
   const auto unit = unit_of_alpha(problem);
