@@ -29,9 +29,12 @@ KINDS = ["loose-truss", "loose-mesh", "wedge", "pair", "loose-pair", "corner", "
 ROOM = Fraction(1, 10**24)
 #: Coefficients of rows, whose largest is 1, are multiples of its inverse: times the largest force far less than the room.
 GRID = 2**133
-#: Largest force and load factor of the programs: with the room above, larger ones could be in any state. A load factor
-#: of this size counts as unbounded.
-LARGE = 10**10
+#: Largest load factor of the programs, and largest force and rigid-body displacement: with the room above, larger ones
+#: could be in any state, and displacements of the inverse of the grid cancel its rounding. Forces may be ten thousand
+#: times the factor, so that the limit of the factor is reached first. Ends near that limit are unbounded.
+LARGE = 10**9
+LARGE_FORCE = 10**13
+UNBOUNDED = 10**10 / 11
 #: Relative difference of ends of intervals.
 NEAR = 1e-7
 
@@ -86,10 +89,10 @@ class Loaded:
         condition that an undecided candidate is in contact or has no reaction."""
         program = Program()
         last = 2 * self.candidates
-        edges = [(program.column(upper=LARGE), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in [*contacts, *undecided]
+        edges = [(program.column(upper=LARGE_FORCE), 2 * i, 2 * i + 1, sign * mu * self.relative[i]) for i in [*contacts, *undecided]
                  for sign in (1, -1)]
-        modes = [program.column(lower=None) for _ in self.motions[0]]
-        most = 0 if dead_only else LARGE // 10
+        modes = [program.column(lower=-LARGE_FORCE, upper=LARGE_FORCE) for _ in self.motions[0]]
+        most = 0 if dead_only else LARGE
         factor = program.column(lower=-most, upper=most)
         one = program.column(lower=1, upper=1)  # of the constants: rows of nothing else are kept
 
@@ -128,7 +131,7 @@ class Loaded:
 
     def least_sum(self, mu, sense, best=math.inf, contacts=(), first=0):
         """Least of sense times the sum of the normal reactions under the dead load, or best; by branch and bound."""
-        if best < -LARGE / 11:  # without end
+        if best < -UNBOUNDED:  # without end
             return best
         undecided = range(first, self.candidates)
         program, _, normals = self.program(mu, contacts, True, undecided=undecided)
@@ -148,7 +151,7 @@ class Loaded:
         least, most = float(self.least_sum(Fraction(mu), 1)), -float(self.least_sum(Fraction(mu), -1))
         if math.isinf(least):
             return None
-        return least, math.inf if most > LARGE / 11 else most
+        return least, math.inf if most > UNBOUNDED else most
 
     def intervals(self, mu, total=None):
         """Load factors that can be held, as a union of intervals."""
@@ -159,7 +162,7 @@ class Loaded:
                 program, factor, _ = self.program(Fraction(mu), contacts, False, total)
                 program.columns[factor].cost = float(sense)
                 end = sense * float(exact_optimum(program)[1])
-                ends.append(math.copysign(math.inf, end) if abs(end) > LARGE / 11 else end)
+                ends.append(math.copysign(math.inf, end) if abs(end) > UNBOUNDED else end)
             if all(map(math.isinf, ends)):
                 return [(-math.inf, math.inf)]
             found.append(tuple(ends))

@@ -76,10 +76,11 @@ void Hold::describe(OptionTable& table) {
             "the pairs of factors of the reference loads of two load cases, as convex pieces with "
             "their sign patterns")
       .needs("--mu");
-  table.choice("--cuts", options_.parameters.tightening, cuts_words(),
-               "bounds of the reaction and the gap of each candidate under the loads, which are "
-               "added as cuts to every node: for large trees (auto), never (none), or always. "
-               "Certificates have none of them");
+  table.choice(
+      "--cuts", options_.parameters.tightening, cuts_words(),
+      "cuts from bounds of the reaction and the gap of each candidate under the loads, added "
+      "to every node: for large trees (auto), never (none), or always (always). The trees "
+      "of certificates and diagrams have none");
   table.output();
   table.csv_of("intervals, or of the vertices of the pieces");
   table.further_output("--svg", "SVG file of the pieces, or of the intervals");

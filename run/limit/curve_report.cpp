@@ -11,6 +11,7 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
+#include "run/limit/limit_cases.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/values.hpp"
 
@@ -74,8 +75,7 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
                  bool struts) {
   const auto out = std::back_inserter(text);
   const auto& curve = *named.curve;
-  fmt::format_to(out, "\n{}{}\n", named.title,
-                 struts ? ", all struts at their strength: upper values" : "");
+  fmt::format_to(out, "\n{}{}\n", named.title, struts ? upper_values : "");
   if (curve.pieces.empty()) {
     text += "  not found\n";
     return;

@@ -91,8 +91,7 @@ void Limit::describe(OptionTable& table) {
              "and the worst case as a function of the multiple of alpha");
   table.file("--curve-load", options_.curve_load, Role::input,
              "curve of the load factor as a function of the multiple of the load in this file: "
-             "[[loads]] with "
-             "nodes and forces, or a result file, whose critical load is used");
+             "[[loads]] with nodes and forces, or a result file, whose critical load is used");
   table.number("--curve-to", &options_.parameters.curve_to, between(1e-9, 1e9),
                "end of the curves, as a multiple of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,

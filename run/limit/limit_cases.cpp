@@ -127,8 +127,7 @@ limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
 
 std::string cases_text(std::span<const LimitCase> cases) {
   std::string text =
-      fmt::format("{} load cases{}\n", cases.size(),
-                  with_struts(cases) ? ", all struts at their strength: upper values" : "");
+      fmt::format("{} load cases{}\n", cases.size(), with_struts(cases) ? upper_values : "");
   const auto out = std::back_inserter(text);
   for (const auto& each : cases)
     fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found));

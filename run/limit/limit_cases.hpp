@@ -31,6 +31,9 @@ const LimitCase& governing(std::span<const LimitCase> cases);
 /// True if all cases are answered.
 bool all_whole(std::span<const LimitCase> cases);
 
+/// Addition to the title of a table of factors of a truss with struts.
+inline constexpr const char* upper_values = ", all struts at their strength: upper values";
+
 /// True if some members are struts: their results at residual strength are lower values.
 bool with_struts(std::span<const LimitCase> cases);
 

@@ -57,10 +57,10 @@ class LimitSection {
     const auto take = [&](const ResultJson& object, const char* key, const char* name) {
       if (const auto* const value = ResultReader::find(object, key)) facts[name] = *value;
     };
-    const bool struts = ResultReader::find(result_, "struts") != nullptr;
-    const std::string upper = struts ? ", struts at full strength: an upper value" : "";
+    const auto* const struts = ResultReader::find(result_, "struts");
+    const std::string upper = struts == nullptr ? "" : ", struts at full strength: an upper value";
     take(result_, "nominal", ("nominal load factor" + upper).c_str());
-    const std::string full = struts ? ", if all struts kept their full strength" : "";
+    const std::string full = struts == nullptr ? "" : ", if all struts kept their full strength";
     take(result_, "nominal_interval",
          ("nominal load is carried at factors from, to" + full).c_str());
     const auto unit = unit_of_alpha(reader_);
@@ -76,10 +76,10 @@ class LimitSection {
         take(*worst, proved, fmt::format("{}: proved", name).c_str());
       }
     }
-    const auto* const buckled = ResultReader::find(result_, "struts");
     const auto* const of_struts =
-        buckled == nullptr ? nullptr : ResultReader::find(*buckled, "guaranteed_interval");
-    if (of_struts != nullptr) facts["carried factors below"] = "all struts at residual strength";
+        struts == nullptr ? nullptr : ResultReader::find(*struts, "guaranteed_interval");
+    if (of_struts != nullptr)
+      facts["strength of struts for the carried factors"] = "residual strength";
     const auto* const interval =
         of_struts != nullptr ? of_struts : ResultReader::find(result_, "guaranteed_interval");
     if (interval != nullptr) {

@@ -254,6 +254,27 @@ TEST_F(AnalysisTest, ComputesDamagedRecordsAgain) {
   }
 }
 
+// A search with a limit of its own, which may be larger than what the run has left.
+TEST_F(AnalysisTest, RecordsNoSearchOfOneRankThatTheLimitOfTheRunEnded) {
+  const auto opened = [this](std::uint64_t nodes) {
+    Journal journal(file_, these_facts);
+    SingleProcess alone;
+    AnalysisOptions analysis_options;
+    analysis_options.limits.nodes = nodes;
+    analysis_options.journal_options =
+        JournalOptions{.journal = &journal, .file = file_, .interval = 0, .facts_fingerprint = 5};
+    Analysis analysis(alone, std::move(analysis_options));
+    return analysis.by_first_rank([&analysis] {
+      Queens queens(6);
+      Options options;
+      options.limits.nodes = 1000;
+      return analysis.search_alone(queens, options).opened();
+    });
+  };
+  EXPECT_LT(opened(20), 153U);
+  EXPECT_EQ(opened(1000), 153U);
+}
+
 TEST_F(AnalysisTest, RefusesTheRecordsOfAnotherBuild) {
   {
     Journal journal(file_, these_facts);
