@@ -22,7 +22,7 @@ say_what_was_spent() {
 }
 
 install_for_ci() {
-  install_missing "${build_packages[@]}" "${test_packages[@]}" clang libclang-rt-dev clang-format clang-tidy git
+  install_missing "${build_packages[@]}" "${test_packages[@]}" clang libclang-rt-dev clang-format clang-tidy git reuse
 }
 
 format() { clang-format --dry-run -Werror "${sources[@]}"; }
@@ -37,6 +37,7 @@ check_layout() {
   stage "table of tolerances" .ci/check_tolerances
   stage "vocabulary" .ci/check_words
   stage "names that are brought in and not used" .ci/check_using "${sources[@]}"
+  stage "licence of each file" reuse lint --quiet
   stage "clang-format" format
 }
 

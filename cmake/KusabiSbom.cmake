@@ -45,7 +45,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/kusabi.spdx.json "{
   \"creationInfo\": {\"created\": \"${created}\", \"creators\": [\"Tool: CMake-${CMAKE_VERSION}\"]},
   \"packages\": [
     {\"SPDXID\": \"SPDXRef-Kusabi\", \"name\": \"Kusabi\", \"versionInfo\": \"${PROJECT_VERSION}\",
-     \"licenseConcluded\": \"GPL-3.0-or-later\", \"licenseDeclared\": \"Apache-2.0\", \"copyrightText\": \"NOASSERTION\",
+     \"licenseConcluded\": \"GPL-3.0-or-later\", \"licenseDeclared\": \"Apache-2.0\", \"copyrightText\": \"2026 The Kusabi authors\",
      \"licenseComments\": \"Sources are under the Apache License 2.0; programs linked with GLPK are under the GPL.\",
      \"downloadLocation\": \"NOASSERTION\", \"filesAnalyzed\": false}${KUSABI_MATERIALS}
   ],
