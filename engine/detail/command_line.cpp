@@ -61,13 +61,14 @@ void describe(CLI::App& app, ProblemKind kind, CommandLine& line) {
       ->check(CLI::PositiveNumber);
   app.add_option("--node-limit", options.limits.nodes, "maximum number of nodes, on all ranks");
   app.add_option("--solution-limit", options.limits.solutions, "maximum number of solutions");
-  app.add_option("--resume", line.resume,
-                 "file of the state: written during the search, read by a later call");
+  auto* const resume =
+      app.add_option("--resume", line.resume,
+                     "file of the state: written during the search, read by a later call");
   app.add_option("--checkpoint-interval", options.checkpoint.interval, "seconds between two states")
       ->check(CLI::PositiveNumber);
-  app.add_option(
-      "--record", line.record,
-      "file that receives depth and time of each node, for kusabi bench scaling --trace");
+  app.add_option("--record", line.record,
+                 "file that receives depth and time of each node, for kusabi bench scaling --trace")
+      ->excludes(resume);
   app.add_option("--check-expand", options.check_expand,
                  "share of the nodes that are expanded twice and compared")
       ->check(CLI::Range(0.0, 1.0));

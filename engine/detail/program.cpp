@@ -132,6 +132,7 @@ void Program::show(const Progress& progress) {
 
 int Program::finish(const End& end) {
   const bool solved = end.status == Status::solved || end.status == Status::gap_limit;
+  if (recording_.is_open() && end.status != Status::solved) recording_ << incomplete_record << '\n';
   if (recording_.is_open() && !recording_.flush()) {
     throw std::runtime_error("--record: " + line_.record + " cannot be written; expected space");
   }
@@ -143,6 +144,8 @@ int Program::finish(const End& end) {
       if (end.open > 0) std::cerr << ", " << end.open << " left open";
       std::cerr << "; " << ranks << (ranks == 1 ? " rank, " : " ranks, ") << seconds() << " s\n";
       if (!solved && end.saved) std::cerr << "the same call resumes from " << line_.resume << '\n';
+      if (recording_.is_open() && end.status != Status::solved)
+        std::cerr << line_.record << " has the nodes opened before the early end only\n";
     }
     if (end.status == Status::solved && !line_.resume.empty()) remove_checkpoint(line_.resume);
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/node_record.hpp"
 #include "engine/search.hpp"
 
 namespace kusabi::benchmark {
@@ -32,6 +33,7 @@ RecordedTree RecordedTree::read(std::istream& stream, const std::string& name) {
   };
   std::string text;
   for (std::size_t line = 1; std::getline(stream, text); ++line) {
+    if (text == engine::incomplete_record) recording->complete = false;
     if (text.empty() || text.front() == '#') continue;
     std::istringstream words(text);
     std::size_t depth = 0;

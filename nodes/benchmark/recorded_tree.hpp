@@ -42,6 +42,9 @@ class RecordedTree {
   /// Time of all nodes, in seconds.
   [[nodiscard]] double total_seconds() const { return recording_->total_seconds; }
 
+  /// False if the recorded search ended early.
+  [[nodiscard]] bool complete() const { return recording_->complete; }
+
   /// Greatest sum of times on a path from the root, in seconds: no number of ranks is faster.
   [[nodiscard]] double longest_path() const { return recording_->longest_path; }
 
@@ -72,6 +75,7 @@ class RecordedTree {
     double total_seconds = 0;
     double least_seconds = 0;
     double longest_path = 0;
+    bool complete = true;
   };
 
   explicit RecordedTree(std::shared_ptr<const Recording> recording)

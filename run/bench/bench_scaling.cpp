@@ -125,6 +125,8 @@ int bench_scaling(Session& session, const BenchScalingOptions& options) {
   };
   if (!options.trace.empty()) {
     const auto tree = recorded(options.trace);
+    if (!tree.complete())
+      fmt::print("The recorded search ended early; the prediction is for the nodes it opened.\n");
     fmt::print("The longest path takes {:.6f} s: no number of ranks is faster.\n",
                tree.longest_path());
     print_table(options, Subject<benchmark::RecordedTree>{tree, tree.size(), tree.total_seconds()});

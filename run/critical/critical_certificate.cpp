@@ -37,8 +37,6 @@ class BoundCertificate final : public wedged::BoundRecord {
       file_.put_in_place(certificate_header(problem_, friction_, bounds) +
                          (one ? one_pattern_line : ""));
       if (!quiet_) print_written({name_});
-    } else {
-      file_.drop();
     }
   }
 

@@ -99,7 +99,7 @@ void CertificateFile::add(const wedged::Evidence& evidence) {
 
 void CertificateFile::put_in_place(const std::string& header) {
   write_whole(*whole_, header, parts_->all());
-  drop();
+  remove_parts(name_);
 }
 
 void put_earlier_certificate_in_place(const std::string& name, const std::string& input,

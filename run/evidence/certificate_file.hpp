@@ -81,9 +81,6 @@ class CertificateFile {
   /// @pre wanted(), rank 0, closed
   void require_parts() const { parts_->require(); }
 
-  /// Removes all parts, which no run will resume from. @pre wanted(), rank 0, closed
-  void drop() { remove_parts(name_); }
-
  private:
   std::string name_;
   std::optional<OutputFile> whole_;

@@ -122,7 +122,11 @@ std::vector<std::string> parts_of_finished(const PartsOwner& owner) {
 
 void remove_parts(const std::string& name) {
   std::error_code nothing_to_be_done;
-  for (const auto& part : parts_of(name)) fs::remove(part.file, nothing_to_be_done);
+  try {
+    for (const auto& part : parts_of(name)) fs::remove(part.file, nothing_to_be_done);
+  } catch (const fs::filesystem_error&) {
+    return;  // the folder cannot be read
+  }
 }
 
 PartFiles::PartFiles(Session& session, PartsOwner owner, bool goes_on)
@@ -142,7 +146,14 @@ PartFiles::PartFiles(Session& session, PartsOwner owner, bool goes_on)
 }
 
 PartFiles::~PartFiles() {
-  if (part_ >= 0) ::close(part_);
+  const bool open = part_ >= 0;
+  if (open) ::close(part_);
+  if (!owner_.checkpoint.empty() && !failed_) return;
+  if (session_.is_first()) {
+    remove_parts(owner_.name);
+  } else if (open) {
+    ::unlink(part_name(owner_.name, run_, session_.transport().rank()).c_str());
+  }
 }
 
 // @return a free number for the parts of this run

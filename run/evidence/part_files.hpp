@@ -32,7 +32,7 @@ bool next_line(std::istream& file, std::string& line);
 /// @throws std::runtime_error if one belongs to another tree
 std::vector<std::string> parts_of_finished(const PartsOwner& owner);
 
-/// Removes all parts.
+/// Removes all parts that can be removed.
 void remove_parts(const std::string& name);
 
 /// Part `rank` of a run is NAME.part.RUN.RANK until the parts are joined, and is locked while the
@@ -46,6 +46,7 @@ class PartFiles {
   PartFiles(Session& session, PartsOwner owner, bool goes_on);
   PartFiles(const PartFiles&) = delete;
   PartFiles& operator=(const PartFiles&) = delete;
+  /// Removes the parts if no later run can use them: without a checkpoint, or if one is incomplete.
   ~PartFiles();
 
   /// Writes whole lines. A full disk is reported by close().

@@ -218,7 +218,6 @@ void Patterns::search(CommandRun& run) {
         wedged::firmness_of_patterns(analysis, *loaded_, options_.friction, findings_->leaves);
 }
 
-// After an early stop the parts of the certificate are kept only with a checkpoint to resume from.
 void Patterns::end_certificate() {
   if (!certificate_->wanted() && !options_.certificate.empty()) {
     put_earlier_certificate_in_place(
@@ -230,8 +229,6 @@ void Patterns::end_certificate() {
     certificate_->put_in_place(certificate_header(contact_.problem, friction_, findings_->bounds));
   } else if (can_resume_) {
     certificate_->require_parts();
-  } else {
-    certificate_->drop();
   }
 }
 
@@ -277,7 +274,10 @@ std::vector<Step> Patterns::results(CommandRun& run) {
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
           run.file("--record",
-                   [this](auto& out) { out << engine::node_record_header << node_records_.str(); }),
+                   [this](auto& out) {
+                     out << engine::node_record_header << node_records_.str();
+                     if (!whole()) out << engine::incomplete_record << '\n';
+                   }),
           [this] { end_certificate(); },
           run.answer([report] { return report->table(); })};
 }
@@ -300,6 +300,8 @@ std::vector<std::string> Patterns::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
+  if (!options_.record.empty() && !whole())
+    remarks.push_back(options_.record + " has the nodes opened before the early end only");
   if (!options_.certificate.empty() && !(whole() && run.quiet())) {
     remarks.push_back(certificate_remark());
   }

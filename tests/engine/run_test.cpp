@@ -2,6 +2,7 @@
 #include "engine/run.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/node_record.hpp"
 #include "queens.hpp"
 
 namespace kusabi::engine {
@@ -126,6 +128,22 @@ TEST_F(Run, TheSameCallResumes) {
   EXPECT_EQ(placements_, 352U);
   EXPECT_EQ(opened_, whole);
   EXPECT_FALSE(std::filesystem::exists(state()));
+}
+
+TEST_F(Run, ARecordStatesThatItIsIncomplete) {
+  const auto record = folder_ + "/record";
+  const auto last_line = [&] {
+    std::ifstream file(record);
+    std::string line;
+    std::string last;
+    while (std::getline(file, line)) last = line;
+    return last;
+  };
+  EXPECT_EQ(queens(8, {"--record", record, "--node-limit", "100"}), 3);
+  EXPECT_EQ(last_line(), incomplete_record);
+  EXPECT_EQ(queens(8, {"--record", record}), 0);
+  EXPECT_NE(last_line(), incomplete_record);
+  EXPECT_EQ(queens(8, {"--record", record, "--resume", state()}), 2);  // only a part is searched
 }
 
 TEST_F(Run, TheStateOfAnotherProblemIsRefused) {

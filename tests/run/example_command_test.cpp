@@ -111,6 +111,11 @@ TEST_F(BenchCommand, PredictsTheTimeOfATreeOfPatterns) {
   const auto wrong = shell(call + " --order breadth-first");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("--record: is not possible with"));
+
+  EXPECT_THAT(shell(call + " --serial --node-limit 100").output,
+              HasSubstr("tree has the nodes opened before the early end only"));
+  EXPECT_THAT(shell(command + " bench scaling --most-ranks 1 --trace " + quoted(tree)).output,
+              HasSubstr("The recorded search ended early"));
 }
 
 }  // namespace
