@@ -45,7 +45,7 @@ Layout and colours of output on a terminal.
 
 constexpr std::string_view signals_and_files = R"(.SH SIGNALS
 .TP
-.BR SIGTERM ", " SIGINT ", " SIGXCPU ", " SIGUSR2
+.BR SIGTERM ", " SIGINT ", " SIGHUP ", " SIGXCPU ", " SIGUSR2
 The run ends as at its time limit: bounds and partial results are printed and
 written, the state of
 .B \-\-resume
@@ -60,6 +60,12 @@ is saved, and the run continues.
 .I *.toml
 Problem files: nodes, members, elements or a mesh, supports, contact candidates
 and loads.
+.TP
+.IR STATE ", " STATE.search* ", " STATE.status
+Files of
+.BR "\-\-resume STATE" :
+finished searches, the current search, and one line with the status of the last
+run.
 .TP
 .I ~/.config/kusabi/config.toml
 Defaults of options: a table for each subcommand, whose keys are the options
@@ -116,6 +122,12 @@ std::string synopsis(const CommandList::Entry& entry) {
   return fmt::format(".B kusabi {}\n{}\n", roff(entry.name()), roff(usage(entry.table).substr(1)));
 }
 
+// A call in one line, to be copied.
+std::string example(const CommandList::Entry& entry) {
+  return fmt::format(".nf\n.B kusabi {} {}\n.fi\n", verbatim(entry.name()),
+                     verbatim(entry.text.example));
+}
+
 std::string options(const CommandList::Entry& entry) {
   std::string text;
   for (const auto& row : entry.table.rows()) {
@@ -160,8 +172,7 @@ Each search runs in one process, or on all ranks of an MPI job.
       const auto& entry = *list.find(name);
       const auto purpose = roff(entry.text.purpose);
       fmt::format_to(out, ".TP\n.BR {} (1)\n{}\n", roff(page_name(entry.name())), purpose);
-      examples +=
-          fmt::format(".TP\n{}:\n.B kusabi {} {}\n", purpose, roff(name), roff(entry.text.example));
+      examples += fmt::format(".TP\n{}:\n{}", purpose, example(entry));
       pages +=
           fmt::format("{}.BR {} (1)", pages.empty() ? "" : ",\n", roff(page_name(entry.name())));
     }
@@ -178,8 +189,7 @@ std::string manual(const CommandList& list, const CommandList::Entry& entry) {
                  synopsis(entry));
   fmt::format_to(out, ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}{}", roff(described(entry)),
                  options(entry), status_and_environment);
-  fmt::format_to(out, ".SH EXAMPLES\n.B kusabi {} {}\n", roff(entry.name()),
-                 roff(entry.text.example));
+  fmt::format_to(out, ".SH EXAMPLES\n{}", example(entry));
   if (const auto progress = entry.text.progress; progress != ProgressLines::none) {
     fmt::format_to(out, ".SH PROGRESS\n.nf\n{}\n.fi\n",
                    verbatim(progress_explained(progress == ProgressLines::bounds)));

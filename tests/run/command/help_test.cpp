@@ -107,6 +107,10 @@ TEST(Manual, HasAllOptionsOfAllSubcommands) {
     const auto page = manual(list, entry);
     EXPECT_THAT(whole, HasSubstr(roff(std::string(entry.text.purpose))));
     EXPECT_TRUE(page.starts_with(".TH KUSABI\\-")) << page;
+    const auto example = "\n.nf\n.B kusabi " + roff(std::string(entry.name())) + ' ' +
+                         roff(std::string(entry.text.example)) + "\n.fi\n";
+    EXPECT_THAT(page, HasSubstr(example));  // not filled
+    EXPECT_THAT(whole, HasSubstr(example));
     for (const auto& row : entry.table.rows()) {
       if (!row.shown()) continue;
       EXPECT_THAT(page, HasSubstr("\\fB" + roff(row.name) + "\\fR"));
