@@ -327,12 +327,19 @@ class SceneReader {
     scene.support_reactions = by_node(configuration, "support_reactions");
   }
 
-  // No columns if the key does not exist.
+  // Rows in the order of the nodes, or by their names. No columns if the key does not exist.
   [[nodiscard]] Eigen::Matrix3Xd by_node(const ResultJson& configuration, const char* key) const {
     Eigen::Matrix3Xd vectors(3, 0);
     const auto* const values = ResultReader::find(configuration, key);
-    if (values == nullptr || !values->is_object()) return vectors;
-    vectors = Eigen::Matrix3Xd::Zero(3, structure_.scene.positions.cols());
+    if (values == nullptr) return vectors;
+    const auto count = structure_.scene.positions.cols();
+    vectors = Eigen::Matrix3Xd::Zero(3, count);
+    if (values->is_array()) {
+      const auto& rows = reader_.list(configuration, key, static_cast<std::size_t>(count));
+      for (Eigen::Index node = 0; node < count; ++node)
+        vectors.col(node) = reader_.vector(rows[static_cast<std::size_t>(node)], dimension_);
+      return vectors;
+    }
     for (const auto& [name, value] : values->items())
       vectors.col(node_named(name)) = reader_.vector(value, dimension_);
     return vectors;

@@ -1,4 +1,4 @@
-// State of the structure by nodes, and by members in their order.
+// State of the structure: nodes and members in their order, reactions by the names of nodes.
 #include "run/wedged/whole_state_json.hpp"
 
 #include <cstddef>
@@ -58,11 +58,11 @@ void WholeStateJson::add_to(ordered_json& configuration, std::span<const double>
                             std::span<const double> displacements) const {
   const auto& names = states_.structure().node_names;
   const auto state = states_.whole().under(reactions, displacements);
-  auto everywhere = ordered_json::object();
+  auto everywhere = ordered_json::array();
   auto supports = ordered_json::object();
   for (std::size_t node = 0; node < names.size(); ++node) {
     const auto column = static_cast<Eigen::Index>(node);
-    append(everywhere, names[node], numbers(state.displacements.col(column)));
+    everywhere.push_back(numbers(state.displacements.col(column)));
     if (states_.whole().is_supported(static_cast<int>(node))) {
       append(supports, names[node], numbers(state.reactions.col(column)));
     }

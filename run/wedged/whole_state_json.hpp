@@ -22,9 +22,9 @@ class WholeStateJson {
 
   [[nodiscard]] const problems::Structure& structure() const { return states_.structure(); }
 
-  /// Adds `all_displacements` and `support_reactions`, by node in global axes, `axial_forces` if
-  /// there are members, `utilisation` if a yield force is known for any, `stresses` and `von_mises`
-  /// if there are elements, and `imbalance`.
+  /// Adds `all_displacements`, of the nodes in their order, and `support_reactions`, by the names
+  /// of nodes, both in global axes; `axial_forces` if there are members, `utilisation` if a yield
+  /// force is known for any, `stresses` and `von_mises` if there are elements, and `imbalance`.
   /// @param reactions of all candidates, dm
   /// @param displacements likewise
   void add_to(nlohmann::ordered_json& configuration, std::span<const double> reactions,

@@ -57,7 +57,8 @@ class LargeResults(KusabiCase):
         names = [f"more {i}" for i in range(100000)]
         structure["node_names"] += names
         structure["positions"] += [[0, 0]] * len(names)
-        pattern["all_displacements"].update({name: [0, 0] for name in names})
+        pattern["all_displacements"] += [[0, 0]] * len(names)
+        pattern["support_reactions"].update({name: [0, 0] for name in names})
         self.result.write_text(json.dumps(result))
         before = os.times()
         self.megabytes("draw", self.result, "--pattern", 1)

@@ -86,7 +86,7 @@ OPTIONAL_OF = {
     "hold": {"structure": {"reference_loads"}, "result": {"points"}},
 }
 # keys are names of the problem
-NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
+NAMED = {"group_alpha", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
 
 
 def places(value, way=(), name=""):

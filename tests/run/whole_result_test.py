@@ -100,7 +100,7 @@ class WholeResult(KusabiCase):
         patterns = result["result"]["patterns"]
         self.assertEqual({pattern["block"] for pattern in patterns}, {1, 2})
         for pattern in patterns:
-            moved = pattern["all_displacements"]
+            moved = dict(zip(structure["node_names"], pattern["all_displacements"], strict=True))
             self.assertEqual(moved["beside"], moved["tip"])
             self.assertAlmostEqual(3 * moved["far"][0] + 4 * moved["far"][1], 0, delta=1e-12)
             for (elongation, length), stiffness, force in zip(self.elongations(structure, moved),
