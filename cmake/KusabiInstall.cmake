@@ -6,9 +6,8 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/kusabi)
 install(EXPORT kusabi NAMESPACE kusabi:: FILE kusabiTargets.cmake DESTINATION ${package} COMPONENT development)
 configure_package_config_file(cmake/kusabiConfig.cmake.in ${PROJECT_BINARY_DIR}/kusabiConfig.cmake
   INSTALL_DESTINATION ${package})
-# Before 1.0 each minor version may change the interface of the library.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/kusabiConfig.cmake ${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
   cmake/FindGLPK.cmake cmake/FindQD.cmake
   DESTINATION ${package} COMPONENT development)
