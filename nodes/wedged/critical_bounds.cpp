@@ -78,7 +78,8 @@ Evidence CriticalBounds::form_of(std::uint32_t block) const {
       .kind = Evidence::Kind::form, .block = block, .node = {}, .numbers = forms_.numbers[block]};
 }
 
-// If K cannot be enclosed, the proof in doubles (form_proves_infeasible) is sufficient.
+// The form was proved in doubles (form_proves_infeasible): a bound by computation where K cannot be
+// enclosed, or the exact test does not succeed.
 void CriticalBounds::prove_by_forms(QuadraticForms forms) {
   if (!decisions_.enclose()) {
     bracket_.raise_lower(forms.factor);
@@ -93,6 +94,7 @@ void CriticalBounds::prove_by_forms(QuadraticForms forms) {
     bracket_.prove_lower(forms_.factor);
     proved_lower_ = forms_.factor;
   } else {
+    bracket_.raise_lower(forms_.factor);
     forms_ = {};
   }
   bracket_.show();
@@ -109,10 +111,10 @@ void CriticalBounds::record_forms() {
   forms_recorded_ = true;
 }
 
-// Of a run that was stopped: the form, and one cone program for the leaf.
+// Certificates of a stopped run: the form, and one cone program for the leaf.
 void CriticalBounds::record_proved_bounds() {
   if (forms_are_the_bound() && !forms_recorded_) record_forms();
-  if (bracket_.upper_proved() && !parameters_.list)
+  if (bracket_.upper_proved())
     decisions_.leaf(*bracket_.leaf(), *bracket_.upper(), LeafRecord::after_stop);
 }
 
@@ -249,6 +251,8 @@ engine::Status CriticalBounds::list(CriticalFindings& findings) {
   const bool own_limit = decided.status == engine::Status::node_limit && !analysis_.ended();
   if (!decided.solved()) {
     findings.open_points.push_back(OpenPoint::list_not_complete);
+    if (recorder_ && own_limit && bracket_.upper_proved())
+      decisions_.leaf(*bracket_.leaf(), *bracket_.upper(), LeafRecord::after_stop);
     for (const auto& leaf : cones)
       if (known_.empty() || !(leaf.pattern == known_.front().pattern)) known_.push_back(leaf);
     return own_limit ? engine::Status::solved : decided.status;

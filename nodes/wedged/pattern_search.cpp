@@ -52,16 +52,33 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analy
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
 }
 
-// True if the only leaf found is undecided: other nodes may show a pattern.
-bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& findings) {
+/// Result of a search for one pattern: nothing, an undecided leaf, or a pattern.
+enum class FirstLeaf : char { none, open, cone };
+
+FirstLeaf first_leaf(engine::Analysis& analysis, const PatternFindings& findings) {
   return engine::from_first_rank(analysis.transport(), [&] {
-    const auto& outcome = findings.outcome;
-    return outcome.status == engine::Status::solution_limit &&
-           std::ranges::none_of(outcome.solutions, [](const auto& found) {
-             return found.solution.state == LeafState::feasible ||
-                    found.solution.state == LeafState::flat;
-           });
+    const auto& leaves = findings.outcome.solutions;
+    if (leaves.empty()) return FirstLeaf::none;
+    return std::ranges::any_of(
+               leaves, &Configuration::is_cone,
+               [](const auto& found) -> const Configuration& { return found.solution; })
+               ? FirstLeaf::cone
+               : FirstLeaf::open;
   });
+}
+
+// Searches one pattern, the first in the order of the tree. If its first leaf is undecided, other
+// nodes may show a pattern, and all are searched.
+void search_first(engine::Analysis& analysis, SignPatternTree& tree, engine::Options search,
+                  PatternFindings& findings) {
+  search.goal = engine::Goal::first;
+  findings.outcome = analysis.search(tree, search);
+  const auto leaf = first_leaf(analysis, findings);
+  if (leaf == FirstLeaf::cone) findings.outcome.status = engine::Status::solution_limit;
+  if (leaf != FirstLeaf::open || findings.outcome.status != engine::Status::solved) return;
+  search.goal = engine::Goal::all;
+  search.checkpoint = {};
+  findings.outcome = analysis.search(tree, search);
 }
 
 /// Enclosure of K for an optional test; nothing if it is too large, or there is no time.
@@ -179,9 +196,9 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   if (options.facets == 0 && !enclosed && !parameters.kept)
     known = known_patterns(analysis, problem, friction, parameters, parameters.tree.tolerances);
   auto search = parameters.search;
-  if (parameters.exists) search.limits.solutions = 1;
   // No search if the known patterns suffice.
-  const auto maximum = std::min(analysis.budget().left().solutions, search.limits.solutions);
+  const auto maximum =
+      parameters.exists ? 1 : std::min(analysis.budget().left().solutions, search.limits.solutions);
   const bool enough = known.size() >= maximum;
   if (enough) search.limits.nodes = 0;
   const SignPatternOptions as_it_is{.tolerances = options.tolerances,
@@ -207,12 +224,10 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   findings.bounds = proved_bounds(prepared);
   if (enclosed) test_all_nodes(tree, *check, problem.modes.matrix.cols() > 0, findings);
   if (of_unconstrained) test_degenerate_nodes(tree, *check);
-  findings.outcome = analysis.search(tree, search);
-  if (parameters.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
-    search.limits.solutions = engine::Limits{}.solutions;
-    search.checkpoint = {};
+  if (parameters.exists && !enough)
+    search_first(analysis, tree, search, findings);
+  else
     findings.outcome = analysis.search(tree, search);
-  }
   if (enough) findings.outcome.status = engine::Status::solution_limit;
   collect_leaves(findings, known, maximum);
   sort_by_blocks(problem, prepared, findings);

@@ -133,10 +133,13 @@ std::string Critical::announcement(const std::string& ranks) const {
 
 void Critical::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
+  WrittenCertificates written;
   findings_ = wedged::find_critical_friction(
       analysis, contact_.structure, contact_.problem, options_.parameters,
       bound_recorder(run.session(), {options_.certificate, options_.input.file, run.quiet()},
-                     contact_.problem));
+                     contact_.problem, written));
+  findings_.lower_recorded = written.lower;
+  findings_.upper_recorded = written.upper;
   if (!run.session().is_first()) return;
   const double answer = findings_.upper.value_or(findings_.lower);
   warn_of_facets(run, options_.input, contact_.facets, answer);

@@ -18,8 +18,9 @@ class BoundCertificate final : public wedged::BoundRecord {
  public:
   BoundCertificate(Session& session, const BoundCertificates& certificates, const std::string& name,
                    std::uint64_t tree, const problems::WedgedProblem& problem,
-                   std::span<const double> friction)
+                   std::span<const double> friction, bool& written)
       : session_(session),
+        written_(written),
         quiet_(certificates.quiet),
         name_(name),
         problem_(problem),
@@ -31,6 +32,7 @@ class BoundCertificate final : public wedged::BoundRecord {
   void end(std::span<const wedged::ProvedBound> bounds, wedged::BoundClaim claim,
            bool holds) override {
     file_.close();
+    written_ = holds;
     if (!session_.is_first()) return;
     if (holds) {
       const bool one = claim == wedged::BoundClaim::one_pattern;
@@ -42,6 +44,7 @@ class BoundCertificate final : public wedged::BoundRecord {
 
  private:
   Session& session_;
+  bool& written_;
   bool quiet_;
   std::string name_;
   const problems::WedgedProblem& problem_;
@@ -52,17 +55,19 @@ class BoundCertificate final : public wedged::BoundRecord {
 }  // namespace
 
 wedged::BoundRecorder bound_recorder(Session& session, BoundCertificates certificates,
-                                     const problems::WedgedProblem& problem) {
+                                     const problems::WedgedProblem& problem,
+                                     WrittenCertificates& written) {
   if (certificates.name.empty()) return {};
-  return [&session, &problem, certificates = std::move(certificates)](
+  return [&session, &problem, &written, certificates = std::move(certificates)](
              wedged::BracketSide side, double factor,
              std::span<const double> friction) -> std::unique_ptr<wedged::BoundRecord> {
     support::Fingerprint fingerprint;
     fingerprint.add(problem.provenance.fingerprint);
     fingerprint.add(factor);
-    const char* const which = side == wedged::BracketSide::lower ? ".lower" : ".upper";
-    return std::make_unique<BoundCertificate>(session, certificates, certificates.name + which,
-                                              fingerprint.value(), problem, friction);
+    const bool lower = side == wedged::BracketSide::lower;
+    return std::make_unique<BoundCertificate>(
+        session, certificates, certificates.name + (lower ? ".lower" : ".upper"),
+        fingerprint.value(), problem, friction, lower ? written.lower : written.upper);
   };
 }
 

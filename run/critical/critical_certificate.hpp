@@ -15,8 +15,15 @@ struct BoundCertificates {
   bool quiet = false;  ///< file names are not printed
 };
 
-/// Recorder of both bounds. Session and problem must outlive it.
+/// True for the bounds whose certificates exist.
+struct WrittenCertificates {
+  bool lower = false;
+  bool upper = false;
+};
+
+/// Recorder of both bounds. Session, problem and `written` must outlive it.
 wedged::BoundRecorder bound_recorder(Session& session, BoundCertificates certificates,
-                                     const problems::WedgedProblem& problem);
+                                     const problems::WedgedProblem& problem,
+                                     WrittenCertificates& written);
 
 }  // namespace kusabi::run

@@ -17,11 +17,15 @@ Bound bound(double value, bool proved) {
   return {value, proved ? Standing::proved : Standing::computed};
 }
 
-// The pattern that becomes feasible at the least coefficient, and its slipping candidates.
-std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
-  auto text = fmt::format("The first pattern to stick is number 1 (in contact: {})",
-                          contact_text(problem, first.pattern));
-  if (first.reaction.empty() || !first.upper) return text + '.';
+// The pattern that becomes feasible at the least coefficient, and its slipping candidates; in an
+// open bracket, the pattern known to stick with the least friction.
+std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first,
+                      bool closed) {
+  auto text = fmt::format(
+      "{} is number 1 (in contact: {})",
+      closed ? "The first pattern to stick" : "The pattern known to stick with the least friction",
+      contact_text(problem, first.pattern));
+  if (!closed || first.reaction.empty() || !first.upper) return text + '.';
   const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
                                        first.reaction, first.displacement);
   if (nearest.slips_there.empty()) return text + '.';
@@ -56,12 +60,17 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
 
 Verdict critical_verdict(const CriticalOptions& options, const problems::WedgedProblem& problem,
                          const wedged::CriticalFindings& findings) {
-  Verdict verdict{.ended = findings.status, .answer = critical_bracket(options, problem, findings)};
+  const auto bracket = critical_bracket(options, problem, findings);
+  Verdict verdict{.ended = findings.status, .answer = bracket};
+  const bool closed = findings.status == engine::Status::solved && !bracket.wide;
   if (findings.upper && !findings.patterns.empty())
-    verdict.details.push_back(first_way(problem, findings.patterns.front()));
-  const bool answered = findings.status == engine::Status::solved && findings.upper;
-  if (!options.certificate.empty() && answered && !findings.upper_proved)
-    verdict.missing.emplace_back("The certificate does not prove the upper bound.");
+    verdict.details.push_back(first_way(problem, findings.patterns.front(), closed));
+  if (!options.certificate.empty()) {
+    if (!findings.lower_recorded)
+      verdict.missing.emplace_back("There is no certificate of the lower bound.");
+    if (findings.upper && !findings.upper_recorded)
+      verdict.missing.emplace_back("There is no certificate of the upper bound.");
+  }
   return verdict;
 }
 

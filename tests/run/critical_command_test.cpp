@@ -1,4 +1,5 @@
 // kusabi critical as a user calls it, alone and under mpirun.
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -44,6 +45,19 @@ TEST_F(CriticalCommand, ProvesBothBounds) {
   EXPECT_EQ(listed.exit_code, 0) << listed.output;
   EXPECT_THAT(shell(command + " verify " + argument("listed.upper") + " --problem " + truss).output,
               HasSubstr("PROVED: the list of 1 pattern is"));
+  // A list that does not end leaves the pattern of the upper bound.
+  const auto begun = shell(command + " critical " + truss +
+                           " --list --list-limit 3 --certificate " + argument("begun"));
+  EXPECT_THAT(begun.output, HasSubstr("were not determined"));
+  EXPECT_THAT(shell(command + " verify " + argument("begun.upper")).output,
+              HasSubstr("PROVED: it can stick, by 1 pattern; other patterns are not decided\n"));
+}
+
+TEST_F(CriticalCommand, NamesTheBoundsWithoutCertificate) {
+  const auto run =
+      shell(command + " critical " + truss + " --node-limit 5 --certificate " + argument("none"));
+  EXPECT_THAT(run.output, HasSubstr("There is no certificate of the lower bound."));
+  EXPECT_FALSE(std::filesystem::exists(in_folder("none.lower")));
 }
 
 TEST_F(CriticalCommand, ReportsThatItCannotStickUpToTheMaximum) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "nodes/wedged/friction/margin_curve.hpp"
@@ -85,6 +86,35 @@ double CriticalFriction::min_coefficient(const Eigen::VectorXd& pull,
   return std::max(0.0, minimum * (1 - rounding));
 }
 
+double CriticalFriction::coefficient_of_point(const SignPattern& node, double lower) const {
+  double gap = infinity;    // smallest u_n of the candidates not in U
+  double slack = infinity;  // of the friction cones
+  double sum = 0;
+  const auto tangential = [&](Eigen::Index at) {
+    return solver_.reaction().segment(at + 1, solver_.dimension() - 1).norm();
+  };
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const int candidate = static_cast<int>(i);
+    const auto at = solver_.normal(candidate);
+    if (!node.contact.contains(candidate))
+      gap = std::min(gap, solver_.normal_displacement(candidate));
+    if (node.separated.contains(candidate)) continue;
+    sum += solver_.reaction()[at];
+    slack = std::min(slack, friction_[i] * solver_.reaction()[at] - tangential(at));
+  }
+  const double cost = std::max(0.0, std::min(gap, slack) - lower * sum) + tolerances.sign;
+  if (!(gap > cost)) return infinity;
+  double coefficient = 0;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    if (node.separated.contains(static_cast<int>(i))) continue;
+    const auto at = solver_.normal(static_cast<int>(i));
+    const double normal = solver_.reaction()[at];
+    if (!(normal > 0)) return infinity;
+    coefficient = std::max(coefficient, (tangential(at) + cost) / (own_[i] * normal));
+  }
+  return coefficient;
+}
+
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
                                       conic::StopEarly stop) {
   ++programs_;
@@ -105,25 +135,13 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   // / (sigma factor).
   double sigma = 0;
   double weighted = 0;
-  bool carries = answer.has_point;
   for (std::size_t i = 0; i < own_.size(); ++i) {
     if (node.separated.contains(static_cast<int>(i))) continue;
     const auto at = solver_.normal(static_cast<int>(i));
-    const auto tangents = solver_.dimension() - 1;
-    const double normal = solver_.reaction()[at];
     sigma += 1 / friction_[i];
-    weighted -= pull_[at] * normal;
-    carries = carries && normal > 0;
-    probe.feasible_from =
-        std::max(probe.feasible_from,
-                 (solver_.reaction().segment(at + 1, tangents).norm() + tolerances.sign) /
-                     (own_[i] * normal));
+    weighted -= pull_[at] * solver_.reaction()[at];
   }
-  for (std::size_t i = 0; i < own_.size() && carries; ++i) {
-    if (!node.contact.contains(static_cast<int>(i)))
-      carries = solver_.normal_displacement(static_cast<int>(i)) > tolerances.sign;
-  }
-  if (!carries) probe.feasible_from = infinity;
+  probe.feasible_from = answer.has_point ? coefficient_of_point(node, answer.lower) : infinity;
   if (answer.has_point && std::isfinite(answer.upper)) {
     const double slope = (sigma * probe.margin + weighted) / (sigma * factor);
     if (slope > 0) probe.newton = factor - probe.margin / slope;
@@ -218,6 +236,7 @@ class CriticalFriction::Approach {
            std::int64_t maximum)
       : critical_(critical),
         pattern_(pattern),
+        known_(cell),
         cell_(cell),
         maximum_(maximum),
         curve_(critical.width()) {}
@@ -225,7 +244,10 @@ class CriticalFriction::Approach {
   [[nodiscard]] const CriticalCell& cell() const { return cell_; }
 
   // True if the cell is found; false: bisection continues from it.
-  bool run() {
+  bool run() { return approach() && is_confirmed(); }
+
+ private:
+  bool approach() {
     double factor = is_open() ? floor() : critical_.at(cell_.feasible);
     for (int step = 1; step <= max_steps; ++step) {
       const auto said = ask(factor);
@@ -249,7 +271,27 @@ class CriticalFriction::Approach {
     return false;
   }
 
- private:
+  // The multipliers and the configuration of a program are used at other coefficients as if they
+  // satisfied their equations exactly. Programs at both ends of the cell exclude that one of them
+  // is wrong for this reason; if one is, only the bounds that were known before remain, and this
+  // one.
+  bool is_confirmed() {
+    const auto contradicts = [this](std::int64_t point, conic::Sign sign) {
+      return critical_.at(point) >= critical_.range_.minimum && !solved_.contains(point) &&
+             critical_.probe(pattern_, critical_.at(point), sign_only).sign == sign;
+    };
+    if (cell_.infeasible > known_.infeasible &&
+        contradicts(cell_.infeasible, conic::Sign::feasible)) {
+      cell_ = {known_.infeasible, cell_.infeasible};
+      return false;
+    }
+    if (cell_.feasible < known_.feasible && contradicts(cell_.feasible, conic::Sign::infeasible)) {
+      cell_ = {cell_.feasible, known_.feasible};
+      return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] bool is_open() const { return cell_.feasible == CriticalCell::nowhere; }
   [[nodiscard]] bool is_one_cell() const { return cell_.feasible - cell_.infeasible <= 1; }
 
@@ -277,6 +319,7 @@ class CriticalFriction::Approach {
     if (point <= cell_.infeasible || point >= cell_.feasible) return true;
     if (critical_.at(point) < critical_.range_.minimum) return false;
     const auto said = ask(critical_.at(point));
+    solved_.insert(point);
     if (said.sign != conic::Sign::unproved) return true;
     if (!said.degenerate || !critical_.is_flat(pattern_, critical_.at(point))) return false;
     cell_.feasible = point;
@@ -304,9 +347,11 @@ class CriticalFriction::Approach {
 
   CriticalFriction& critical_;
   const SignPattern& pattern_;
+  CriticalCell known_;  // before
   CriticalCell cell_;
   std::int64_t maximum_;
   MarginCurve curve_;
+  std::set<std::int64_t> solved_;  // grid points with a program
 };
 
 CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,

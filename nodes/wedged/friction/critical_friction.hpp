@@ -170,6 +170,10 @@ class CriticalFriction {
   void set_friction(double factor);
   // The least coefficient at which w_ni + mu_i |w_ti| is not negative for some i not in R.
   [[nodiscard]] double min_coefficient(const Eigen::VectorXd& pull, const SignPattern& node) const;
+  // The coefficient from which on the configuration of the last program proves the node feasible;
+  // infinity: none. The cost of its residual is the level of the configuration minus `lower`, the
+  // lower bound of t*; it does not grow as friction does.
+  [[nodiscard]] double coefficient_of_point(const SignPattern& node, double lower) const;
   // The bound of the program with cuts, if it proves one.
   std::optional<double> infeasible_below_with_cuts(const SignPattern& node, double factor);
   // Moves a bound of the cell to a point within it, if its sign is decided there.
