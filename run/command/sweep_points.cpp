@@ -40,7 +40,9 @@ class PointsReader {
     if ((three[1] - three[0]) / three[2] >= static_cast<double>(max_points)) too_many();
     std::vector<double> points;
     for (int step = 0;; ++step) {
-      const double point = *number_in(fmt::format("{:.12g}", three[0] + step * three[2]));
+      // The decimals of START and STEP, without the rounding errors of the sum.
+      const double point =
+          step == 0 ? three[0] : *number_in(fmt::format("{:.12g}", three[0] + step * three[2]));
       if (point > three[1]) return points;
       points.push_back(point);
     }

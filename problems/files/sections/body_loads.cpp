@@ -18,6 +18,12 @@ void add_weight(ProblemDraft& draft, const toml::node& entry) {
       weight(structure, draft.reader().vector(entry, "gravity", structure.dimension));
   if (forces.isZero(0))
     draft.reader().fail(entry, "gravity has no effect; expected the density of a material");
+  if (!structure.superelements.empty()) {
+    structure.warnings.emplace_back(
+        structure_error(structure, draft.reader().position(entry),
+                        "bodies of [[stiffness]] have no weight, since their mass is not known")
+            .what());
+  }
   const auto without = std::ranges::count(structure.elements, 0.0, &Element::density) +
                        std::ranges::count(structure.members, 0.0, &Member::mass);
   if (without > 0) {

@@ -221,6 +221,9 @@ void MeshFileSection::add_body_element(const MeshElement& element, const MeshUse
     made.modulus = use.section->modulus;
     made.ratio = use.section->ratio;
     made.thickness = structure().dimension == 3 ? 1 : scale_ * use.section->measure;
+    made.density = use.section->density;
+    if (made.density == 0 && own_) made.density = own_->element.density;
+    if (own_) made.expansion = own_->element.expansion;
     material_position = position(use.section->at);
   } else if (!is_of_stiffness(draft_, name_.text)) {
     refuse_misspelt(draft_, plan_.materials, plan_.element_groups, name_.text);
@@ -253,7 +256,9 @@ void MeshFileSection::add_bar(const MeshElement& element, const MeshUse& use) {
     bar = use.material->bar;
     material_position = use.material->position;
   } else {  // force per area times an area, whose unit is that of the mesh
-    bar.axial_stiffness = use.section->modulus * use.section->measure * scale_ * scale_;
+    const double area = use.section->measure * scale_ * scale_;
+    bar.axial_stiffness = use.section->modulus * area;
+    bar.mass = use.section->density * area;
     material_position = position(use.section->at);
   }
   bar.first = number(element.nodes[0]);

@@ -151,6 +151,7 @@ TEST(MeshSection, TakesMaterialsAndSupportsOfTheFile) {
   EXPECT_EQ(structure.elements[0].modulus, 210);
   EXPECT_EQ(structure.elements[0].ratio, 0.3);
   EXPECT_EQ(structure.elements[0].thickness, 0.5);
+  EXPECT_EQ(structure.elements[0].density, 7.8);
   EXPECT_THAT(structure.fixed[0], ElementsAre(true, true, false));
   EXPECT_THAT(structure.fixed[1], ElementsAre(true, false, false));
   EXPECT_THAT(structure.fixed[2], ElementsAre(false, false, false));
