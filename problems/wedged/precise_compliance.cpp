@@ -1,28 +1,26 @@
-// Iterative refinement and the bound of the remaining error.
+// Solution, residual, and the bound of the error that is quadratic in it.
 #include "problems/wedged/precise_compliance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
+#include <fmt/format.h>
 
-#include "problems/structure/assembly/contact_frame.hpp"
-#include "problems/structure/bodies/grounding_springs.hpp"
-#include "problems/structure/bodies/rigid_motions.hpp"
 #include "problems/structure/factor/blas_product.hpp"
-#include "problems/structure/model/elongation.hpp"
-#include "problems/structure/model/several_normals.hpp"
 #include "problems/structure/model/truss.hpp"
 #include "problems/wedged/precise_residual.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
 #include "problems/wedged/tangential_springs.hpp"
+#include "problems/wedged/unit_loads.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
@@ -41,9 +39,6 @@ constexpr double unit = numbers::unit_roundoff<Precise>;
 /// Factor for the rounding errors of sums of a few hundred nonnegative doubles.
 constexpr double safety = 1.001;
 
-/// Bound of the rounding errors of entries of a normal or tangent.
-constexpr double frame_roundings = 32;
-
 /// Maximum number of refinement steps. Each gains the digits of the factor minus those of the
 /// condition number.
 constexpr int max_refinements = 12;
@@ -59,75 +54,6 @@ constexpr double negligible_otherwise = 1e-32;
 template <class Real>
 constexpr double negligible() {
   return std::is_same_v<Real, double> ? negligible_in_doubles : negligible_otherwise;
-}
-
-/// Unit loads along the directions of all candidates, times D: f x dm, columns n, t1[, t2] of each,
-/// and the norm of the rounding errors of each column.
-struct Loads {
-  SparseMatrix matrix;
-  Eigen::VectorXd errors;
-
-  [[nodiscard]] numbers::PreciseMatrix columns(Eigen::Index first, Eigen::Index count) const {
-    numbers::PreciseMatrix result = numbers::PreciseMatrix::Zero(matrix.rows(), count);
-    for (Eigen::Index column = 0; column < count; ++column) {
-      for (SparseMatrix::InnerIterator entry(matrix, first + column); entry; ++entry)
-        result(entry.row(), column) = entry.value();
-    }
-    return result;
-  }
-};
-
-/// Entries of the loads, of which those at the same place are added.
-using Entries = std::vector<Eigen::Triplet<Precise>>;
-
-// Adds forces on nodes, transferred to the free displacements and scaled, as the last columns.
-void add_node_forces(const FreeDegrees& degrees, const Eigen::MatrixXd& forces,
-                     const Eigen::VectorXd& scale, Entries& entries, Eigen::VectorXd& errors) {
-  const Eigen::Index d = degrees.number.rows();
-  Eigen::Index column = errors.size() - forces.cols();
-  for (Eigen::Index load = 0; load < forces.cols(); ++load, ++column) {
-    double sizes = 0;
-    for (Eigen::Index row = 0; row < forces.rows(); ++row) {
-      const double force = forces(row, load);
-      if (force == 0) continue;
-      for (const auto& part :
-           parts_of<Precise>(degrees, static_cast<int>(row % d), static_cast<int>(row / d))) {
-        entries.emplace_back(part.number, static_cast<int>(column),
-                             part.value * Precise(force) * scale(part.number));
-        sizes += std::abs(numbers::rounded(part.value) * force) * scale(part.number);
-      }
-    }
-    errors(column) = frame_roundings * unit * 2 * sizes;
-  }
-}
-
-Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
-                 const Eigen::MatrixXd& forces, const Eigen::VectorXd& scale) {
-  const auto d = static_cast<Eigen::Index>(structure.dimension);
-  const auto columns = d * static_cast<Eigen::Index>(structure.contact.size()) + forces.cols();
-  Loads loads{SparseMatrix(degrees.size(), columns), Eigen::VectorXd(columns)};
-  Entries entries;
-  Eigen::Index column = 0;
-  for (const ContactCandidate& candidate : structure.contact) {
-    const auto frame = precise_contact_frame(candidate);
-    const double sine =
-        candidate.tangent ? tangent_sine(candidate.normal, *candidate.tangent) / 2 : 0.5;
-    for (Eigen::Index direction = 0; direction < d; ++direction, ++column) {
-      double sizes = 0;
-      for (int axis = 0; axis < structure.dimension; ++axis) {
-        // The displacement is fixed where a roller acts.
-        for (const auto& part : candidate_displacement<Precise>(degrees, candidate, axis)) {
-          entries.emplace_back(part.number, static_cast<int>(column),
-                               part.value * frame(axis, direction) * scale(part.number));
-          sizes += std::abs(numbers::rounded(part.value)) * scale(part.number);
-        }
-      }
-      loads.errors(column) = frame_roundings * unit * 2 * sizes / (direction == 0 ? 1 : sine);
-    }
-  }
-  add_node_forces(degrees, forces, scale, entries, loads.errors);
-  loads.matrix.setFromTriplets(entries.begin(), entries.end());
-  return loads;
 }
 
 Eigen::VectorXd column_norms(const numbers::PreciseMatrix& matrix) {
@@ -165,7 +91,7 @@ class Condensation {
   /// decrease, or are below the bound of their own rounding errors.
   [[nodiscard]] Columns solve(Eigen::Index first, Eigen::Index count,
                               const support::Stop& stop) const {
-    const numbers::PreciseMatrix right = loads_.columns(first, count);
+    const numbers::PreciseMatrix right = loads_.dense(first, count);
     const Eigen::VectorXd certain =
         2 * unit * column_norms(right) + loads_.errors.segment(first, count);
     Columns best;
@@ -304,11 +230,22 @@ double compliance_error(const Loads& loads, const Solution& solution, double min
   return error < 1e-3 ? error * (1 + 2 * error) : infinity;
 }
 
+/// Announces the factorisation, and the memory for X and F, in doubles and in 104 bits, if it is a
+/// gigabyte.
+void announce(const ScaledStiffness& stiffness, Eigen::Index loads, const support::LongWork& work) {
+  const auto columns = static_cast<double>(loads);
+  const double entries = columns * (static_cast<double>(stiffness.matrix.rows()) + columns);
+  const double gigabytes = 1e-9 * entries * (sizeof(double) + sizeof(Precise));
+  const auto memory =
+      gigabytes < 1 ? std::string() : fmt::format(", which takes {:.1f} GB of memory", gigabytes);
+  work.reached(fmt::format("condensing the stiffness{}: its factor", memory).c_str(), 0);
+}
+
 template <class Real>
 EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degrees,
                             const Eigen::MatrixXd& forces, const ScaledStiffness& stiffness,
                             const support::LongWork& work) {
-  work.reached("condensing the stiffness: its factor", 0);
+  announce(stiffness, structure.dimension * std::ssize(structure.contact) + forces.cols(), work);
   const StiffnessFactor<Real> factor(stiffness.matrix);
   work.reached("condensing the stiffness: its least eigenvalue", 0);
   const double minimum = factor.min_eigenvalue() - stiffness.error;
