@@ -9,7 +9,7 @@ configure_package_config_file(cmake/kusabiConfig.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/kusabiConfig.cmake ${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
-  cmake/FindGLPK.cmake cmake/FindQD.cmake
+  cmake/FindCHOLMOD.cmake cmake/FindGLPK.cmake cmake/FindQD.cmake
   DESTINATION ${package} COMPONENT development)
 
 # pkg-config files: kusabi for all libraries, kusabi-engine for the engine alone. The prefix is

@@ -23,7 +23,7 @@ set(CPACK_KUSABI_SOURCE ${PROJECT_SOURCE_DIR})
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME kusabi)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "openmpi-bin")
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "kusabi-doc, libkusabi-dev, python3, graphviz, paraview")
 set(CPACK_DEBIAN_COMMAND_DESCRIPTION
 "wedged configurations and worst-case limit loads
@@ -38,7 +38,7 @@ This package contains the command, its manual pages and shell completion.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkusabi-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libopenmpi-dev, libboost-serialization-dev, libeigen3-dev, libfmt-dev, libglpk-dev, libgmp-dev, libmpfr-dev, libqd-dev, libtomlplusplus-dev, zlib1g-dev")
+  "libopenmpi-dev, libboost-serialization-dev, libeigen3-dev, libfmt-dev, libglpk-dev, libgmp-dev, libmpfr-dev, libopenblas-serial-dev | libblas-dev, libqd-dev, libsuitesparse-dev, libtomlplusplus-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "kusabi-doc, cmake, pkgconf")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "parallel tree search and its uses in mechanics (C++ libraries)

@@ -31,6 +31,8 @@ kusabi_material("toml++" "${tomlplusplus_VERSION}" "MIT" LINKED "https://github.
 kusabi_material("JSON for Modern C++" "${nlohmann_json_VERSION}" "MIT" HEADERS "https://github.com/nlohmann/json")
 kusabi_material("CLI11" "${CLI11_VERSION}" "BSD-3-Clause" HEADERS "https://github.com/CLIUtils/CLI11")
 kusabi_material("GLPK" "${GLPK_VERSION}" "GPL-3.0-or-later" LINKED "https://www.gnu.org/software/glpk")
+kusabi_material("CHOLMOD" "${CHOLMOD_VERSION}" "LGPL-2.1-or-later AND GPL-2.0-or-later" LINKED "https://suitesparse.com")
+kusabi_material("BLAS" "" "NOASSERTION" LINKED "https://www.netlib.org/blas")
 kusabi_material("QD" "" "BSD-3-Clause-LBNL" LINKED "https://www.davidhbailey.com/dhbsoftware")
 kusabi_material("zlib" "${ZLIB_VERSION_STRING}" "Zlib" LINKED "https://zlib.net")
 kusabi_material("GMP" "" "LGPL-3.0-or-later OR GPL-2.0-or-later" LINKED "https://gmplib.org")
@@ -46,7 +48,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/kusabi.spdx.json "{
   \"packages\": [
     {\"SPDXID\": \"SPDXRef-Kusabi\", \"name\": \"Kusabi\", \"versionInfo\": \"${PROJECT_VERSION}\",
      \"licenseConcluded\": \"GPL-3.0-or-later\", \"licenseDeclared\": \"Apache-2.0\", \"copyrightText\": \"2026 The Kusabi authors\",
-     \"licenseComments\": \"Sources are under the Apache License 2.0; programs linked with GLPK are under the GPL.\",
+     \"licenseComments\": \"Sources are under the Apache License 2.0; programs linked with GLPK and CHOLMOD are under the GPL.\",
      \"downloadLocation\": \"NOASSERTION\", \"filesAnalyzed\": false}${KUSABI_MATERIALS}
   ],
   \"relationships\": [

@@ -8,7 +8,7 @@ give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
 # Packages that the program requires, by their names in Debian 12.
 build_packages=(g++ cmake make ninja-build libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libgmp-dev libmpfr-dev libglpk-dev
-  libqd-dev zlib1g-dev)
+  libqd-dev zlib1g-dev libsuitesparse-dev libopenblas-serial-dev)
 # Further packages that the tests require.
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema python3-numpy mkdocs)
 

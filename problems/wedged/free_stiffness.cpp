@@ -11,7 +11,11 @@ namespace kusabi::problems {
 Eigen::MatrixXd free_stiffness(const WedgedProblem& problem) {
   using numbers::Precise;
   using numbers::PreciseMatrix;
-  if (problem.modes.matrix.cols() == 0) return problem.compliance.stiffness;
+  const bool stored = problem.compliance.stiffness.size() != 0;
+  if (problem.modes.matrix.cols() == 0) {
+    return stored ? problem.compliance.stiffness
+                  : Eigen::MatrixXd(stiffness_of(problem.compliance.precise).cast<double>());
+  }
   const bool precise = problem.compliance.precise.size() != 0;
   const PreciseMatrix held = precise ? stiffness_of(problem.compliance.precise)
                                      : PreciseMatrix(problem.compliance.stiffness.cast<Precise>());

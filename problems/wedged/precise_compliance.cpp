@@ -1,26 +1,26 @@
-// Iterative refinement and the bound of the remaining error.
+// Solution, residual, and the bound of the error that is quadratic in it.
 #include "problems/wedged/precise_compliance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
+#include <fmt/format.h>
 
-#include "problems/structure/assembly/contact_frame.hpp"
-#include "problems/structure/bodies/grounding_springs.hpp"
-#include "problems/structure/bodies/rigid_motions.hpp"
-#include "problems/structure/model/elongation.hpp"
-#include "problems/structure/model/several_normals.hpp"
+#include "problems/structure/factor/blas_product.hpp"
 #include "problems/structure/model/truss.hpp"
 #include "problems/wedged/precise_residual.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
 #include "problems/wedged/tangential_springs.hpp"
+#include "problems/wedged/unit_loads.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
@@ -39,68 +39,21 @@ constexpr double unit = numbers::unit_roundoff<Precise>;
 /// Factor for the rounding errors of sums of a few hundred nonnegative doubles.
 constexpr double safety = 1.001;
 
-/// Bound of the rounding errors of entries of a normal or tangent.
-constexpr double frame_roundings = 32;
-
 /// Maximum number of refinement steps. Each gains the digits of the factor minus those of the
 /// condition number.
 constexpr int max_refinements = 12;
 
-/// Number of columns refined at once; more would only increase memory.
-constexpr Eigen::Index columns_at_once = PreciseResidual::columns_at_once;
+/// Number of columns solved at once; more would only increase memory.
+constexpr Eigen::Index columns_at_once = 4 * PreciseResidual::columns_at_once;
 
-/// Unit loads along the directions of all candidates, times D: f x dm, columns n, t1[, t2] of each,
-/// and the norm of the rounding errors of each column.
-struct Loads {
-  numbers::PreciseMatrix matrix;
-  Eigen::VectorXd errors;
-};
-
-// Adds forces on nodes, transferred to the free displacements and scaled, as the last columns.
-void add_node_forces(const FreeDegrees& degrees, const Eigen::MatrixXd& forces,
-                     const Eigen::VectorXd& scale, Loads& loads) {
-  const Eigen::Index d = degrees.number.rows();
-  Eigen::Index column = loads.matrix.cols() - forces.cols();
-  for (Eigen::Index load = 0; load < forces.cols(); ++load, ++column) {
-    double sizes = 0;
-    for (Eigen::Index row = 0; row < forces.rows(); ++row) {
-      const double force = forces(row, load);
-      if (force == 0) continue;
-      for (const auto& part :
-           parts_of<Precise>(degrees, static_cast<int>(row % d), static_cast<int>(row / d))) {
-        loads.matrix(part.number, column) += part.value * Precise(force) * scale(part.number);
-        sizes += std::abs(numbers::rounded(part.value) * force) * scale(part.number);
-      }
-    }
-    loads.errors(column) = frame_roundings * unit * 2 * sizes;
-  }
-}
-
-Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
-                 const Eigen::MatrixXd& forces, const Eigen::VectorXd& scale) {
-  const auto d = static_cast<Eigen::Index>(structure.dimension);
-  const auto columns = d * static_cast<Eigen::Index>(structure.contact.size()) + forces.cols();
-  Loads loads{numbers::PreciseMatrix::Zero(degrees.size(), columns), Eigen::VectorXd(columns)};
-  Eigen::Index column = 0;
-  for (const ContactCandidate& candidate : structure.contact) {
-    const auto frame = precise_contact_frame(candidate);
-    const double sine =
-        candidate.tangent ? tangent_sine(candidate.normal, *candidate.tangent) / 2 : 0.5;
-    for (Eigen::Index direction = 0; direction < d; ++direction, ++column) {
-      double sizes = 0;
-      for (int axis = 0; axis < structure.dimension; ++axis) {
-        // The displacement is fixed where a roller acts.
-        for (const auto& part : candidate_displacement<Precise>(degrees, candidate, axis)) {
-          loads.matrix(part.number, column) +=
-              part.value * frame(axis, direction) * scale(part.number);
-          sizes += std::abs(numbers::rounded(part.value)) * scale(part.number);
-        }
-      }
-      loads.errors(column) = frame_roundings * unit * 2 * sizes / (direction == 0 ? 1 : sine);
-    }
-  }
-  add_node_forces(degrees, forces, scale, loads);
-  return loads;
+/// Product of two residuals, relative to F, from which on no step is taken. With a factor in
+/// doubles it is below the error of F that is enough; otherwise the displacements also become exact
+/// to the last digit of a double.
+constexpr double negligible_in_doubles = 1e-21;
+constexpr double negligible_otherwise = 1e-32;
+template <class Real>
+constexpr double negligible() {
+  return std::is_same_v<Real, double> ? negligible_in_doubles : negligible_otherwise;
 }
 
 Eigen::VectorXd column_norms(const numbers::PreciseMatrix& matrix) {
@@ -111,110 +64,201 @@ double share(Eigen::Index done, Eigen::Index all) {
   return static_cast<double>(done) / static_cast<double>(all);
 }
 
-/// X with K X = B up to a residual with bounded column norms.
-struct Solution {
-  numbers::PreciseMatrix displacements;
-  Eigen::VectorXd residuals;  ///< norm of K X - B for each column
+/// Some columns of X and of the residuals R = B - K X.
+struct Columns {
+  numbers::PreciseMatrix displacements;  ///< X, f x c
+  Eigen::MatrixXd residuals;             ///< R, rounded to doubles
+  Eigen::VectorXd sizes;                 ///< norms of the columns of X
+  Eigen::VectorXd computed;              ///< norms of the computed residuals
+  Eigen::VectorXd rounded_off;           ///< bounds of the norms of their rounding errors
 };
 
-/// Refines the columns from `first` on until the residual no longer decreases, or is below the
-/// bound of its own rounding errors.
+/// Solution of K X = B with a factor of K.
 template <class Real>
-void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
-            const Loads& loads, Eigen::Index first, double rounding, const support::Stop& stop,
-            Solution& solution) {
-  const Eigen::Index count = std::min(columns_at_once, loads.matrix.cols() - first);
-  const numbers::PreciseMatrix right = loads.matrix.middleCols(first, count);
-  const Eigen::VectorXd certain =
-      2 * unit * column_norms(right) + loads.errors.segment(first, count);
-  auto best = solution.residuals.segment(first, count);
-  const PreciseResidual residual(stiffness.matrix);
-  numbers::PreciseMatrix displacements = numbers::PreciseMatrix::Zero(right.rows(), count);
-  numbers::PreciseMatrix left = right;
-  for (int step = 0; step < max_refinements; ++step) {
-    support::leave_if(stop);
-    typename StiffnessFactor<Real>::Matrix correction = left.cast<Real>();
-    factor.solve(correction);
-    displacements += correction.template cast<Precise>();
-    left = residual(displacements, right);
-    const Eigen::VectorXd computed = column_norms(left);
-    const Eigen::VectorXd rounded_off = rounding * column_norms(displacements) + certain;
-    const Eigen::VectorXd residuals = safety * (computed + rounded_off);
-    const double before = best.maxCoeff();
-    const double now = residuals.maxCoeff();
-    if (!(now < before)) break;
-    solution.displacements.middleCols(first, count) = displacements;
-    best = residuals;
-    if (now > before / 4 || (computed.array() <= rounded_off.array()).all()) break;
+class Condensation {
+ public:
+  /// @param minimum lower bound of the least eigenvalue of K
+  Condensation(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
+               const Loads& loads, double minimum)
+      : factor_(factor), loads_(loads), minimum_(minimum), residual_(stiffness.matrix) {
+    int longest = 0;
+    for (int k = 0; k < stiffness.matrix.outerSize(); ++k)
+      longest = std::max(longest, static_cast<int>(stiffness.matrix.innerVector(k).nonZeros()));
+    rounding_ = (longest + 4) * unit * stiffness.row_sum + stiffness.error;
+  }
+
+  /// Refines the columns until the product of two residuals is negligible, or they no longer
+  /// decrease, or are below the bound of their own rounding errors.
+  [[nodiscard]] Columns solve(Eigen::Index first, Eigen::Index count,
+                              const support::Stop& stop) const {
+    const numbers::PreciseMatrix right = loads_.dense(first, count);
+    const Eigen::VectorXd certain =
+        2 * unit * column_norms(right) + loads_.errors.segment(first, count);
+    Columns best;
+    double before = infinity;
+    numbers::PreciseMatrix displacements = numbers::PreciseMatrix::Zero(right.rows(), count);
+    numbers::PreciseMatrix left = right;
+    for (int step = 0; step < max_refinements; ++step) {
+      support::leave_if(stop);
+      typename StiffnessFactor<Real>::Matrix correction = left.template cast<Real>();
+      factor_.solve(correction);
+      displacements += correction.template cast<Precise>();
+      left = residual(displacements, right);
+      const Eigen::VectorXd sizes = column_norms(displacements);
+      const Eigen::VectorXd computed = column_norms(left);
+      const Eigen::VectorXd rounded_off = rounding_ * sizes + certain;
+      const double now = (computed + rounded_off).maxCoeff();
+      if (!(now < before)) break;
+      best = {displacements, left.template cast<double>(), sizes, computed, rounded_off};
+      if (now > before / 4 || (computed.array() <= rounded_off.array()).all() ||
+          is_negligible(computed, right, displacements))
+        break;
+      before = now;
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] numbers::PreciseMatrix residual(const numbers::PreciseMatrix& displacements,
+                                                const numbers::PreciseMatrix& right) const {
+    numbers::PreciseMatrix result(right.rows(), right.cols());
+    constexpr Eigen::Index width = PreciseResidual::columns_at_once;
+    for (Eigen::Index first = 0; first < right.cols(); first += width) {
+      const Eigen::Index count = std::min(width, right.cols() - first);
+      result.middleCols(first, count) =
+          residual_(displacements.middleCols(first, count), right.middleCols(first, count));
+    }
+    return result;
+  }
+
+  [[nodiscard]] bool is_negligible(const Eigen::VectorXd& computed,
+                                   const numbers::PreciseMatrix& right,
+                                   const numbers::PreciseMatrix& displacements) const {
+    const Eigen::VectorXd works =
+        right.cast<double>().cwiseProduct(displacements.cast<double>()).colwise().sum();
+    return (computed.array().square() <= negligible<Real>() * minimum_ * works.array()).all();
+  }
+
+  const StiffnessFactor<Real>& factor_;
+  const Loads& loads_;
+  double minimum_;
+  PreciseResidual residual_;
+  double rounding_;  // of a residual, relative to the displacements
+};
+
+/// F~ = X'B + R'X, the displacements, and what bounds the error.
+struct Solution {
+  explicit Solution(const Loads& loads)
+      : displacements(loads.matrix.rows(), loads.matrix.cols()),
+        matrix(loads.matrix.cols(), loads.matrix.cols()),
+        sizes(loads.matrix.cols()),
+        computed(loads.matrix.cols()),
+        rounded_off(loads.matrix.cols()) {}
+
+  numbers::PreciseMatrix displacements;
+  numbers::PreciseMatrix matrix;
+  Eigen::VectorXd sizes, computed, rounded_off;  ///< as in `Columns`
+};
+
+/// Adds columns of X and, with those before them, rows of F~ and columns of its other triangle.
+/// @param doubles X rounded to doubles, up to these columns
+void add(const Columns& columns, Eigen::Index first, const Loads& loads, Eigen::MatrixXd& doubles,
+         Solution& solution) {
+  const Eigen::Index count = columns.sizes.size();
+  doubles.middleCols(first, count) = columns.displacements.cast<double>();
+  solution.displacements.middleCols(first, count) = columns.displacements;
+  solution.sizes.segment(first, count) = columns.sizes;
+  solution.computed.segment(first, count) = columns.computed;
+  solution.rounded_off.segment(first, count) = columns.rounded_off;
+  const Eigen::MatrixXd corrections =
+      product_of_columns(doubles.leftCols(first + count), columns.residuals);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j <= first + i; ++j) {
+      Precise sum = 0.0;
+      for (SparseMatrix::InnerIterator entry(loads.matrix, j); entry; ++entry)
+        sum += entry.value() * columns.displacements(entry.row(), i);
+      solution.matrix(first + i, j) = solution.matrix(j, first + i) = sum + corrections(j, i);
+    }
   }
 }
 
 template <class Real>
 Solution solve(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
-               const Loads& loads, const support::LongWork& work) {
-  double longest = 0;
-  for (int k = 0; k < stiffness.matrix.outerSize(); ++k) {
-    longest = std::max(longest, static_cast<double>(stiffness.matrix.innerVector(k).nonZeros()));
-  }
-  const double rounding = (longest + 4) * unit * stiffness.row_sum + stiffness.error;
-  Solution solution;
-  solution.displacements.setZero(loads.matrix.rows(), loads.matrix.cols());
-  solution.residuals.setConstant(loads.matrix.cols(), infinity);
+               const Loads& loads, double minimum, const support::LongWork& work) {
+  const Condensation<Real> condensation(stiffness, factor, loads, minimum);
+  Solution solution(loads);
+  Eigen::MatrixXd doubles(loads.matrix.rows(), loads.matrix.cols());
   for (Eigen::Index first = 0; first < loads.matrix.cols(); first += columns_at_once) {
     work.reached("condensing the stiffness: displacements under unit loads",
                  share(first, loads.matrix.cols()));
-    refine(stiffness, factor, loads, first, rounding, work.stop, solution);
+    const Eigen::Index count = std::min(columns_at_once, loads.matrix.cols() - first);
+    const Columns columns = condensation.solve(first, count, work.stop);
+    if (columns.sizes.size() == 0) {  // not finite
+      solution.computed.setConstant(infinity);
+      return solution;
+    }
+    add(columns, first, loads, doubles, solution);
   }
   return solution;
 }
 
-/// The error bound of EnclosedCompliance. With K X = B + R, F - B'X = -B'K^-1 R, and
-/// |b_i'K^-1 R_j| <= sqrt(F_ii) |R_j| / sqrt(s), s the least eigenvalue of K.
-double compliance_error(const numbers::PreciseMatrix& matrix, const Loads& loads,
-                        const Solution& solution, double min_eigenvalue) {
-  const Eigen::VectorXd diagonal = matrix.diagonal().cast<double>();
+/// The error bound of EnclosedCompliance. With R = B - K X, F - X'B - R'X = R'K^-1 R, and
+/// |R_i'K^-1 R_j| <= |R_i| |R_j| / s, s the least eigenvalue of K.
+double compliance_error(const Loads& loads, const Solution& solution, double min_eigenvalue) {
+  const Eigen::VectorXd diagonal = solution.matrix.diagonal().cast<double>();
   if (!(diagonal.minCoeff() > 0)) return infinity;
   const Eigen::VectorXd roots = diagonal.cwiseSqrt();
-  const Eigen::VectorXd sizes = column_norms(solution.displacements);
-  const Eigen::VectorXd right = column_norms(loads.matrix);
-  const double first =
-      (solution.residuals.array() / roots.array()).maxCoeff() / std::sqrt(min_eigenvalue);
-  // Rounding errors of the product of B and X, and errors of the loads.
-  const double second = ((16 * unit * right + loads.errors).array() / roots.array()).maxCoeff() *
-                        (sizes.array() / roots.array()).maxCoeff();
-  const double error = safety * (first + second);
+  const auto largest = [&](const Eigen::VectorXd& norms) {
+    return (norms.array() / roots.array()).maxCoeff();
+  };
+  Eigen::VectorXd right = loads.errors;
+  for (Eigen::Index column = 0; column < right.size(); ++column) {
+    double squares = 0;
+    double roundings = 4;
+    for (SparseMatrix::InnerIterator entry(loads.matrix, column); entry; ++entry, ++roundings)
+      squares += std::pow(numbers::rounded(entry.value()), 2);
+    right(column) += roundings * unit * std::sqrt(squares);
+  }
+  // Rounding errors of X'B, of the loads in it, of R, and of R'X in doubles with R and X rounded.
+  const double doubles = (static_cast<double>(loads.matrix.rows()) + 8) *
+                         numbers::unit_roundoff<double> * largest(solution.computed);
+  const double rounding =
+      (largest(right) + largest(solution.rounded_off) + doubles) * largest(solution.sizes);
+  const double residual = largest(solution.computed + solution.rounded_off);
+  const double error = safety * (residual * residual / min_eigenvalue + rounding);
   // The diagonal of F is known up to the error.
   return error < 1e-3 ? error * (1 + 2 * error) : infinity;
+}
+
+/// Announces the factorisation, and the memory for X and F, in doubles and in 104 bits, if it is a
+/// gigabyte.
+void announce(const ScaledStiffness& stiffness, Eigen::Index loads, const support::LongWork& work) {
+  const auto columns = static_cast<double>(loads);
+  const double entries = columns * (static_cast<double>(stiffness.matrix.rows()) + columns);
+  const double gigabytes = 1e-9 * entries * (sizeof(double) + sizeof(Precise));
+  const auto memory =
+      gigabytes < 1 ? std::string() : fmt::format(", which takes {:.1f} GB of memory", gigabytes);
+  work.reached(fmt::format("condensing the stiffness{}: its factor", memory).c_str(), 0);
 }
 
 template <class Real>
 EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degrees,
                             const Eigen::MatrixXd& forces, const ScaledStiffness& stiffness,
                             const support::LongWork& work) {
-  work.reached("condensing the stiffness: its factor", 0);
+  announce(stiffness, structure.dimension * std::ssize(structure.contact) + forces.cols(), work);
   const StiffnessFactor<Real> factor(stiffness.matrix);
   work.reached("condensing the stiffness: its least eigenvalue", 0);
   const double minimum = factor.min_eigenvalue() - stiffness.error;
   if (!(minimum > 0)) return {{}, infinity, {}};
   const Loads loads = unit_loads(structure, degrees, forces, stiffness.scale);
-  Solution solution = solve(stiffness, factor, loads, work);
-  if (!(solution.residuals.maxCoeff() < infinity)) return {{}, infinity, {}};
-  const Eigen::Index size = loads.matrix.cols();
-  numbers::PreciseMatrix product = numbers::PreciseMatrix::Zero(size, size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    work.reached("condensing the stiffness: the compliance of the candidates", share(i, size));
-    for (Eigen::Index k = 0; k < loads.matrix.rows(); ++k) {
-      if (loads.matrix(k, i).is_zero()) continue;
-      for (Eigen::Index j = 0; j < size; ++j)
-        product(i, j) += loads.matrix(k, i) * solution.displacements(k, j);
-    }
-  }
-  numbers::PreciseMatrix matrix = (product + product.transpose()) * Precise(0.5);
-  const double spring_error = add_tangential_springs(structure, degrees, stiffness, matrix);
-  const double error = compliance_error(matrix, loads, solution, minimum) + spring_error;
+  Solution solution = solve(stiffness, factor, loads, minimum, work);
+  if (!(solution.computed.maxCoeff() < infinity)) return {{}, infinity, {}};
+  const double spring_error =
+      add_tangential_springs(structure, degrees, stiffness, solution.matrix);
+  const double error = compliance_error(loads, solution, minimum) + spring_error;
   auto& response = solution.displacements;
   for (Eigen::Index i = 0; i < response.rows(); ++i) response.row(i) *= Precise(stiffness.scale(i));
-  return {matrix, error, std::move(response)};
+  return {std::move(solution.matrix), error, std::move(response)};
 }
 
 /// Larger problems are first factorised in doubles: a factor in long doubles takes four times as
@@ -272,9 +316,10 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
     return numbers::PreciseMatrix::Constant(size, size, dd_real::_nan);
   const auto& lower = factor.matrixLLT();
   numbers::PreciseMatrix inverse(size, size);
-  for (Eigen::Index first = 0; first < size; first += columns_at_once) {
+  constexpr Eigen::Index width = PreciseResidual::columns_at_once;
+  for (Eigen::Index first = 0; first < size; first += width) {
     const Eigen::Index left = size - first;
-    const Eigen::Index count = std::min(columns_at_once, left);
+    const Eigen::Index count = std::min(width, left);
     const double rest = share(left, size);
     work.reached("stiffness of the candidates: its columns", 1 - rest * rest * rest);
     numbers::PreciseMatrix columns = numbers::PreciseMatrix::Identity(left, count);

@@ -74,7 +74,8 @@ WedgedProblem block_problem(const WedgedProblem& problem, const IndexSet& candid
     if (!problem.friction.empty()) part.friction.push_back(problem.friction[i]);
   }
   const auto own = displacements_of(candidates, problem.dimension);
-  part.compliance.stiffness = problem.compliance.stiffness(own, own);
+  if (problem.compliance.stiffness.size() != 0)
+    part.compliance.stiffness = problem.compliance.stiffness(own, own);
   part.compliance.matrix = problem.compliance.matrix(own, own);
   if (problem.compliance.precise.size() != 0)
     part.compliance.precise = problem.compliance.precise(own, own);

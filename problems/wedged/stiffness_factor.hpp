@@ -2,12 +2,10 @@
 // eigenvalue.
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "problems/structure/factor/sparse_factor.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {
@@ -21,13 +19,13 @@ class StiffnessFactor {
   /// @param matrix M, symmetric, both triangles
   explicit StiffnessFactor(const Eigen::SparseMatrix<numbers::Precise>& matrix);
 
-  [[nodiscard]] bool exists() const { return factor_.info() == Eigen::Success; }
+  [[nodiscard]] bool exists() const { return factor_.exists(); }
 
-  /// Solves M X = right in place. Several columns at once are faster, since reading L dominates.
-  void solve(Matrix& right) const;
+  /// Solves M X = right in place. Several columns at once are faster.
+  void solve(Matrix& right) const { factor_.solve(right); }
 
   /// Proved lower bound of the least eigenvalue of M; zero if there is none. If Cholesky's method
-  /// succeeds for M - s I it gives L with
+  /// succeeds for M - s I, in any order of the sums, it gives L with
   /// |L L' - (M - s I)| <= g |L| |L'| entry by entry, g = (k + 1) u, if no row of L has more than k
   /// entries (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3); the norm of
   /// |L| |L'| is at most its largest row sum.
@@ -37,7 +35,7 @@ class StiffnessFactor {
   [[nodiscard]] double estimated_eigenvalue() const;
 
   Eigen::SparseMatrix<Real> matrix_;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<Real>> factor_;
+  SparseFactor<Real> factor_;
 };
 
 extern template class StiffnessFactor<double>;

@@ -67,6 +67,10 @@ void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
   for (const double value : matrix.reshaped()) fingerprint.add(value);
 }
 
+/// Maximum number of rows of K that is computed with F: in 104 bits this takes as long as F itself,
+/// and only certificates and exported matrices contain K.
+constexpr Eigen::Index max_stored_stiffness = 600;
+
 /// K and F as roundings of the precise values. @param grounded the structure with grounding springs
 Compliance compliance_of(const Structure& grounded, const FreeDegrees& degrees,
                          const Eigen::MatrixXd& forces, LoadColumns& loads,
@@ -82,7 +86,8 @@ Compliance compliance_of(const Structure& grounded, const FreeDegrees& degrees,
     response.conservativeResize(response.rows(), own);
   }
   Compliance result;
-  result.stiffness = stiffness_of(precise, work).cast<double>();
+  if (precise.rows() <= max_stored_stiffness)
+    result.stiffness = stiffness_of(precise, work).cast<double>();
   result.matrix = precise.cast<double>();
   if (!result.stiffness.allFinite() || !result.matrix.allFinite()) refuse_condition(grounded);
   result.precise = std::move(precise);

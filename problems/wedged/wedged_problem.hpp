@@ -34,8 +34,8 @@ struct UnconstrainedBodyText {
 /// Stiffness and compliance of the contact candidates, (6), with the errors of the compliance. By
 /// candidates, each (n, t1[, t2]).
 struct Compliance {
-  /// K of (6), dm x dm, force/length; exactly symmetric. With unconstrained bodies it includes
-  /// grounding springs (see `RigidModes`): it is the inverse of F and definite.
+  /// K of (6), dm x dm, or no rows if dm > 600: see free_stiffness(). Force/length; symmetric. With
+  /// unconstrained bodies it includes grounding springs (see `RigidModes`), and is definite.
   Eigen::MatrixXd stiffness;
   Eigen::MatrixXd matrix;  ///< F = K^-1, dm x dm, length/force; exactly symmetric
   /// |F - F*|_ij <= error sqrt(F*_ii F*_jj), where F* is the compliance of the structure with exact

@@ -11,7 +11,7 @@ import sys
 #: Parts of names of libraries that the compiler, the system or another library brings.
 SYSTEM = re.compile(r"lib(c|m|stdc\+\+|gcc_s|pthread|dl|rt|util|open-rte|open-pal|hwloc|event|udev|cap|nl|psm|ucx|fabric|"
                     r"pmix|mpich|mpi|amd|colamd|suitesparseconfig|ltdl|gomp|quadmath|asan|ubsan|z)[\d.-]*\.so|linux-vdso|ld-linux")
-NAMES = {"boost_serialization": "Boost", "fmt": "fmt", "glpk": "GLPK", "qd": "QD", "gmp": "GMP", "gmpxx": "GMP", "mpfr": "MPFR",
+NAMES = {"boost_serialization": "Boost", "fmt": "fmt", "glpk": "GLPK", "cholmod": "CHOLMOD", "blas": "BLAS", "openblas": "BLAS", "qd": "QD", "gmp": "GMP", "gmpxx": "GMP", "mpfr": "MPFR",
          "tomlplusplus": "toml++"}
 
 bill = json.loads(pathlib.Path(sys.argv[1]).read_text())

@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 #include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/factor/sparse_factor.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -26,6 +26,11 @@ constexpr double shift = 1e-12;
 /// energy e > shift by 1 + e / shift relative to a mechanism, so two or three steps are enough for
 /// a mechanism.
 constexpr int max_steps = 12;
+
+/// Multiple of the unit matrix added where rounding leaves no factor, relative to the largest
+/// diagonal entry, and the number of times that it is raised tenfold.
+constexpr double first_lift = 1e-15;
+constexpr int max_lifts = 4;
 
 /// A node moves if its displacement exceeds this part of the largest one. The remaining part of
 /// other motions after `max_steps` is far smaller.
@@ -97,13 +102,16 @@ std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& deg
 }
 
 Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted) {
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorised(shifted);
-  if (factorised.info() != Eigen::Success) {
+  SparseFactor<double> factor(shifted);
+  double lift = first_lift * shifted.diagonal().cwiseAbs().maxCoeff();
+  for (int lifted = 0; lifted < max_lifts && !factor.exists(); ++lifted, lift *= 10)
+    factor = SparseFactor<double>(shifted, lift);
+  if (!factor.exists())
     throw std::logic_error("the shifted stiffness of a structure has no factorisation");
-  }
-  Eigen::VectorXd motion = arbitrary_motion(shifted.rows());
+  Eigen::MatrixXd motion = arbitrary_motion(shifted.rows());
   for (int step = 0; step < max_steps; ++step) {
-    motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
+    factor.solve(motion);
+    motion.normalize();
   }
   return motion;
 }

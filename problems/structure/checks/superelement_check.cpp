@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 #include "problems/structure/assembly/solid_element.hpp"
 #include "problems/structure/bodies/mechanism.hpp"
 #include "problems/structure/checks/structure_check.hpp"
+#include "problems/structure/factor/sparse_factor.hpp"
 #include "problems/structure/model/superelement.hpp"
 
 namespace kusabi::problems {
@@ -116,10 +116,7 @@ Matrix scaled(const Matrix& matrix, const Eigen::VectorXd& scale) {
 
 /// True if the matrix plus `shift` times the unit matrix is positive definite.
 bool definite(const Matrix& matrix, double shift) {
-  Eigen::SimplicialLLT<Matrix> factor;
-  factor.setShift(shift);
-  factor.compute(matrix);
-  return factor.info() == Eigen::Success;
+  return SparseFactor<double>(matrix, shift).exists();
 }
 
 void require_semidefinite(const Structure& structure, std::size_t index) {

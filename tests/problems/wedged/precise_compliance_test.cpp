@@ -155,5 +155,45 @@ TEST(PreciseCompliance, OfALongChainIsTheSumOfItsBars) {
   EXPECT_LE(std::abs(to_double(compliance.matrix(0, 1))), compliance.error * std::sqrt(3 * sum));
 }
 
+// 1400 branches of four bars between a node and a support act as springs in parallel. The factor
+// in doubles takes no step, so that F is exact by the correction with the residuals alone.
+TEST(PreciseCompliance, OfManyBranchesIsThatOfSpringsInParallel) {
+  constexpr int branches = 1400;
+  constexpr int first = 3;  // after the node, the support, and one below the node
+  Structure structure;
+  structure.name = "branches";
+  structure.dimension = 2;
+  structure.coordinates.setZero(2, first + 3 * branches);
+  structure.coordinates.col(1) << 4, 0;
+  structure.coordinates.col(2) << 0, -3;
+  structure.fixed = {{false, false, false}, {true, true, false}, {true, true, false}};
+  structure.members = {{0, 2, 1.0, {}}};
+  Precise parallel = 0.0;
+  for (int branch = 0; branch < branches; ++branch) {
+    Precise compliance = 0.0;
+    int before = 0;
+    for (int bar = 0; bar < 4; ++bar) {
+      const int next = bar == 3 ? 1 : first + 3 * branch + bar;
+      const double stiffness = 1 + 0.1 * bar + 0.001 * branch;
+      structure.members.push_back({before, next, stiffness, {}});
+      compliance += 1.0 / Precise(stiffness);
+      if (bar < 3) {
+        structure.coordinates(0, next) = bar + 1;
+        structure.fixed.push_back({false, true, false});
+      }
+      before = next;
+    }
+    parallel += 1.0 / compliance;
+  }
+  for (Eigen::Index node = 0; node < structure.coordinates.cols(); ++node)
+    structure.node_names.push_back("n" + std::to_string(node));
+  structure.contact = {{0, Eigen::Vector2d(1, 0), std::nullopt, 1.0}};
+  const auto compliance = enclosed_compliance(structure, free_degrees(structure));
+  const Precise sum = 1.0 / parallel;
+  EXPECT_LE(compliance.error, 1e-24);
+  EXPECT_LE(std::abs(to_double(compliance.matrix(0, 0) - sum)), compliance.error * to_double(sum));
+  EXPECT_LE(std::abs(to_double(compliance.matrix(1, 1) - Precise(3.0))), compliance.error * 3);
+}
+
 }  // namespace
 }  // namespace kusabi::problems
