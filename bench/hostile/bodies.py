@@ -1,7 +1,7 @@
-"""Plane structures of bodies, constrained or not, in 80 digits: pairs, nodes with several normals, triangles.
+"""Structures of bodies, constrained or not, in 80 digits: pairs, nodes with several normals, triangles, tetrahedra.
 
-Reads problem files by itself (nodes, members, elements of three or four nodes, supports along the axes, candidates with
-weights; no springs). The compliance of an unconstrained body requires grounding springs; reactions in equilibrium cause
+Reads problem files by itself (nodes, members, in the plane elements of three or four nodes, in space of four, supports along
+the axes, candidates with weights; no springs). The compliance of an unconstrained body requires grounding springs; reactions in equilibrium cause
 no force in these, so u = F r + G a with any a, and G'r = 0. Nodes of a pair that differ by the rounding of their
 coordinates are moved together exactly.
 """
@@ -11,7 +11,7 @@ from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import structure
-from structure import ZERO, dot, unit
+from structure import ZERO, dot, frame
 
 
 class Candidate:
@@ -27,15 +27,15 @@ class Bodies:
 
     def __init__(self, text):
         table = tomllib.loads(text)
-        assert table["dimension"] == 2
+        self.dimension = table["dimension"]
         self.nodes = {name: [float(x) for x in place] for name, place in table["nodes"].items()}
         self.bars = [(float(g["EA"]), a, b) for g in table.get("members", []) for a, b in g["between"]]
-        self.elements = [(float(g["E"]), float(g["nu"]), float(g["thickness"]), g["plane"], list(between))
+        self.elements = [(float(g["E"]), float(g["nu"]), float(g.get("thickness", 1)), g.get("plane"), list(between))
                          for g in table.get("elements", []) for between in g["between"]]
         self.fixed = {}
         for group in table.get("supports", []):
             for node in group["nodes"]:
-                self.fixed.setdefault(node, set()).update("xy".index(axis) for axis in group.get("fixed", "xy"))
+                self.fixed.setdefault(node, set()).update("xyz".index(axis) for axis in group.get("fixed", "xyz"[:self.dimension]))
         self.candidates = []
         for group in table["contact"]:
             for i, node in enumerate(group["nodes"]):
@@ -51,7 +51,7 @@ class Bodies:
         for own in self.candidates:
             if not own.against:
                 continue
-            place = [sum(Fraction(weight) * self.places[node][axis] for node, weight in own.against) for axis in (0, 1)]
+            place = [sum(Fraction(weight) * self.places[node][axis] for node, weight in own.against) for axis in range(self.dimension)]
             largest = max(abs(x) for node in [own.node, *(n for n, _ in own.against)] for x in self.places[node])
             off = max(abs(x - y) for x, y in zip(place, self.places[own.node]))
             if 0 < off <= largest * Fraction(1, 2 ** 48):
@@ -69,7 +69,7 @@ class Bodies:
         return name
 
     def is_ground(self, node):
-        return self.fixed.get(node, set()) == {0, 1}
+        return self.fixed.get(node, set()) == set(range(self.dimension))
 
 
 def _bodies(bodies):
@@ -97,9 +97,13 @@ def _bodies(bodies):
 
 
 def _lever(bodies, centre, node, axis):
-    """Row of a motion (vx, vy, w) about a centre, at a node along an axis, exactly."""
+    """Row of a motion (vx, vy, w), in space (vx, vy, vz, wx, wy, wz), about a centre, at a node along an axis, exactly."""
     arm = [x - c for x, c in zip(bodies.places[node], bodies.places[centre])]
-    return [Fraction(axis == 0), Fraction(axis == 1), -arm[1] if axis == 0 else arm[0]]
+    if bodies.dimension == 2:
+        return [Fraction(axis == 0), Fraction(axis == 1), -arm[1] if axis == 0 else arm[0]]
+    turns = [Fraction(0)] * 3
+    turns[(axis + 1) % 3], turns[(axis + 2) % 3] = arm[(axis + 2) % 3], -arm[(axis + 1) % 3]
+    return [Fraction(axis == k) for k in range(3)] + turns
 
 
 def _left(columns, row):
@@ -120,14 +124,15 @@ def _motions(bodies):
     result, springs = [], []
     for nodes, ground in _bodies(bodies):
         centre = nodes[0]
-        left = [[Fraction(i == k) for i in range(3)] for k in range(3)]
+        count = 3 if bodies.dimension == 2 else 6
+        left = [[Fraction(i == k) for i in range(count)] for k in range(count)]
         for node in nodes + ground:
             for axis in bodies.fixed.get(node, ()):
                 left, _ = _left(left, _lever(bodies, centre, node, axis))
         result += [(centre, set(nodes), motion) for motion in left]
         while left:
             best = max(((abs(sum(a * b for a, b in zip(_lever(bodies, centre, node, axis), left[0]))), node, axis)
-                        for node in nodes for axis in (0, 1) if axis not in bodies.fixed.get(node, ())))
+                        for node in nodes for axis in range(bodies.dimension) if axis not in bodies.fixed.get(node, ())))
             springs.append(best[1:])
             left, _ = _left(left, _lever(bodies, centre, *best[1:]))
     return result, springs
@@ -155,12 +160,48 @@ def _triangle_strain(bodies, element):
     return vectors
 
 
+def _tetrahedron_strain(bodies, element):
+    """Strain vectors of a tetrahedron: the volume, both differences of the normal strains, and the shears."""
+    modulus, ratio, *_, between = element
+    modulus, ratio = Decimal(modulus), Decimal(ratio)
+    shear, bulk = modulus / (2 * (1 + ratio)), modulus / (3 * (1 - 2 * ratio))
+    places = [[Decimal(x) for x in bodies.nodes[node]] for node in between]
+
+    def cross(a, b):
+        return [a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3] for k in range(3)]
+
+    def minus(a, b):
+        return [x - y for x, y in zip(a, b)]
+
+    edges = [minus(place, places[0]) for place in places[1:]]
+    six = dot(cross(edges[0], edges[1]), edges[2])
+    grad = [[x / six for x in cross(edges[(k + 1) % 3], edges[(k + 2) % 3])] for k in range(3)]
+    grad.insert(0, [-sum(g[axis] for g in grad) for axis in range(3)])
+    volume = abs(six) / 6
+    vectors = []
+    for square, parts in ((bulk, ((0, 0, 1), (1, 1, 1), (2, 2, 1))), (shear, ((0, 0, 1), (1, 1, -1))),
+                          (shear / 3, ((0, 0, 1), (1, 1, 1), (2, 2, -2))),
+                          *((shear, ((k, (k + 1) % 3, 1), ((k + 1) % 3, k, 1))) for k in range(3))):
+        factor, strain = (volume * square).sqrt(), {}
+        for corner, node in enumerate(between):
+            for axis, slope, share in parts:
+                strain[node, axis] = strain.get((node, axis), Decimal(0)) + share * factor * grad[corner][slope]
+        vectors.append(strain)
+    return vectors
+
+
+def _element_strain(bodies, element):
+    if bodies.dimension == 3:
+        return _tetrahedron_strain(bodies, element)
+    return (_triangle_strain if len(element[4]) == 3 else structure._quad_strain)(bodies, element)
+
+
 def _stiffness(bodies, number, springs):
     size = len(number)
     matrix = [[Decimal(0)] * size for _ in range(size)]
     vectors = [s for bar in bodies.bars for s in structure._bar_strain(bodies, bar)]
     for element in bodies.elements:
-        vectors += (_triangle_strain if len(element[4]) == 3 else structure._quad_strain)(bodies, element)
+        vectors += _element_strain(bodies, element)
     for vector in vectors:
         entries = [(number[key], value) for key, value in vector.items() if key in number]
         for i, x in entries:
@@ -197,29 +238,29 @@ def _solved(matrix, loads):
 
 
 def compliance(bodies, forces=()):
-    """F, 2m x 2m in (n, t) of each candidate, and G, rows of the motions. Each of the forces,
+    """F, dm x dm in (n, t) or (n, t1, t2) of each candidate, and G, rows of the motions. Each of the forces,
     {(node, axis): value}, is one more row and column: displacements of the candidates and work on
     the motions. @raises structure.Mechanism"""
     motions, springs = _motions(bodies)
     number = {}
+    axes = range(bodies.dimension)
     for node in bodies.nodes:
-        for axis in (0, 1):
+        for axis in axes:
             if axis not in bodies.fixed.get(node, ()):
                 number[node, axis] = len(number)
     loads, rows = [], []
     decimal = lambda fraction: Decimal(fraction.numerator) / Decimal(fraction.denominator)
     for own in bodies.candidates:
-        n = unit(own.normal)
-        for direction in (n, [n[1], -n[0]]):
+        for direction in frame(own.normal):
             load, row = [Decimal(0)] * len(number), []
             parts = [(own.node, Decimal(1))] + [(node, -Decimal(weight)) for node, weight in own.against]
             for node, weight in parts:
-                for axis in (0, 1):
+                for axis in axes:
                     if (node, axis) in number:
                         load[number[node, axis]] += weight * direction[axis]
             for centre, nodes, motion in motions:
                 row.append(sum((weight * direction[axis] * decimal(sum(a * b for a, b in zip(_lever(bodies, centre, node, axis), motion)))
-                                for node, weight in parts if node in nodes for axis in (0, 1)), Decimal(0)))
+                                for node, weight in parts if node in nodes for axis in axes), Decimal(0)))
             loads.append(load)
             rows.append(row)
     for force in forces:

@@ -1,4 +1,4 @@
-"""Cone program of a leaf in 80 digits: its sign, its value, and its inactive candidates.
+"""Cone programs in 80 digits, and that of a leaf: its sign, its value, and its inactive candidates.
 
 The program is (P) of docs/theory/wedged.md. Its equations are eliminated exactly (up to 80 digits);
 the rest has an interior, so that a logarithmic barrier with Newton's method applies, in the plane
@@ -31,7 +31,7 @@ def equilibrated(flexibility, d):
     return [[value / (roots[i] * roots[j]) for j, value in enumerate(row)] for i, row in enumerate(flexibility)]
 
 
-def _affine(rows, right):
+def affine(rows, right):
     """x0 and a basis (list of vectors) of all x with rows x = right; None if there are none."""
     n = len(rows[0])
     table = []
@@ -101,80 +101,32 @@ def _solve(matrix, right):
     return y
 
 
-class Leaf:
-    """The program of one leaf, in the unit of the given compliance.
+class Barrier:
+    """Maximum of t subject to linear rows >= 0 and cones, each (first row, others): rows are (coefficients of the
+    unknowns, of which t is the last; constant)."""
 
-    @param contact, apart, rest  candidates with u_n = 0; with r = 0; with both
-    """
-
-    def __init__(self, flexibility, d, friction, contact, apart, rest=()):
-        self.columns = [(i, a) for i in contact for a in range(d if friction[i] else 1)]
-        self.contact, self.apart, self.d = list(contact), list(apart), d
-        n = len(self.columns)
-        self.empty = n == 0
-        if self.empty:
-            return
-        normal = {j: [flexibility[j * d][i * d + a] for i, a in self.columns]
-                  for j in list(contact) + list(apart) + list(rest)}
-        rows = [normal[j] for j in list(contact) + list(rest)]
-        total = [Decimal(1) if a == 0 else Decimal(0) for _, a in self.columns]
-        affine = _affine(rows + [total], [Decimal(0)] * len(rows) + [Decimal(1)])
-        if affine is None:
-            self.empty = True
-            return
-        start, self.basis = affine
-        aim = [x / len(self.contact) - y for x, y in zip(total, start)]
-        for vector in self.basis:
-            along = dot(vector, aim)
-            start = [x + along * y for x, y in zip(start, vector)]
-        self.start = start
-        # Rows of the unknowns (z, t): linear ones, and cones (first row, others).
-        self.linear = [self._row(normal[j], Decimal(-1)) for j in apart]
-        self.cones = []
-        for i in contact:
-            at = self.columns.index((i, 0))
-            pick = [Decimal(0)] * n
-            pick[at] = friction[i] or Decimal(1)
-            first = self._row(pick, Decimal(-1))
-            if not friction[i]:
-                self.linear.append(first)
-                continue
-            others = []
-            for a in range(1, d):
-                pick = [Decimal(0)] * n
-                pick[at + a] = Decimal(1)
-                others.append(self._row(pick, Decimal(0)))
-            self.cones.append((first, others))
-
-    def _row(self, coefficients, of_t):
-        return [dot(coefficients, vector) for vector in self.basis] + [of_t], dot(coefficients, self.start)
-
-    def reaction(self):
-        """{candidate: reaction} at the current point."""
-        x = list(self.start)
-        for value, vector in zip(self.point, self.basis):
-            x = [a + value * b for a, b in zip(x, vector)]
-        result = {}
-        for (i, _), value in zip(self.columns, x):
-            result.setdefault(i, []).append(value)
-        return result
+    empty = False
 
     def _values(self, point):
         at = lambda row: row[1] + dot(row[0], point)
         return [at(row) for row in self.linear], [(at(first), [at(o) for o in others]) for first, others in self.cones]
 
-    def escalate(self, gap, stop_at_sign=True):
-        """Increases t until its bracket [low, high] is narrower than `gap`, or its sign is known.
-        Both are stored in self."""
+    def begin(self, point):
+        """From a point at which all rows with t can be positive: t is below them."""
+        linear, cones = self._values([*point, Decimal(0)])
+        falling = [value for (row, _), value in zip(self.linear, linear) if row[-1]]
+        falling += [f - dot(o, o).sqrt() for (first, _), (f, o) in zip(self.cones, cones) if first[0][-1]]
+        self.first = [*point, min(falling) - 1]
+
+    def escalate(self, gap, above=None, below=None):
+        """Increases t until its bracket [low, high] is narrower than `gap`, or it is known to be larger or smaller than
+        the given numbers. Both are stored in self."""
         self.low, self.high = Decimal("-Infinity"), Decimal("Infinity")
         if self.empty:
             self.high = self.low
             return
-        k = len(self.basis)
-        self.point = [Decimal(0)] * (k + 1)
-        linear, cones = self._values(self.point)
-        lowest = min(linear + [f - dot(o, o).sqrt() for f, o in cones])
-        self.point[k] = lowest - 1
+        self.point = self.first
+        k = len(self.point) - 1
         order = Decimal(len(self.linear) + 2 * len(self.cones))
         slack = order + 2 * order.sqrt()
         weight = Decimal(1)
@@ -185,14 +137,14 @@ class Leaf:
             self.low = self.point[k]
             if decrement < Decimal("0.05"):
                 self.high = min(self.high, self.low + slack / weight)
-                if self.high - self.low < gap or (stop_at_sign and self.high < 0):
+                if self.high - self.low < gap or (below is not None and self.high < below):
                     return
                 weight *= 20
-            if stop_at_sign and self.low > 0:
+            if above is not None and self.low > above:
                 return
 
     def _newton(self, weight):
-        k = len(self.basis) + 1
+        k = len(self.point)
         linear, cones = self._values(self.point)
         gradient = [Decimal(0)] * k
         gradient[k - 1] = -weight
@@ -259,18 +211,79 @@ class Leaf:
         low, high = 0.0, end
         for _ in range(40):
             middle = (low + high) / 2
-            slope = -gain - sum(s / (1 + s * middle) for s in slopes) - \
-                sum((c1 + 2 * c2 * middle) / (1 + c1 * middle + c2 * middle * middle) for c1, c2, _ in curves)
-            if slope > 0:
+            lines = [(s, 1 + s * middle) for s in slopes]
+            lines += [(c1 + 2 * c2 * middle, 1 + c1 * middle + c2 * middle * middle) for c1, c2, _ in curves]
+            outside = any(value <= 0 for _, value in lines)  # by rounding
+            if outside or -gain - sum(change / value for change, value in lines) > 0:
                 high = middle
             else:
                 low = middle
         return min(low, 0.999 * end)
 
 
+class Leaf(Barrier):
+    """The program of one leaf, in the unit of the given compliance.
+
+    @param contact, apart, rest  candidates with u_n = 0; with r = 0; with both
+    """
+
+    def __init__(self, flexibility, d, friction, contact, apart, rest=()):
+        self.columns = [(i, a) for i in contact for a in range(d if friction[i] else 1)]
+        self.contact, self.apart, self.d = list(contact), list(apart), d
+        n = len(self.columns)
+        self.empty = n == 0
+        if self.empty:
+            return
+        normal = {j: [flexibility[j * d][i * d + a] for i, a in self.columns]
+                  for j in list(contact) + list(apart) + list(rest)}
+        rows = [normal[j] for j in list(contact) + list(rest)]
+        total = [Decimal(1) if a == 0 else Decimal(0) for _, a in self.columns]
+        solutions = affine(rows + [total], [Decimal(0)] * len(rows) + [Decimal(1)])
+        if solutions is None:
+            self.empty = True
+            return
+        start, self.basis = solutions
+        aim = [x / len(self.contact) - y for x, y in zip(total, start)]
+        for vector in self.basis:
+            along = dot(vector, aim)
+            start = [x + along * y for x, y in zip(start, vector)]
+        self.start = start
+        # Rows of the unknowns (z, t): linear ones, and cones (first row, others).
+        self.linear = [self._row(normal[j], Decimal(-1)) for j in apart]
+        self.cones = []
+        for i in contact:
+            at = self.columns.index((i, 0))
+            pick = [Decimal(0)] * n
+            pick[at] = friction[i] or Decimal(1)
+            first = self._row(pick, Decimal(-1))
+            if not friction[i]:
+                self.linear.append(first)
+                continue
+            others = []
+            for a in range(1, d):
+                pick = [Decimal(0)] * n
+                pick[at + a] = Decimal(1)
+                others.append(self._row(pick, Decimal(0)))
+            self.cones.append((first, others))
+        self.begin([Decimal(0)] * len(self.basis))
+
+    def _row(self, coefficients, of_t):
+        return [dot(coefficients, vector) for vector in self.basis] + [of_t], dot(coefficients, self.start)
+
+    def reaction(self):
+        """{candidate: reaction} at the current point."""
+        x = list(self.start)
+        for value, vector in zip(self.point, self.basis):
+            x = [a + value * b for a, b in zip(x, vector)]
+        result = {}
+        for (i, _), value in zip(self.columns, x):
+            result.setdefault(i, []).append(value)
+        return result
+
+
 def sign(leaf):
     """alive, dead, tied or unsure, with the point of the leaf."""
-    leaf.escalate(TIE)
+    leaf.escalate(TIE, above=0, below=0)
     if leaf.low > 0 and leaf.low > TIE:
         return ALIVE
     if leaf.high < 0 and (leaf.high < -TIE or leaf.empty):
@@ -281,11 +294,11 @@ def sign(leaf):
 def margin(flexibility, d, friction, contact, apart):
     """t* in the unit of the program to more than four digits: (low, high)."""
     leaf = Leaf(mean_scaled(flexibility, d), d, friction, contact, apart)
-    leaf.escalate(Decimal("1e-3"), stop_at_sign=False)
+    leaf.escalate(Decimal("1e-3"))
     while not leaf.empty and leaf.high - leaf.low > abs(leaf.low) * Decimal("1e-5") and leaf.high - leaf.low > TIE:
         goal = max(min(leaf.high - leaf.low, abs(leaf.low)) * Decimal("1e-3"), TIE / 2)
         before = leaf.high - leaf.low
-        leaf.escalate(goal, stop_at_sign=False)
+        leaf.escalate(goal)
         if leaf.high - leaf.low >= before:
             break
     return leaf.low, leaf.high

@@ -35,10 +35,11 @@ class _Draft:
         self.sections += ["", "[[elements]]", f"E = {_stiffness(self.rng, self.contrast)!r}", f"nu = {self.rng.uniform(0, 0.4)!r}",
                           "thickness = 1.0", f'plane = "{self.rng.choice(("stress", "strain"))}"', f"between = [[{quoted}]]"]
 
-    def support(self, node, axes="xy"):
+    def support(self, node, axes=None):
+        axes = axes or "xyz"[:self.dimension]
         self.sections += ["", "[[supports]]", f'nodes = ["{node}"]']
-        if axes != "xy":
-            self.sections += [f'fixed = ["{axes}"]']
+        if axes != "xyz"[:self.dimension]:
+            self.sections += [f"fixed = {list(axes)}".replace("'", '"')]
 
     def contact(self, node, normal, against=None):
         lines = ["", "[[contact]]", f'nodes = ["{node}"]', f"normal = {[float(x) for x in normal]}"]
@@ -210,20 +211,79 @@ def _coupling(draft):
             draft.contact(name, _direction(rng, 2))
 
 
-def _space(draft):
-    """An unconstrained tetrahedron of bars or solid, or a truss of five nodes, with obstacles around it."""
+def _tetrahedron(draft, head, size=1.0, further=()):
+    """Four corners as bars or solid, with further nodes as bars."""
     rng = draft.rng
-    corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]] + ([[0.1, 0.2, 1.8]] if rng.random() < 0.5 else [])
-    names = [draft.node(f"n{i}", [x + rng.uniform(-0.3, 0.3) for x in corner]) for i, corner in enumerate(corners)]
+    corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], *further]
+    names = [draft.node(f"{head}{i}", [size * x + rng.uniform(-0.3, 0.3) for x in corner]) for i, corner in enumerate(corners)]
     if len(names) == 4 and rng.random() < 0.5:
         draft.sections += ["", "[[elements]]", f"E = {_stiffness(rng, draft.contrast)!r}", "nu = 0.3",
                            "between = [[" + ", ".join(f'"{name}"' for name in names) + "]]"]
     else:
-        for i, b in enumerate(names):
-            for a in names[:i]:
-                draft.bar(a, b)
+        _all_bars(draft, names)
+    return names
+
+
+def _all_bars(draft, names):
+    for i, b in enumerate(names):
+        for a in names[:i]:
+            draft.bar(a, b)
+
+
+def _inwards_in_space(draft, name):
+    return [-x + draft.rng.uniform(-0.7, 0.7) for x in draft.nodes[name]]
+
+
+def _space(draft):
+    """An unconstrained tetrahedron of bars or solid, or a truss of five nodes, with obstacles around it."""
+    rng = draft.rng
+    names = _tetrahedron(draft, "n", further=[[0.1, 0.2, 1.8]] if rng.random() < 0.5 else [])
     for name in rng.sample(names, rng.randint(2, len(names))):
-        draft.contact(name, [-x + rng.uniform(-0.7, 0.7) for x in draft.nodes[name]])
+        draft.contact(name, _inwards_in_space(draft, name))
+
+
+def _space_supported(draft, kind):
+    """A tetrahedron with feet, or with a support that leaves some of its motions, or with two obstacles at a node."""
+    rng = draft.rng
+    names = _tetrahedron(draft, "n")
+    if kind == "held":
+        _feet(draft, names)
+    if kind == "partly":
+        draft.support(names[3], rng.choice(("xyz", "xy", "z")))
+    for name in rng.sample(names[:3], rng.randint(2, 3)):
+        draft.contact(name, _inwards_in_space(draft, name))
+    if kind == "corner":
+        for _ in range(2):
+            draft.contact(names[3], _inwards_in_space(draft, names[3]))
+
+
+def _feet(draft, names):
+    for k in range(3):
+        foot = draft.node(f"foot{k}", [4 + draft.rng.uniform(-1, 1), *(draft.rng.uniform(-2, 2) for _ in range(2))])
+        draft.support(foot)
+        for name in names:
+            draft.bar(foot, name)
+
+
+def _space_pair(draft, held):
+    """A truss inside a tetrahedron, in contact with its faces; the outer one is fixed, or rests on obstacles."""
+    rng = draft.rng
+    outer = _tetrahedron(draft, "b", 2.0)
+    if held:
+        _feet(draft, outer)
+    else:
+        for name in rng.sample(outer, rng.randint(1, 2)):
+            draft.contact(name, _inwards_in_space(draft, name))
+    inner = []
+    for k in range(rng.randint(2, 3)):
+        face = [name for i, name in enumerate(outer) if i != k]
+        weights = rng.choice(([0.25, 0.25, 0.5], [0.5, 0.375, 0.125], [0.5, 0.5, 0.0], [0.125, 0.125, 0.75]))
+        place = [sum(w * draft.nodes[name][axis] for w, name in zip(weights, face)) for axis in range(3)]
+        against = [(name, w) for name, w in zip(face, weights) if w]
+        inner.append(draft.node(f"a{k}", place))
+        draft.contact(inner[-1], _inwards_in_space(draft, inner[-1]), against)
+    inner += [draft.node(f"a{k}", [rng.uniform(-0.5, 0.5) for _ in range(3)]) for k in range(len(inner), 4)]
+    _all_bars(draft, inner)
 
 
 def _build(rng, kind, contrast):
@@ -242,6 +302,10 @@ def _build(rng, kind, contrast):
         _lever(draft)
     elif kind == "coupling":
         _coupling(draft)
+    elif kind in ("space-pair", "space-loose-pair"):
+        _space_pair(draft, kind == "space-pair")
+    elif kind in ("space-held", "space-partly", "space-corner"):
+        _space_supported(draft, kind.removeprefix("space-"))
     else:
         _space(draft)
     return draft.text()

@@ -33,8 +33,8 @@ class FrictionSweep final : public Swept {
         parameters_{.maximum = maximum, .width = options.width} {}
 
   void prepare(CommandRun& run) override {
-    contact_ = contact_problem(run, options_.input,
-                               points_.empty() ? parameters_.maximum : points_.front());
+    contact_ = contact_problem(run, options_.input);
+    if (!points_.empty()) warn_of_facets(run, options_.input, contact_.facets, points_.front());
     friction_at(contact_.problem, parameters_.maximum, options_.input.file);
     keep_state(run, options_.checkpoint, contact_.problem);
   }
@@ -47,6 +47,8 @@ class FrictionSweep final : public Swept {
     found_ = wedged::sweep_friction(analysis, contact_.problem, parameters_);
     const bool searched =
         run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
+    if (points_.empty() && run.session().is_first())
+      warn_of_facets(run, options_.input, contact_.facets, smallest_found());
     if (!searched) return;
     const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
     exact_ = wedged::tested_counts(analysis, {contact_.structure, contact_.problem, proving},
@@ -60,6 +62,9 @@ class FrictionSweep final : public Swept {
   [[nodiscard]] Verdict verdict() const override;
 
  private:
+  /// The smallest coefficient with a pattern, or the limit of the search: the normals of facets are
+  /// in doubt at small coefficients.
+  [[nodiscard]] double smallest_found() const;
   /// Counts at the requested points; none if the tree was not finished.
   [[nodiscard]] std::vector<wedged::ConeCount> counts() const;
   [[nodiscard]] std::string points_text() const;
@@ -82,6 +87,12 @@ std::vector<wedged::ConeCount> FrictionSweep::counts() const {
   if (!found_.enumerated) return list;
   for (const double point : points_) list.push_back(found_.count_at(point));
   return list;
+}
+
+double FrictionSweep::smallest_found() const {
+  double smallest = parameters_.maximum;
+  for (const auto& cone : found_.cones) smallest = std::min(smallest, cone.begins.upper);
+  return smallest;
 }
 
 ordered_json bracket_json(const std::optional<wedged::FrictionBracket>& bracket) {

@@ -194,7 +194,10 @@ void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Rese
   if (found.open && ended == engine::Status::solved)
     all.push_back({"Some sign patterns are undecided; pieces may be missing.", true});
   if (found.outside == Standing::computed && !found.open && !found.everything)
-    all.push_back({"Computed, not proved: no other pair is held.", true});
+    all.push_back(
+        {"Computed, not proved: no other pair is held; in some sign patterns all states are "
+         "those of another one, up to rounding, as for loads at a candidate.",
+         true});
   if (found.coarse > 0) {
     all.push_back({fmt::format("{} may be larger than drawn, by more than the usual width.",
                                counted(found.coarse, "piece")),

@@ -134,20 +134,25 @@ class HoldDiagram(KusabiCase):
             self.assertEqual(any(contains(piece, x, y, 1e-9) for piece in diagram["pieces"]), held, (x, y))
 
     def test_without_a_dead_load_pieces_are_cones(self):
-        groove = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
-        load = '\n[[loads]]\nkind = "reference"\n{}nodes = ["block.0,1"]\nforce = {}\n'
-        text = groove + load.format('case = "down"\n', [0.1, -1]) + load.format('case = "along"\n', [1, 0.3])
-        diagram = self.solve("hold", self.problem(text), "--diagram", "--mu", 0.2)["result"]["diagram"]
-        self.assertFalse(diagram["open"])
-        counted = {True: 0, False: 0}
-        for k in range(12):
-            x, y = math.cos(0.2 + math.pi * k / 6), math.sin(0.2 + math.pi * k / 6)
-            both = groove + load.format("", [0.1 * x + y, 0.3 * y - x])
-            (interval,) = self.solve("hold", self.problem(both), "--mu", 0.2)["result"]["intervals"]
-            held = interval["high"] is None
-            counted[held] += 1
-            self.assertEqual(any(contains(piece, x, y, 1e-6) for piece in diagram["pieces"]), held, (x, y))
-        self.assertGreater(min(counted.values()), 2)
+        # At a candidate, which alone carries loads within its friction cone, and beside the candidates.
+        for node, divisions in (("block.0,1", "[1, 1]"), ("block.1,1", "[2, 1]")):
+            groove = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", f"divisions = {divisions}")
+            load = f'\n[[loads]]\nkind = "reference"\n{{}}nodes = ["{node}"]\nforce = {{}}\n'
+            text = groove + load.format('case = "down"\n', [0.1, -1]) + load.format('case = "along"\n', [1, 0.3])
+            diagram = self.solve("hold", self.problem(text), "--diagram", "--mu", 0.2)["result"]["diagram"]
+            at_candidate = node == "block.0,1"
+            self.assertEqual((diagram["open"], diagram["proved"]), (False, not at_candidate))
+            alone = any(piece["pattern"]["contact"] == ["block.0,1"] for piece in diagram["pieces"])
+            self.assertEqual(alone, at_candidate)
+            counted = {True: 0, False: 0}
+            for k in range(24):
+                x, y = math.cos(0.2 + math.pi * k / 12), math.sin(0.2 + math.pi * k / 12)
+                both = groove + load.format("", [0.1 * x + y, 0.3 * y - x])
+                (interval,) = self.solve("hold", self.problem(both), "--mu", 0.2)["result"]["intervals"]
+                held = interval["high"] is None
+                counted[held] += 1
+                self.assertEqual(any(contains(piece, x, y, 1e-6) for piece in diagram["pieces"]), held, (x, y))
+            self.assertGreater(min(counted.values()), 2)
 
     def test_lines_are_intervals_of_one_load(self):
         text = (EXAMPLES / "ladder.toml").read_text()

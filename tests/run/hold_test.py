@@ -13,6 +13,44 @@ from kusabi_case import EXAMPLES, KusabiCase, main, moved  # noqa: E402: beside 
 LADDER = (EXAMPLES / "ladder.toml").read_text()
 PEG = (EXAMPLES / "peg-under-load.toml").read_text()
 SLOPE = 4 / 3
+HEAD = 'name = "p"\ndimension = 2\nunits = { length = "m", force = "N" }\n'
+LOAD = '\n[[loads]]\nkind = "dead"\nnodes = [{}]\nforce = {}\n'
+SOLID = '\nE = 1000\nnu = 0.3\nthickness = 1\nplane = "strain"\n'
+#: On a floor.
+BLOCK = HEAD + '[[mesh]]\nname = "block"\ncorners = [[0, 0], [1, 0], [1, 1], [0, 1]]\ndivisions = [1, 1]' + SOLID + """
+[[contact]]
+nodes = ["block.0,0", "block.1,0"]
+normal = [0, 1]
+"""
+#: A box with a groove, on a floor, and a wedge in the groove; the walls lean by 15 degrees.
+BOX = HEAD + """
+[nodes]
+bl = [-1.5, -1]
+br = [1.5, -1]
+tl = [-1.5, 1]
+tr = [1.5, 1]
+l0 = [-0.5, 0]
+r0 = [0.5, 0]
+l1 = [-0.7679491924311227, 1]
+r1 = [0.7679491924311227, 1]
+a0 = [-0.5, 0]
+a1 = [0.5, 0]
+a2 = [0.7679491924311227, 1]
+a3 = [-0.7679491924311227, 1]
+[[elements]]""" + SOLID + """
+between = [["bl", "br", "r0", "l0"], ["bl", "l0", "l1", "tl"], ["br", "tr", "r1", "r0"], ["a0", "a1", "a2", "a3"]]
+[[contact]]
+nodes = ["bl", "br"]
+normal = [0, 1]
+[[contact]]
+nodes = ["a0", "a3"]
+normal = [0.9659258262890683, 0.25881904510252074]
+against = [{ nodes = ["l0"], weights = [1.0] }, { nodes = ["l1"], weights = [1.0] }]
+[[contact]]
+nodes = ["a1", "a2"]
+normal = [-0.9659258262890683, 0.25881904510252074]
+against = [{ nodes = ["r0"], weights = [1.0] }, { nodes = ["r1"], weights = [1.0] }]
+"""
 
 
 def heaviest(mu):
@@ -75,6 +113,29 @@ class Hold(KusabiCase):
             result = self.solve("hold", self.problem(text), "--mu", mu)
             self.assertEqual(result["verdict"]["sentence"], sentence)
             self.assertEqual(result["verdict"]["exit_code"], 0)
+
+    def test_a_load_at_a_contact_is_held_by_that_contact(self):
+        # The friction of the only loaded candidate decides; the block may turn about it.
+        text = BLOCK + LOAD.format('"block.0,0"', [0.3, -1])
+        result = self.solve("hold", self.problem(text))
+        found = result["result"]["holding_friction"]
+        self.check_end(found["upper"], found["lower"], 0.3)
+        self.assertTrue(found["lower_proved"] and found["upper_proved"])
+        result = self.solve("hold", self.problem(text), "--mu", 0.31, "--grip")
+        self.assertEqual(result["verdict"]["exit_code"], 0, result["verdict"])
+        for end in ("least", "most"):
+            self.assertAlmostEqual(result["result"]["grip"][end]["held"], 1, delta=1e-6)
+
+    def test_a_part_wedged_in_another_one_does_not_hold_it(self):
+        # A box with a wedge in its groove stands on the floor: the wedge can be clamped from tan 15 degrees = 0.268 on, and
+        # the box slides up to 0.3.
+        place = self.problem(BOX + LOAD.format('"bl", "br"', [0.15, -0.5]))
+        found = self.solve("hold", place)["result"]["holding_friction"]
+        self.check_end(found["upper"], found["lower"], 0.3)
+        self.assertTrue(found["lower_proved"] and found["upper_proved"])
+        result = self.solve("hold", place, "--mu", 0.29)
+        self.assertEqual(result["verdict"]["exit_code"], 0, result["verdict"])
+        self.assertIn("It cannot hold the dead load", result["verdict"]["sentence"])
 
     def test_constrained_bodies_hold_every_load(self):
         text = LADDER + '\n[[supports]]\nnodes = ["ladder.10,1"]\n'

@@ -146,6 +146,10 @@ class Warnings(Problems):
         # At a coefficient of 5 they differ by less than the friction angle.
         self.assertNotIn("faces that differ", self.said("patterns", self.plug('"surface"'), "--mu", 5, "--node-limit", 1).stderr)
 
+    def test_a_sweep_has_the_warning_for_its_smallest_coefficient(self):
+        message = self.said("sweep", self.plug('"surface"'), "--mu-max", 0.0139, "--width", 1e-6).stderr
+        self.assertRegex(message, r"degrees of the friction coefficient 0\.01382;")
+
     def test_hold_has_the_same_warning(self):
         file = self.plug('"surface"\ninterference = 0.001')
         for mu, is_doubted in ((0.05, True), (5, False)):

@@ -120,8 +120,8 @@ class BlockProof {
       const support::IndexSet& contact, const support::IndexSet& separated,
       std::span<const double> numbers) const;
 
-  /// Proves that below the node (U, R) there is no wedged configuration, and no state under any
-  /// combination of the loads with amounts >= 0 of which one is positive.
+  /// Proves that below the node (U, R) there is no state under any combination of the loads with
+  /// amounts >= 0 of which one is positive; without loads, that there is no wedged configuration.
   /// @param numbers those of prove_infeasible()
   /// @param grip a restriction of the states; nothing: all states
   /// @pre min_eigenvalue(), loads
@@ -158,8 +158,10 @@ class BlockProof {
     Dyadic error;
     Dyadic dead;      // the share of the clearances
     DyadicList gaps;  // g times that share, m
+    Rationals work;   // on the modes, p
   };
   [[nodiscard]] ActingLoad acting(LoadShare share) const;
+  [[nodiscard]] Rationals work_of(LoadShare share) const;
 
   // Grounding springs for the rigid-body modes, and the sliding modes: those that leave all normal
   // displacements of U zero up to nearly_sliding.
@@ -205,7 +207,7 @@ class BlockProof {
                                      const std::vector<std::size_t>& tangents,
                                      const std::vector<Rationals>& modes, Leaf& leaf) const;
   // Adds the load to the forces of a leaf, and the forces that would close the gaps of U.
-  void add_load(const ActingLoad& load, LoadShare share, Leaf& leaf) const;
+  void add_load(const ActingLoad& load, Leaf& leaf) const;
   [[nodiscard]] std::optional<std::string> refusal_of_leaf(Leaf leaf,
                                                            std::span<const double> numbers) const;
   // Upper bound of the norm of normal displacements on a set.
@@ -255,6 +257,11 @@ class BlockProof {
                                                              const DyadicList& w,
                                                              const DyadicList& nu,
                                                              const Dyadic& off) const;
+
+  // Proves by a rigid motion alone that no load of the combination is held, although there may be
+  // wedged configurations.
+  [[nodiscard]] std::optional<std::string> refusal_of_rigid_motion(
+      Combination combination, const std::vector<double>& mean) const;
 
   // Recorded multipliers divided by the lengths of normals, the rows of the normals, lower bounds
   // of the multipliers, and the unit of change of each.

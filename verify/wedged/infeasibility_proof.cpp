@@ -68,6 +68,7 @@ ProofResult BlockProof::prove_unconstrained(const Combination& combination) cons
     if (!why) return {};
     if (!first) first = std::move(why);
   }
+  if (!refusal_of_rigid_motion(combination, mean)) return {};
   for (const double small : {0.0, small_multiplier}) {
     if (!refusal(near_multipliers(combination, small))) return {{}, true};
   }

@@ -23,10 +23,23 @@ double min_of_factors(const problems::WedgedProblem& problem) {
 
 }  // namespace
 
+// Takes a state of a tree at a coefficient as the upper bound: a proved one, or one at a limit.
+// False if it has none.
+bool BlockHold::take_upper(HoldingFriction& found, const HoldOutcome& outcome, double mu) {
+  const bool proved = !outcome.leaf.empty();
+  if (!proved && outcome.tally.limits.empty()) return false;
+  found.upper = mu;
+  found.upper_proved = proved;
+  found.pattern = (proved ? outcome.leaf.front() : outcome.tally.limits.front()).pattern;
+  return true;
+}
+
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
-// another leaf has a state there, which is then the upper bound of the answer.
+// another leaf has a state there, which is then the upper bound of the answer: one at a limit only
+// if nothing is proved somewhat below either.
 bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
   const std::array share{LoadShare{1, 0}};
+  const HoldingFriction before = found;
   for (const double step : steps_below) {
     const double mu = max_infeasible * (1 - step);
     const auto outcome = search(share, mu, 0, 0);
@@ -34,10 +47,10 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
       found.status = outcome.status;
       return true;
     }
-    if (!outcome.leaf.empty()) {
-      found.upper = mu;
-      found.pattern = outcome.leaf.front().pattern;
-      return false;
+    const bool last = step == steps_below.back();
+    if (!outcome.leaf.empty() || (last && !outcome.tally.limits.empty())) {
+      found = before;
+      return !take_upper(found, outcome, mu);
     }
     found.lower = mu;
     found.lower_known = true;
@@ -47,19 +60,31 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
   return true;
 }
 
-// Bisects a range of coefficients in which leaves are degenerate, with one tree at each point. The
-// lower end is proved only if the last tree there is infeasible, otherwise computed.
+// Bisects a range of coefficients in which leaves are degenerate, with one tree at each point. A
+// narrow range between proved bounds may remain undecided. Otherwise a state at a limit is an upper
+// bound that is computed, and a tree with neither a state nor a proof a lower one.
 void BlockHold::narrow(HoldingFriction& found) {
+  const bool proved = found.upper && found.upper_proved && found.lower_proved &&
+                      *found.upper - found.lower <= 2 * steps_below.back() * *found.upper;
+  double open = found.upper.value_or(0);  // least undecided coefficient, or the upper bound
+  double last_open = open;                // the largest one
   for (int step = 0; found.upper && step < max_halvings; ++step) {
-    if (*found.upper - found.lower <= close_enough * *found.upper) return;
-    const double mu = found.lower + (*found.upper - found.lower) / 2;
+    const bool below = open - found.lower > close_enough * open;
+    if (!below && *found.upper - last_open <= close_enough * *found.upper) return;
+    const double from = below ? found.lower : last_open;
+    const double mu = from + ((below ? open : *found.upper) - from) / 2;
     if (mu * min_of_factors(block_.problem) < min_friction) return;
     const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return;
-    if (!outcome.leaf.empty()) {
-      found.upper = mu;
-      found.pattern = outcome.leaf.front().pattern;
+    const bool is_open = proved && outcome.leaf.empty() && !outcome.is_infeasible();
+    if (is_open) {
+      if (!below || open == *found.upper) last_open = mu;
+      if (below) open = mu;
+      continue;
+    }
+    if (take_upper(found, outcome, mu)) {
+      if (below) open = last_open = mu;
       continue;
     }
     found.lower = mu;
@@ -91,24 +116,14 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
   const auto smooth = search(share, 0, 0, 0);
   found.status = smooth.status;
   if (found.status != engine::Status::solved) return false;
-  const auto& limits = smooth.tally.limits;
-  if (!smooth.leaf.empty() || !limits.empty()) {
-    found.upper = 0;
-    found.upper_proved = !smooth.leaf.empty();
-    found.pattern = (found.upper_proved ? smooth.leaf.front() : limits.front()).pattern;
-    return false;
-  }
+  if (take_upper(found, smooth, 0)) return false;
   found.lower_known = true;
   found.lower_proved = smooth.is_infeasible();
   for (double mu = std::min(1.0, found.maximum); mu > 0; mu = std::min(10 * mu, found.maximum)) {
     const auto outcome = search(share, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return false;
-    if (!outcome.leaf.empty()) {
-      found.upper = mu;
-      found.pattern = outcome.leaf.front().pattern;
-      return true;
-    }
+    if (take_upper(found, outcome, mu)) return true;
     found.lower = mu;
     found.lower_proved = outcome.is_infeasible();
     if (mu >= found.maximum) return false;
@@ -120,12 +135,13 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
 // infeasible.
 // @param minimum coefficient that is not zero
 void BlockHold::follow(HoldingFriction& found, double minimum) {
-  while (*found.upper > minimum) {
+  for (int round = 0; round<max_halvings&& * found.upper> minimum; ++round) {
+    const auto standard = found.upper_proved ? Standard::proved : Standard::computed;
     HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, parameters_.precision);
     const double start = std::max(found.lower, minimum);
     const auto result_at = [&](double mu) {
       nodes.set_friction(mu);
-      return nodes.solve(*found.pattern);
+      return counted(nodes.solve(*found.pattern), standard);
     };
     if (start == minimum && result_at(minimum) == HoldResult::feasible) {
       found.upper = minimum;

@@ -86,6 +86,7 @@ class BlockHold {
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
 
+  static HoldResult counted(HoldResult result, Standard standard);
   [[nodiscard]] HoldResult at(const LoadedPattern& pattern, LoadShare share, double mu,
                               Standard standard) const;
   HeldFactors homogeneous_factors(double mu);
@@ -101,6 +102,7 @@ class BlockHold {
             std::vector<FactorRange>& unknown, double mu);
   bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
                    std::vector<FactorRange>& unknown, double mu);
+  static bool take_upper(HoldingFriction& found, const HoldOutcome& outcome, double mu);
   bool first_bracket(HoldingFriction& found);
   void follow(HoldingFriction& found, double minimum);
   void narrow(HoldingFriction& found);

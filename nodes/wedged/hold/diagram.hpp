@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/hold/half_planes.hpp"
+#include "nodes/wedged/hold/diagram_piece.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
 
 namespace kusabi::wedged {
-
-/// The factors of one sign pattern.
-struct DiagramPiece {
-  LoadedPattern pattern;        ///< of the candidates of the whole problem
-  Polygon hull{};               ///< each vertex has a state, proved
-  bool is_whole_plane = false;  ///< every pair of factors
-  bool fine = true;             ///< the hull is the whole piece, up to 1e-5 of its distances
-};
 
 struct Diagram {
   engine::Status status = engine::Status::solved;
@@ -29,9 +21,6 @@ struct Diagram {
   std::vector<DiagramPiece> pieces{};
   std::vector<HoldCost> costs{};
 };
-
-/// Distance, relative to that from a point inside, up to which a vertex is known.
-inline constexpr double diagram_width = 1e-7;
 
 /// Every rank makes the same call and gets the same result.
 /// @param loaded with two reference loads

@@ -51,6 +51,7 @@ class BlockGrip {
   HoldOutcome search(std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip);
   [[nodiscard]] bool reaches(const LoadedPattern& pattern,
                              const std::optional<GripRestriction>& grip) const;
+  [[nodiscard]] std::optional<GripEnd> no_end(const LoadedPattern& pattern) const;
   void follow(GripEnd& end, Kind kind) const;
   [[nodiscard]] double sum_of(const LoadedLeaf& leaf) const;
 
@@ -89,6 +90,16 @@ bool BlockGrip::reaches(const LoadedPattern& pattern,
   return nodes.solve(pattern) == HoldResult::feasible;
 }
 
+// No end, if any multiple of a wedged configuration can be added to the states of a pattern: proved
+// if t* > 0.
+std::optional<GripEnd> BlockGrip::no_end(const LoadedPattern& pattern) const {
+  HoldNodes nodes(block_, {}, mu_, parameters_.precision);
+  const HoldResult result = nodes.solve(pattern);
+  const bool flat = result == HoldResult::at_limit || result == HoldResult::face;
+  if (!flat && result != HoldResult::feasible) return {};
+  return GripEnd{.held_proved = !flat, .out_proved = !flat, .unbounded = true};
+}
+
 // Moves `held` to the end of its pattern, and `out` beside it.
 void BlockGrip::follow(GripEnd& end, Kind kind) const {
   const bool up = kind == Kind::above;
@@ -118,6 +129,9 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   GripEnd end{.held = sum_of(leaf), .out = 0, .pattern = leaf.pattern};
   const double begin = end.held;
   for (int round = 0; round < max_steps; ++round) {
+    if (kind == Kind::above) {
+      if (const auto unbounded = no_end(*end.pattern)) return *unbounded;
+    }
     follow(end, kind);
     if (kind == Kind::below && end.held <= negligible_sum * begin) {
       end.out = 0;  // the sum is never negative
@@ -154,15 +168,17 @@ const GripEnd unknown_end{.held_proved = false, .out_proved = false, .known = fa
 std::optional<GripOfBlock> BlockGrip::range() {
   GripOfBlock own;
   const auto wedged = search({}, {});
-  // A multiple of a wedged configuration can be added to a state if it resists all modes; otherwise
-  // their signs may contradict each other. Without a dead load it is a state itself.
+  // A wedged pattern whose contacts resist all modes has a state. Without a dead load its
+  // configurations are states.
   own.maximum.unbounded = !wedged.leaf.empty() &&
                           (!is_under_dead(block_) ||
                            resists_all(block_.problem, wedged.leaf.front().pattern.contact, mu_));
-  own.maximum.out_proved = own.maximum.unbounded || wedged.is_infeasible();
-  if (!own.maximum.unbounded && (!wedged.leaf.empty() || !wedged.tally.limits.empty()))
-    own.maximum = unknown_end;
-  if (!is_under_dead(block_)) return own;
+  const bool known = own.maximum.unbounded || wedged.is_infeasible();
+  own.maximum.out_proved = known;
+  if (!is_under_dead(block_)) {
+    if (!known && !wedged.tally.limits.empty()) own.maximum = unknown_end;
+    return own;
+  }
   const auto first = search(std::array{dead_load}, {});
   if (first.is_infeasible()) return {};
   if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
@@ -171,10 +187,10 @@ std::optional<GripOfBlock> BlockGrip::range() {
     return own;
   }
   own.minimum = end(Kind::below, first.leaf.front());
-  if (own.maximum.unbounded || !own.maximum.known) return own;
-  const bool known = own.maximum.out_proved;
+  if (own.maximum.unbounded) return own;
   own.maximum = end(Kind::above, first.leaf.front());
-  own.maximum.out_proved = own.maximum.out_proved && known;
+  // With wedged configurations an end that is not proved may be that of a pattern only.
+  if (!known && !own.maximum.unbounded && !own.maximum.out_proved) own.maximum = unknown_end;
   return own;
 }
 

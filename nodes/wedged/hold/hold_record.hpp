@@ -27,7 +27,7 @@ struct HoldOutcome {
   /// True if there is no state below the root, proved.
   [[nodiscard]] bool is_infeasible() const {
     return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
-           tally.unresolved() == 0 && tally.limits.empty();
+           tally.of_other_leaves == 0 && tally.unresolved() == 0 && tally.limits.empty();
   }
 
   /// True if states may be missing: the search was stopped, or leaves are undecided.

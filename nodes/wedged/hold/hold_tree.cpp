@@ -7,6 +7,7 @@
 
 #include <Eigen/SVD>
 
+#include "nodes/wedged/hold/rigid_contradiction.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -14,9 +15,6 @@ namespace kusabi::wedged {
 using support::IndexSet;
 
 namespace {
-
-/// As CriticalFriction::tolerances: t* near a limit is a small multiple of the distance from it.
-constexpr conic::Tolerances hold_tolerances{.sign = 1e-14, .value = 1e-15, .iterations = 100};
 
 /// Singular values of the rows of U below this part of the largest belong to modes that these do
 /// not resist, as in solvers/conic/motion_bounds.cpp.
@@ -54,6 +52,7 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
       equation_(equation_of(grip)),
       loaded_(&loaded),
       mu_(mu),
+      precision_(precision),
       problem_(grip ? with_grip(loaded, shares, *grip) : with_loads(loaded, shares)),
       rule_(loaded.problem, friction_with_loads(loaded.problem, mu, 0), Branching::relative),
       solver_(problem_, friction_with_loads(loaded.problem, mu, loads_), hold_tolerances, precision,
@@ -127,13 +126,23 @@ HoldResult HoldNodes::degenerate(const LoadedPattern& node, double upper) {
   if (!inside) return HoldResult::unresolved;
   if (inside->loaded.empty() && upper < 0) return HoldResult::infeasible;
   const bool acts = scales_.empty() ? !inside->loaded.empty() : inside->loaded.meets(acting_);
-  if (!acts) return HoldResult::unloaded;
   const IndexSet loaded = inside->loaded & all_;
+  limited_to_ = inside->loaded & IndexSet::below(all_.size() + static_cast<int>(shares_.size()));
+  if (!acts) return is_contradiction(node) ? HoldResult::infeasible : HoldResult::unloaded;
   const bool leaf = (node.contact | node.separated) == all_;
   if (leaf && !loaded.includes(node.contact)) return HoldResult::face;
   if (!loaded.includes(node.contact) || loaded.meets(inside->moved)) return HoldResult::unresolved;
   limit_ = {loaded, all_ - loaded};
   return HoldResult::at_limit;
+}
+
+bool HoldNodes::is_contradiction(const LoadedPattern& node) {
+  const auto beta = rigid_contradiction(*loaded_, shares_, mu_, precision_,
+                                        {limited_to_, all_ - (node.separated | limited_to_)});
+  if (!beta) return false;
+  multipliers_.setZero();
+  multipliers_.tail(problem_.modes.matrix.cols()).head(beta->size()) = *beta;
+  return true;
 }
 
 std::vector<double> HoldNodes::infeasible_numbers() const {
@@ -203,6 +212,20 @@ void HoldTree::expand(Node&& node, engine::Expansion<HoldTree>& out) {
   });
 }
 
+// The leaf of all states of a node can have t* > 0 although the node has not: in the node, free
+// candidates whose reaction vanishes in all states are among C.
+void HoldTree::take_limit(const Node& node, engine::Expansion<HoldTree>& out) {
+  const LoadedPattern limit = nodes_.limit();
+  LoadedLeaf leaf = nodes_.leaf(limit);
+  const bool proved = node.contact.includes(limit.contact) && nodes_.is_contradiction(node);
+  if (limit == node || nodes_.solve(limit) != HoldResult::feasible) {
+    tally_.limits.push_back(std::move(leaf));
+    return;
+  }
+  if (!proved) ++tally_.computed;  // that there are no other states
+  out.solution(nodes_.leaf(limit));
+}
+
 void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
   const HoldResult result = nodes_.solve(node);
   const IndexSet free = nodes_.all() - (node.contact | node.separated);
@@ -215,10 +238,11 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
       out.solution(nodes_.leaf(node));
       return;
     case HoldResult::at_limit:
-      tally_.limits.push_back(nodes_.leaf(nodes_.limit()));
+      return take_limit(node, out);
+    case HoldResult::face:
+      ++(nodes_.is_contradiction(node) ? tally_.of_other_leaves : tally_.computed);
       return;
     case HoldResult::unloaded:
-    case HoldResult::face:
       ++tally_.computed;
       return;
     case HoldResult::unresolved:

@@ -3,8 +3,8 @@
 //
 //   t* < 0   no state below the node, and no wedged configuration either;
 //   t* > 0   at a leaf: a state in which every load acts and all inequalities are strict;
-//   t* = 0   (within the tolerance) states with equalities, or only unloaded configurations, which
-//            the relative interior distinguishes in floating point.
+//   t* = 0   (within the tolerance) states with equalities, which are those of one leaf, or only
+//            unloaded configurations; the relative interior distinguishes them in floating point.
 //
 // The search ends with the first leaf with t* > 0 in depth-first order. Bounds of the candidates
 // and cuts are those of the same loads; those of the unloaded problem are not valid under load.
@@ -61,9 +61,10 @@ struct LoadedLeaf {
 /// Counts of opened nodes by their result.
 struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t branched = 0;
-  std::uint64_t infeasible = 0;  ///< no state, proved
-  std::uint64_t computed = 0;    ///< no state by the relative interior, not proved
-  std::uint64_t undecided = 0;   ///< leaves of unknown sign
+  std::uint64_t infeasible = 0;       ///< no state, proved
+  std::uint64_t computed = 0;         ///< no state by the relative interior, not proved
+  std::uint64_t of_other_leaves = 0;  ///< all of whose states are those of other leaves, proved
+  std::uint64_t undecided = 0;        ///< leaves of unknown sign
   /// Leaves of unknown sign whose contacts do not resist every rigid-body mode. Of two load factors
   /// such a pattern holds at most the pairs on a line.
   std::uint64_t undecided_on_line = 0;
@@ -86,9 +87,10 @@ struct HoldTally : engine::Counts<HoldTally> {
 
   static constexpr auto fields() {
     return std::tuple{
-        field("branched", &HoldTally::branched),      field("dead", &HoldTally::infeasible),
-        field("computed", &HoldTally::computed),      field("undecided", &HoldTally::undecided),
-        field("thin", &HoldTally::undecided_on_line), field("iterations", &HoldTally::iterations)};
+        field("branched", &HoldTally::branched),    field("dead", &HoldTally::infeasible),
+        field("computed", &HoldTally::computed),    field("others", &HoldTally::of_other_leaves),
+        field("undecided", &HoldTally::undecided),  field("thin", &HoldTally::undecided_on_line),
+        field("iterations", &HoldTally::iterations)};
   }
 };
 
@@ -121,6 +123,11 @@ class HoldNodes {
   /// of other leaves; `unloaded`: t* = 0 and no load acts; `unresolved`: neither is known, or a
   /// candidate remains to be decided.
   HoldResult solve(const LoadedPattern& node);
+
+  /// True if equilibrium alone proves that all reactions and loads of the last node vanish, except
+  /// those in its relative interior. The multipliers are then those of this proof.
+  /// @pre the result of `node` was `at_limit`, `face` or `unloaded`
+  bool is_contradiction(const LoadedPattern& node);
 
   [[nodiscard]] const support::IndexSet& all() const { return all_; }
   [[nodiscard]] const problems::WedgedProblem& problem() const { return loaded_->problem; }
@@ -158,6 +165,7 @@ class HoldNodes {
   support::IndexSet acting_;  // the loads of which one must act in a state, after the candidates
   LoadedProblem const* loaded_;
   double mu_;
+  Precision precision_;
   problems::WedgedProblem problem_;
   BranchingRule rule_;
   ContactSolver solver_;
@@ -166,7 +174,8 @@ class HoldNodes {
   std::vector<CandidateBounds> bounds_;  // empty: none
   std::optional<int> one_sided_;         // candidate of the last node, decided by its bounds
   LoadedPattern limit_;
-  Eigen::VectorXd multipliers_;  // of the last node
+  support::IndexSet limited_to_;  // candidates and loads of the relative interior of the last node
+  Eigen::VectorXd multipliers_;   // of the last node
   std::uint64_t iterations_ = 0, programs_ = 0;
 };
 
@@ -202,6 +211,7 @@ class HoldTree {
 
  private:
   void open(const Node& node, engine::Expansion<HoldTree>& out);
+  void take_limit(const Node& node, engine::Expansion<HoldTree>& out);
 
   HoldNodes nodes_;
   Reporter reporter_;

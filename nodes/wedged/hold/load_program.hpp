@@ -17,9 +17,14 @@
 
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "solvers/conic/answer.hpp"
 #include "support/index_set.hpp"
 
 namespace kusabi::wedged {
+
+/// As CriticalFriction::tolerances: t* near a limit is a small multiple of the distance from it.
+inline constexpr conic::Tolerances hold_tolerances{
+    .sign = 1e-14, .value = 1e-15, .iterations = 100};
 
 /// A combination of the loads: `dead` times the dead load and the clearances, plus `reference`
 /// times the reference load, plus `second` times that of a second case.
