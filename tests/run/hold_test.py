@@ -127,6 +127,41 @@ class Hold(KusabiCase):
         both = PEG.replace("clearance = 0.001", "clearance = 0.001\ninterference = 0.001")
         self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
 
+    def test_uncertain_loads_are_refused(self):
+        interval = LADDER.replace("force = [0, -1]", "force = [[-0.5, 0.5], -1]", 1)
+        refused = self.refused("hold", self.problem(interval))
+        self.assertIn("an uncertain load has a half-width", refused)
+        place, nodes = self.problem(LADDER), '\n[[uncertainty]]\nnodes = ["ladder.0,1"]\naxes = ["x"]\n'
+        certificate = self.folder / "cert"
+        self.solve("hold", place, "--mu", 0.4, "--certificate", certificate)
+        self.assertEqual(self.kusabi("verify", certificate, "--problem", place).returncode, 0)
+        self.problem(LADDER + nodes + "alpha = 0.1\n")
+        for words in (("hold", place), ("hold", place, "--mu", 0.4), ("verify", certificate, "--problem", place)):
+            self.assertIn("an uncertain load has a half-width", self.refused(*words))
+        said = self.kusabi("hold", self.problem(LADDER + nodes)).stderr
+        self.assertIn("kusabi hold ignores 1 uncertain load without a half-width", said)
+
+    def test_actions_with_a_range_of_factors_are_refused(self):
+        actions = """
+[combinations]
+rule = "6.10"
+reference = "climber"
+[[actions]]
+name = "weight"
+permanent = [{}, 1.35]
+forces = [{{ nodes = ["ladder.5,0"], force = [0, -1] }}]
+[[actions]]
+name = "climber"
+variable = 1.5
+psi0 = 0.6
+forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
+"""
+        bare = LADDER.split("[[loads]]")[0]
+        words = ("--mu", 0.4, "--case", "6.10 climber leads")
+        self.assertIn("an uncertain load has a half-width", self.refused("hold", self.problem(bare + actions.format(1)), *words))
+        (held,) = self.solve("hold", self.problem(bare + actions.format(1.35)), *words)["result"]["intervals"]
+        self.assertAlmostEqual(held["high"], heaviest(0.4) * 1.35 / 1.5, delta=1e-8)
+
     def test_several_coefficients_have_the_answers_of_each(self):
         place = self.problem(PEG)
         mus = [0.4, 0.5, 0.74, 0.76, 2]
