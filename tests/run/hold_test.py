@@ -13,6 +13,34 @@ from kusabi_case import EXAMPLES, KusabiCase, main, moved  # noqa: E402: beside 
 LADDER = (EXAMPLES / "ladder.toml").read_text()
 PEG = (EXAMPLES / "peg-under-load.toml").read_text()
 SLOPE = 4 / 3
+#: On a floor, with a dead load; and below a ceiling without friction.
+TRIANGLE = """
+name = "triangle"
+dimension = 2
+units = { length = "m", force = "N" }
+[nodes]
+a = [0, 0]
+b = [1, 0]
+c = [0.5, 1]
+[[members]]
+EA = 100
+between = [["a", "b"], ["b", "c"], ["a", "c"]]
+[[contact]]
+nodes = ["a", "b"]
+normal = [0, 1]
+"""
+CEILING = """
+[[contact]]
+nodes = ["c"]
+normal = [0, -1]
+friction_factor = 0
+"""
+DEAD = """
+[[loads]]
+kind = "dead"
+nodes = [{}]
+force = {}
+"""
 
 
 def heaviest(mu):
@@ -126,6 +154,19 @@ class Hold(KusabiCase):
         self.assertIn('expected --case with one of them: "a"', self.refused("hold", self.problem(cases)))
         both = PEG.replace("clearance = 0.001", "clearance = 0.001\ninterference = 0.001")
         self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
+
+    def test_states_at_a_limit_bound_the_coefficient_from_above(self):
+        # The resultant passes through b, so that a has no reaction under any friction coefficient.
+        result = self.solve("hold", self.problem(TRIANGLE + DEAD.format('"c"', "[1, -2]")))
+        found = result["result"]["holding_friction"]
+        self.check_end(found["upper"], found["lower"], 0.5)
+        self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))
+        self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.49999; at 0\.50001 it can \(computed")
+        # A corner right above a foot, without gap below a ceiling that carries nothing.
+        text = TRIANGLE.replace("[0.5, 1]", "[0, 1]") + CEILING + DEAD.format('"a", "b"', "[0.3, -1]")
+        found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
+        self.check_end(found["upper"], found["lower"], 0.3)
+        self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))
 
     def test_uncertain_loads_are_refused(self):
         interval = LADDER.replace("force = [0, -1]", "force = [[-0.5, 0.5], -1]", 1)

@@ -85,6 +85,7 @@ class BlockHold {
   HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high);
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
+  static HoldResult by_standard(HoldResult result, Standard standard);
 
   [[nodiscard]] HoldResult at(const LoadedPattern& pattern, LoadShare share, double mu,
                               Standard standard) const;
@@ -101,6 +102,9 @@ class BlockHold {
             std::vector<FactorRange>& unknown, double mu);
   bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
                    std::vector<FactorRange>& unknown, double mu);
+  /// Of the search at one coefficient: a state, one that is only computed, none, or not known.
+  enum class Answer { held, at_limit, excluded, unknown };
+  Answer move_end(HoldingFriction& found, double mu);
   bool first_bracket(HoldingFriction& found);
   void follow(HoldingFriction& found, double minimum);
   void narrow(HoldingFriction& found);

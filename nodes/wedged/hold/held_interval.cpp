@@ -17,13 +17,16 @@ constexpr double min_factor_share = 1e-12;
 
 }  // namespace
 
-HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
-                         Standard standard) const {
-  HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
-  const HoldResult result = nodes.solve(pattern);
+HoldResult BlockHold::by_standard(HoldResult result, Standard standard) {
   if (standard == Standard::proved) return result;
   if (result == HoldResult::at_limit || result == HoldResult::face) return HoldResult::feasible;
   return result == HoldResult::unloaded ? HoldResult::infeasible : result;
+}
+
+HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
+                         Standard standard) const {
+  HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
+  return by_standard(nodes.solve(pattern), standard);
 }
 
 std::optional<HeldState> BlockHold::state(const std::optional<LoadedPattern>& pattern,
