@@ -22,6 +22,7 @@
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -182,13 +183,14 @@ void Hold::prepare(CommandRun& run) {
   facets_ = std::move(facets);
   if (!options_.points.empty())
     warn_of_facets(run, options_.input, facets_, options_.points.front());
-  if (!options_.diagram && options_.load_case.empty() &&
-      !problems::load_cases(structure_).empty()) {
+  structure_ = problems::in_chosen_case(structure_, options_.load_case);
+  if (!options_.diagram && !problems::load_cases(structure_).empty()) {
     throw WrongInput(
         fmt::format("{}: the file has load cases; expected --case with one of them: {}",
                     options_.input.file, problems::choice_of_load_cases(structure_)));
   }
-  structure_ = problems::in_chosen_case(structure_, options_.load_case);
+  problems::check_certain(structure_);
+  warn_all(run.session(), ignored_uncertainty(structure_, run.name()));
   loaded_ = run.within_limits([&](const auto& work) {
     return options_.diagram ? loads_of_cases(work) : wedged::loaded_problem(structure_, work);
   });

@@ -15,6 +15,7 @@
 #include "engine/index_range.hpp"
 #include "engine/search.hpp"
 #include "nodes/evidence/verified_structure.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
@@ -191,6 +192,7 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
   const auto certificate = hold_certificate_in(text, options.certificate);
   const auto loaded = in_case_of_certificate(*structure, certificate.load_case);
   if (!loaded) return refusal_of_certificate(options, no_such_case(options, certificate.load_case));
+  problems::check_certain(*loaded);
   const auto verified = evidence::verified_under_load(*loaded);
   auto found = verify::consistency_under_load(certificate.header, verified);
   if (const auto* why = std::get_if<std::string>(&found))

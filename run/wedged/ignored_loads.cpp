@@ -58,4 +58,14 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
   return lines;
 }
 
+std::vector<std::string> ignored_uncertainty(const problems::Structure& structure,
+                                             std::string_view command) {
+  if (!structure.uncertain || structure.uncertain->empty()) return {};
+  const auto message =
+      fmt::format("kusabi {} ignores {} without a half-width: the loads are those of the file",
+                  command, counted(structure.uncertain->size(), "uncertain load"));
+  const auto position = problems::position_of(structure.sources.uncertain, 0);
+  return {problems::structure_error(structure, position, message).what()};
+}
+
 }  // namespace kusabi::run

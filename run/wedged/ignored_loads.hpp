@@ -14,4 +14,8 @@ namespace kusabi::run {
 std::vector<std::string> ignored_loads(const problems::Structure& structure,
                                        std::string_view command);
 
+/// A line for the uncertain loads whose half-widths the file does not give, if there are any.
+std::vector<std::string> ignored_uncertainty(const problems::Structure& structure,
+                                             std::string_view command);
+
 }  // namespace kusabi::run

@@ -177,6 +177,36 @@ force = [1, 0.5]
                 self.assertEqual(inside, wanted, factor)
         self.assertTrue(any(end is not None for pair in ends for end in pair))
 
+    def test_pieces_at_a_limit_are_not_known(self):
+        # A ceiling without gap and friction carries nothing: each load of a diagram holds a range of the other.
+        text = """
+name = "slot"
+dimension = 2
+units = { length = "m", force = "N" }
+[nodes]
+a = [0, 0]
+b = [1, 0]
+c = [0, 1]
+[[members]]
+EA = 100
+between = [["a", "b"], ["b", "c"], ["a", "c"]]
+[[contact]]
+nodes = ["a", "b"]
+normal = [0, 1]
+[[contact]]
+nodes = ["c"]
+normal = [0, -1]
+friction_factor = 0
+"""
+        for kind, force in (('"dead"', [0.3, -1]), ('"reference"\ncase = "h"', [0.1, 0]), ('"reference"\ncase = "v"', [0, -1])):
+            text += f'[[loads]]\nkind = {kind}\nnodes = ["a", "b"]\nforce = {force}\n'
+        (held,) = self.solve("hold", self.problem(text), "--mu", 0.5, "--case", "h")["result"]["intervals"]
+        self.assertAlmostEqual(held["low"], -8, delta=1e-6)
+        result = self.solve("hold", self.problem(text), "--mu", 0.5, "--diagram")
+        self.assertEqual((result["result"]["diagram"]["pieces"], result["result"]["diagram"]["open"]), ([], True))
+        self.assertIn("not known", result["verdict"]["sentence"])
+        self.assertEqual(result["verdict"]["exit_code"], 3)
+
     def test_csv_and_svg_have_the_pieces(self):
         self.diagram(BOTH, 0.5, "--csv", self.folder / "a.csv", "--svg", self.folder / "a.svg")
         rows = list(csv.DictReader((self.folder / "a.csv").read_text().splitlines()))

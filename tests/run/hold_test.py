@@ -51,6 +51,28 @@ nodes = ["a1", "a2"]
 normal = [-0.9659258262890683, 0.25881904510252074]
 against = [{ nodes = ["r0"], weights = [1.0] }, { nodes = ["r1"], weights = [1.0] }]
 """
+#: On a floor, with a dead load; and below a ceiling without friction.
+TRIANGLE = """
+name = "triangle"
+dimension = 2
+units = { length = "m", force = "N" }
+[nodes]
+a = [0, 0]
+b = [1, 0]
+c = [0.5, 1]
+[[members]]
+EA = 100
+between = [["a", "b"], ["b", "c"], ["a", "c"]]
+[[contact]]
+nodes = ["a", "b"]
+normal = [0, 1]
+"""
+CEILING = """
+[[contact]]
+nodes = ["c"]
+normal = [0, -1]
+friction_factor = 0
+"""
 
 
 def heaviest(mu):
@@ -187,6 +209,54 @@ class Hold(KusabiCase):
         self.assertIn('expected --case with one of them: "a"', self.refused("hold", self.problem(cases)))
         both = PEG.replace("clearance = 0.001", "clearance = 0.001\ninterference = 0.001")
         self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
+
+    def test_states_at_a_limit_bound_the_coefficient_from_above(self):
+        # The resultant passes through b, so that a has no reaction under any friction coefficient.
+        result = self.solve("hold", self.problem(TRIANGLE + LOAD.format('"c"', "[1, -2]")))
+        found = result["result"]["holding_friction"]
+        self.check_end(found["upper"], found["lower"], 0.5)
+        self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))
+        self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.49999; at 0\.50001 it can \(computed")
+        # A corner right above a foot, without gap below a ceiling that carries nothing.
+        text = TRIANGLE.replace("[0.5, 1]", "[0, 1]") + CEILING + LOAD.format('"a", "b"', "[0.3, -1]")
+        found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
+        self.check_end(found["upper"], found["lower"], 0.3)
+        self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))
+
+    def test_uncertain_loads_are_refused(self):
+        interval = LADDER.replace("force = [0, -1]", "force = [[-0.5, 0.5], -1]", 1)
+        refused = self.refused("hold", self.problem(interval))
+        self.assertIn("an uncertain load has a half-width", refused)
+        place, nodes = self.problem(LADDER), '\n[[uncertainty]]\nnodes = ["ladder.0,1"]\naxes = ["x"]\n'
+        certificate = self.folder / "cert"
+        self.solve("hold", place, "--mu", 0.4, "--certificate", certificate)
+        self.assertEqual(self.kusabi("verify", certificate, "--problem", place).returncode, 0)
+        self.problem(LADDER + nodes + "alpha = 0.1\n")
+        for words in (("hold", place), ("hold", place, "--mu", 0.4), ("verify", certificate, "--problem", place)):
+            self.assertIn("an uncertain load has a half-width", self.refused(*words))
+        said = self.kusabi("hold", self.problem(LADDER + nodes)).stderr
+        self.assertIn("kusabi hold ignores 1 uncertain load without a half-width", said)
+
+    def test_actions_with_a_range_of_factors_are_refused(self):
+        actions = """
+[combinations]
+rule = "6.10"
+reference = "climber"
+[[actions]]
+name = "weight"
+permanent = [{}, 1.35]
+forces = [{{ nodes = ["ladder.5,0"], force = [0, -1] }}]
+[[actions]]
+name = "climber"
+variable = 1.5
+psi0 = 0.6
+forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
+"""
+        bare = LADDER.split("[[loads]]")[0]
+        words = ("--mu", 0.4, "--case", "6.10 climber leads")
+        self.assertIn("an uncertain load has a half-width", self.refused("hold", self.problem(bare + actions.format(1)), *words))
+        (held,) = self.solve("hold", self.problem(bare + actions.format(1.35)), *words)["result"]["intervals"]
+        self.assertAlmostEqual(held["high"], heaviest(0.4) * 1.35 / 1.5, delta=1e-8)
 
     def test_several_coefficients_have_the_answers_of_each(self):
         place = self.problem(PEG)

@@ -34,6 +34,15 @@ bool BlockHold::take_upper(HoldingFriction& found, const HoldOutcome& outcome, d
   return true;
 }
 
+// Takes a tree without a state at a coefficient as the lower bound: a proved one if all its nodes
+// are infeasible, a computed one if some are degenerate, none if some are undecided.
+void BlockHold::take_lower(HoldingFriction& found, const HoldOutcome& outcome, double mu) {
+  if (outcome.is_unresolved()) return;
+  found.lower = mu;
+  found.lower_known = true;
+  found.lower_proved = outcome.is_infeasible();
+}
+
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
 // another leaf has a state there, which is then the upper bound of the answer: one at a limit only
 // if nothing is proved somewhat below either.
@@ -52,10 +61,8 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
       found = before;
       return !take_upper(found, outcome, mu);
     }
-    found.lower = mu;
-    found.lower_known = true;
-    found.lower_proved = outcome.is_infeasible();
-    if (found.lower_proved) return true;
+    take_lower(found, outcome, mu);
+    if (outcome.is_infeasible()) return true;
   }
   return true;
 }
@@ -66,12 +73,13 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
 void BlockHold::narrow(HoldingFriction& found) {
   const bool proved = found.upper && found.upper_proved && found.lower_proved &&
                       *found.upper - found.lower <= 2 * steps_below.back() * *found.upper;
+  double low = found.lower;               // also where nodes are undecided
   double open = found.upper.value_or(0);  // least undecided coefficient, or the upper bound
   double last_open = open;                // the largest one
   for (int step = 0; found.upper && step < max_halvings; ++step) {
-    const bool below = open - found.lower > close_enough * open;
+    const bool below = open - low > close_enough * open;
     if (!below && *found.upper - last_open <= close_enough * *found.upper) return;
-    const double from = below ? found.lower : last_open;
+    const double from = below ? low : last_open;
     const double mu = from + ((below ? open : *found.upper) - from) / 2;
     if (mu * min_of_factors(block_.problem) < min_friction) return;
     const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
@@ -87,9 +95,8 @@ void BlockHold::narrow(HoldingFriction& found) {
       if (below) open = last_open = mu;
       continue;
     }
-    found.lower = mu;
-    found.lower_known = true;
-    found.lower_proved = outcome.is_infeasible();
+    take_lower(found, outcome, mu);
+    low = mu;
   }
 }
 
@@ -117,15 +124,13 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
   found.status = smooth.status;
   if (found.status != engine::Status::solved) return false;
   if (take_upper(found, smooth, 0)) return false;
-  found.lower_known = true;
-  found.lower_proved = smooth.is_infeasible();
+  take_lower(found, smooth, 0);
   for (double mu = std::min(1.0, found.maximum); mu > 0; mu = std::min(10 * mu, found.maximum)) {
     const auto outcome = search(share, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return false;
     if (take_upper(found, outcome, mu)) return true;
-    found.lower = mu;
-    found.lower_proved = outcome.is_infeasible();
+    take_lower(found, outcome, mu);
     if (mu >= found.maximum) return false;
   }
   return false;
@@ -141,7 +146,7 @@ void BlockHold::follow(HoldingFriction& found, double minimum) {
     const double start = std::max(found.lower, minimum);
     const auto result_at = [&](double mu) {
       nodes.set_friction(mu);
-      return counted(nodes.solve(*found.pattern), standard);
+      return by_standard(nodes.solve(*found.pattern), standard);
     };
     if (start == minimum && result_at(minimum) == HoldResult::feasible) {
       found.upper = minimum;

@@ -85,8 +85,8 @@ class BlockHold {
   HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high);
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
+  static HoldResult by_standard(HoldResult result, Standard standard);
 
-  static HoldResult counted(HoldResult result, Standard standard);
   [[nodiscard]] HoldResult at(const LoadedPattern& pattern, LoadShare share, double mu,
                               Standard standard) const;
   HeldFactors homogeneous_factors(double mu);
@@ -103,6 +103,7 @@ class BlockHold {
   bool take_limits(std::span<const LoadedLeaf> limits, double low, double high, HeldFactors& found,
                    std::vector<FactorRange>& unknown, double mu);
   static bool take_upper(HoldingFriction& found, const HoldOutcome& outcome, double mu);
+  static void take_lower(HoldingFriction& found, const HoldOutcome& outcome, double mu);
   bool first_bracket(HoldingFriction& found);
   void follow(HoldingFriction& found, double minimum);
   void narrow(HoldingFriction& found);

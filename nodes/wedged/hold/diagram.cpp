@@ -67,7 +67,10 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
         found.status = outcome.status;
         return all;
       }
-      found.unresolved = found.unresolved || outcome.tally.undecided > 0;
+      const bool at_limit = std::ranges::any_of(outcome.tally.limits, [&](const auto& leaf) {
+        return resists_all(block.problem, leaf.pattern.contact, mu);
+      });
+      found.unresolved = found.unresolved || outcome.tally.undecided > 0 || at_limit;
       found.proved = found.proved && outcome.tally.undecided + outcome.tally.computed == 0 &&
                      outcome.tally.limits.empty();
       for (const auto& leaf : outcome.leaf) {

@@ -20,10 +20,10 @@ constexpr double min_factor_share = 1e-12;
 HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
                          Standard standard) const {
   HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
-  return counted(nodes.solve(pattern), standard);
+  return by_standard(nodes.solve(pattern), standard);
 }
 
-HoldResult BlockHold::counted(HoldResult result, Standard standard) {
+HoldResult BlockHold::by_standard(HoldResult result, Standard standard) {
   if (standard == Standard::proved) return result;
   if (result == HoldResult::at_limit || result == HoldResult::face) return HoldResult::feasible;
   return result == HoldResult::unloaded ? HoldResult::infeasible : result;

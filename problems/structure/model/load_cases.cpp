@@ -60,4 +60,18 @@ std::string choice_of_load_cases(const Structure& structure) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+void check_certain(const Structure& structure) {
+  if (!structure.uncertain) return;
+  int index = 0;
+  for (const auto& parameter : *structure.uncertain) {
+    if (parameter.half_width) {
+      throw structure_error(structure, position_of(structure.sources.uncertain, index),
+                            "an uncertain load has a half-width, and states under load are those "
+                            "of one load; expected loads without [lower, upper] and alpha, and no "
+                            "[[actions]] with a range of factors");
+    }
+    index += static_cast<int>(parameter.components.size());
+  }
+}
+
 }  // namespace kusabi::problems
