@@ -357,6 +357,8 @@ def examine(kusabi, seed, index, cuts, space):
     # Near a critical coefficient the reactions grow beyond those of the programs.
     if found["lower_proved"] and found["lower"] and loaded.holds(found["lower"] * (1 - 1e-9)):
         wrong.append(f"hold: the dead load is held at the lower bound {found['lower']}")
+    if not found["lower_proved"] and found["lower"] and loaded.holds(found["lower"] * 0.999):
+        wrong.append(f"hold: the dead load is held below the computed lower bound {found['lower']}")
     if found["upper_proved"] and found["upper"] is not None and not loaded.holds(found["upper"] * (1 + 1e-6)):
         wrong.append(f"hold: the dead load is not held at the upper bound {found['upper']}")
     wrong += verify("hold", kusabi, path, ["cert.lower", "cert.upper"])
