@@ -22,7 +22,7 @@ struct EnclosedCompliance {
   /// F~, dm x dm, ordered as in WedgedProblem, length/force; exactly symmetric.
   numbers::PreciseMatrix matrix;
   /// |F~_ij - F_ij| <= error sqrt(F_ii F_jj) for all i, j, where F is the compliance of the
-  /// structure with exact numbers; infinity if no bound was proved. About 1e-26 for a condition
+  /// structure with exact numbers; infinity if no bound was proved. About 1e-22 for a condition
   /// number of 1e6. The bound also holds for the rows and columns of any subset of the candidates.
   double error = 0;
   /// The displacements of the whole structure under a unit reaction in each direction of each
@@ -32,9 +32,9 @@ struct EnclosedCompliance {
 };
 
 /// F of a structure. The stiffness is scaled to a unit diagonal and factorised in doubles or long
-/// doubles; the displacements under unit loads are refined with residuals in 104 bits. The error
-/// bound follows from the last residuals and the least eigenvalue proved by a Cholesky
-/// factorisation.
+/// doubles; F follows from the displacements under unit loads and their residuals in 104 bits. The
+/// error bound is quadratic in the residuals, divided by the least eigenvalue, which a Cholesky
+/// factorisation proves.
 /// @param degrees of the structure; grounding springs do not change them
 /// @pre the structure passes `check_structure` and is no mechanism
 /// @throws support::Stopped if the program is asked to stop: between factorisations and groups of

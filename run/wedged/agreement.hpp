@@ -1,6 +1,5 @@
-// Comparison of the problem on all ranks. Each rank prepares the problem from the same text; before
-// the search they compare the results bit by bit, since another machine or build may round
-// differently, and its part of the tree would belong to another problem.
+// The same problem on all ranks. Each rank prepares it from the same text; machines of different
+// kinds may round differently, and a part of the tree would then belong to another problem.
 #pragma once
 
 #include "problems/wedged/wedged_problem.hpp"
@@ -8,8 +7,9 @@
 
 namespace kusabi::run {
 
-/// @throws engine::Disagreement on every rank unless stiffness, compliance and all other parts of
-/// the problem are the same on all of them
-void agree(Session& session, const problems::WedgedProblem& problem);
+/// Replaces stiffness and compliance by those of rank 0 if they differ in a single bit. (The
+/// displacements under unit reactions are used on rank 0 only.)
+/// @throws engine::RankMismatch on every rank unless all have the same input
+void agree(Session& session, problems::WedgedProblem& problem);
 
 }  // namespace kusabi::run
