@@ -10,8 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include "dense.hpp"
 #include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/root/split_root.hpp"
 #include "nodes/limit/splitting/acceleration.hpp"
@@ -100,7 +99,7 @@ TEST(AffineProjection, IsTheNearestPointInItsMetric) {
     for (int i = 0; i < rows; ++i) given(i) = w.at(i, block_columns + c);
     Eigen::VectorXd load = Eigen::VectorXd::Zero(displacements);
     if (c == 2) load << 0, 2, 0, 0, -1;
-    const Eigen::VectorXd u = gram.lu().solve(a * given - load);
+    const Eigen::VectorXd u = dense::solve(gram, a * given - load);
     const Eigen::VectorXd expected = given - metric.asDiagonal() * a.transpose() * u;
     EXPECT_LT((projection.multipliers(c) - u).norm(), 1e-12);
     for (int i = 0; i < rows; ++i) {

@@ -10,9 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "engine/search.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
@@ -86,8 +87,8 @@ class Cone {
     Eigen::MatrixXd equations(static_cast<Eigen::Index>(rows.size()), size);
     for (std::size_t k = 0; k < rows.size(); ++k)
       equations.row(static_cast<Eigen::Index>(k)) = rows[k].normalized();
-    within_ = Eigen::MatrixXd::Identity(size, size) -
-              equations.completeOrthogonalDecomposition().pseudoInverse() * equations;
+    within_ =
+        Eigen::MatrixXd::Identity(size, size) - dense::least_squares(equations, equations, 1e-12);
   }
 
   /// The point of the cone that is farthest from `start` towards `goal`, subject to the equations.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "dense.hpp"
@@ -130,7 +131,9 @@ TEST_P(SimplexStress, HasTheNodalForcesOfTheStiffness) {
     for (int a = 0; a <= d; ++a)
       places.row(a) << 1,
           body.coordinates.col(element.nodes[static_cast<std::size_t>(a)]).transpose();
-    const double volume = std::abs(places.determinant()) / (d == 2 ? 2 / element.thickness : 6);
+    const double volume =
+        d == 2 ? std::abs(Eigen::Matrix3d(places).determinant()) / 2 * element.thickness
+               : std::abs(Eigen::Matrix4d(places).determinant()) / 6;
     const Eigen::MatrixXd gradients = dense::inverse(places).bottomRows(d);
     const Eigen::MatrixXd stress =
         tensor_of(stresses.col(static_cast<Eigen::Index>(i))).topLeftCorner(d, d);

@@ -159,10 +159,10 @@ double search(const ContactProblem& problem, const Masks& masks) {
   constexpr double radius = 100, enough = 1e-8;
   const Eigen::MatrixXd matrix = testing::equations(problem, masks);
   const Eigen::VectorXd right_side = Eigen::VectorXd::Unit(matrix.rows(), matrix.rows() - 1);
-  const Eigen::MatrixXd directions = matrix.fullPivLu().kernel();
+  const Eigen::MatrixXd directions = dense::kernel(matrix, 1e-12);
   const auto n = static_cast<double>(directions.cols());
 
-  Eigen::VectorXd r = matrix.completeOrthogonalDecomposition().solve(right_side);
+  Eigen::VectorXd r = dense::least_squares(matrix, right_side, 1e-12);
   Eigen::VectorXd slope;
   double maximum = testing::level(problem, masks, r, &slope);
   // The ellipsoid is the image of the unit ball under `axes`; this form stays an ellipsoid under

@@ -5,8 +5,10 @@
 #include <limits>
 #include <random>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
+
+#include "dense.hpp"
 
 namespace kusabi::conic {
 namespace {
@@ -84,7 +86,8 @@ TYPED_TEST(Cone, ScalingTakesBothPointsToTheSamePoint) {
         const double tolerance = rounding * (1 / deep_x + 1 / deep_z);
         const Vector<D> lambda = vector(scaling.lambda());
         EXPECT_LE((matrix(scaling) * lambda - x).norm(), tolerance * x.norm());
-        EXPECT_LE((matrix(scaling).inverse() * lambda - z).norm(), tolerance * z.norm() / deep_x);
+        EXPECT_LE((dense::inverse(matrix(scaling)) * lambda - z).norm(),
+                  tolerance * z.norm() / deep_x);
         EXPECT_LE((vector(scaling.times(point<D>(z))) - matrix(scaling) * z).norm(),
                   rounding * matrix(scaling).norm() * z.norm());
         EXPECT_NEAR(lambda.squaredNorm(), x.dot(z), tolerance * x.norm() * z.norm());
@@ -102,7 +105,7 @@ TYPED_TEST(Cone, ScalingIsSymmetricPositiveDefinite) {
                                          point<D>(this->interior(1e-4)));
     const Eigen::Matrix<double, D, D> w = matrix(scaling);
     EXPECT_LE((w - w.transpose()).norm(), rounding * w.norm());
-    EXPECT_EQ(w.llt().info(), Eigen::Success);
+    EXPECT_GT(dense::eigenvalues(w)[0], 0);
   }
 }
 

@@ -7,8 +7,9 @@
 #include <random>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "dense.hpp"
 #include "support/index_set.hpp"
 
 namespace kusabi::conic::testing {
@@ -44,7 +45,7 @@ inline ContactProblem random_problem(int d, int m, double minimum, double maximu
       Eigen::MatrixXd::NullaryExpr(size, size, [&] { return uniform(generator); });
   const Eigen::MatrixXd stiffness =
       factor * factor.transpose() + 0.2 * Eigen::MatrixXd::Identity(size, size);
-  const Eigen::MatrixXd inverse = stiffness.inverse();
+  const Eigen::MatrixXd inverse = dense::inverse(stiffness);
   ContactProblem problem{d, scaled((inverse + inverse.transpose()) / 2, d), {}};
   std::uniform_real_distribution<double> exponent(std::log(minimum), std::log(maximum));
   for (int i = 0; i < m; ++i) problem.friction.push_back(std::exp(exponent(generator)));

@@ -5,8 +5,9 @@
 // entry large enough that F stays definite.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "dense.hpp"
 #include "solvers/conic/cut.hpp"
 
 namespace kusabi::conic::testing {
@@ -26,7 +27,7 @@ Eigen::MatrixXd with_candidate_for(const Cut& cut, const Eigen::MatrixXd& compli
   whole.topLeftCorner(size, size) = compliance;
   whole.col(size).head(size) = row;
   whole.row(size).head(size) = row.transpose();
-  whole(size, size) = 1 + 2 * row.dot(compliance.ldlt().solve(row));
+  whole(size, size) = 1 + 2 * row.dot(dense::solve(compliance, row).col(0));
   return whole;
 }
 

@@ -23,31 +23,27 @@ struct UnconstrainedProblem {
 };
 
 /// Frames and positions of candidates all around a body, and its rigid-body modes in these frames.
-template <int D>
-Eigen::MatrixXd rigid_motions(int m, std::mt19937_64& generator) {
+Eigen::MatrixXd rigid_motions(int d, int m, std::mt19937_64& generator) {
   std::normal_distribution<double> normal;
-  const int p = D == 2 ? 3 : 6;
-  Eigen::MatrixXd motions(D * m, p);
+  const int p = d == 2 ? 3 : 6;
+  Eigen::MatrixXd motions(d * m, p);
   for (int i = 0; i < m; ++i) {
-    Eigen::Matrix<double, D, 1> place, direction;
-    for (int k = 0; k < D; ++k) place[k] = normal(generator);
-    for (int k = 0; k < D; ++k) direction[k] = -place[k] + 0.3 * normal(generator);
+    Eigen::VectorXd place(d), direction(d);
+    for (int k = 0; k < d; ++k) place[k] = normal(generator);
+    for (int k = 0; k < d; ++k) direction[k] = -place[k] + 0.3 * normal(generator);
     // An orthonormal frame that begins with the direction.
-    Eigen::Matrix<double, D, D> frame = Eigen::Matrix<double, D, D>::Random();
+    Eigen::MatrixXd frame = Eigen::MatrixXd::Random(d, d);
     frame.col(0) = direction;
-    frame = Eigen::Matrix<double, D, D>(
-        Eigen::HouseholderQR<Eigen::Matrix<double, D, D>>(frame).householderQ());
+    frame = dense::orthonormal(frame);
     if (frame.col(0).dot(direction) < 0) frame = -frame;
-    Eigen::Matrix<double, D, Eigen::Dynamic> here(D, p);
-    here.setZero();
-    here.template leftCols<D>().setIdentity();
-    int column = D;
-    for (int a = 0; a < D; ++a)
-      for (int b = a + 1; b < D; ++b, ++column) {
+    Eigen::MatrixXd here = Eigen::MatrixXd::Identity(d, p);
+    int column = d;
+    for (int a = 0; a < d; ++a)
+      for (int b = a + 1; b < d; ++b, ++column) {
         here(a, column) = -place[b];
         here(b, column) = place[a];
       }
-    motions.middleRows(D * i, D) = frame.transpose() * here;
+    motions.middleRows(d * i, d) = frame.transpose() * here;
   }
   return motions;
 }
@@ -55,7 +51,7 @@ Eigen::MatrixXd rigid_motions(int m, std::mt19937_64& generator) {
 template <int D>
 UnconstrainedProblem random_unconstrained(int m, std::mt19937_64& generator) {
   auto held = testing::random_problem(D, m, 0.1, 1.0, generator);
-  return {held.compliance, rigid_motions<D>(m, generator), held.friction};
+  return {held.compliance, rigid_motions(D, m, generator), held.friction};
 }
 
 template <int D>

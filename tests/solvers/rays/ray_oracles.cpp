@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include <Eigen/LU>
+#include "dense.hpp"
 
 namespace kusabi::rays::test {
 namespace {
@@ -30,8 +30,7 @@ void add_if_new(Reactions& list, const Eigen::VectorXd& ray) {
 void add_rays_of_pattern(const Eigen::MatrixXd& equal, const Eigen::MatrixXd& inequalities,
                          const Inequalities& all, Reactions& list) {
   const Eigen::Index size = equal.cols();
-  const Eigen::FullPivLU<Eigen::MatrixXd> given(equal);
-  const Eigen::Index more = size - 1 - given.rank();
+  const Eigen::Index more = size - 1 - dense::rank(equal);
   if (more < 0) return;
   std::vector<bool> chosen(static_cast<std::size_t>(inequalities.rows()), false);
   if (more > inequalities.rows()) return;
@@ -43,10 +42,9 @@ void add_rays_of_pattern(const Eigen::MatrixXd& equal, const Eigen::MatrixXd& in
     for (std::size_t row = 0; row < chosen.size(); ++row) {
       if (chosen[row]) system.row(at++) = inequalities.row(static_cast<Eigen::Index>(row));
     }
-    Eigen::FullPivLU<Eigen::MatrixXd> factorised(system);
-    factorised.setThreshold(1e-11);
-    if (factorised.dimensionOfKernel() != 1) continue;
-    Eigen::VectorXd ray = factorised.kernel().col(0);
+    const Eigen::MatrixXd kernel = dense::kernel(system, 1e-11);
+    if (kernel.cols() != 1) continue;
+    Eigen::VectorXd ray = kernel;
     double normal_sum = 0;
     for (Eigen::Index i = 0; i < size; i += 2) normal_sum += ray(i);
     if (std::abs(normal_sum) < tolerance) continue;

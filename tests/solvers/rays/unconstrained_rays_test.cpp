@@ -4,9 +4,10 @@
 #include <random>
 #include <vector>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include "dense.hpp"
 #include "ray_oracles.hpp"
 #include "solvers/rays/double_description.hpp"
 
@@ -59,10 +60,9 @@ States by_brute_force(const UnconstrainedProblem& problem) {
     for (Eigen::Index row = 0; row < 3 * m; ++row) {
       if (chosen[static_cast<std::size_t>(row)]) system.row(at++) = inequalities.row(row);
     }
-    Eigen::FullPivLU<Eigen::MatrixXd> factorised(system);
-    factorised.setThreshold(1e-11);
-    if (factorised.dimensionOfKernel() != 1) continue;
-    Eigen::VectorXd point = factorised.kernel().col(0);
+    const Eigen::MatrixXd kernel = dense::kernel(system, 1e-11);
+    if (kernel.cols() != 1) continue;
+    Eigen::VectorXd point = kernel;
     if ((inequalities * point).sum() < 0) point = -point;
     Eigen::VectorXd state(4 * m);
     state << point.head(2 * m), displacements * point;
