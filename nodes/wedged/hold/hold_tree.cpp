@@ -197,10 +197,7 @@ LoadedLeaf HoldNodes::leaf(const LoadedPattern& pattern) const {
 }
 
 void HoldTree::expand(Node&& node, engine::Expansion<HoldTree>& out) {
-  interruption_.within(out, node, [&] {
-    open(node, out);
-    return true;
-  });
+  interruption_.run(out, node, [&] { open(node, out); });
 }
 
 void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
