@@ -18,7 +18,7 @@ struct SampledLoads {
   std::optional<ZeroOneStart> best;
 };
 
-/// @pre question.alpha
+/// @pre parameters.alpha
 SampledLoads sampled_loads(RootSearch& search, const LimitParameters& parameters);
 
 }  // namespace kusabi::limit

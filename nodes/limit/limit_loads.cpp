@@ -123,11 +123,7 @@ LossAnswer worst_loss(RootSearch& search, verify::Structure truss,
   return LossSearch(search.analysis(), truss, problem, model, *parameters.loss, alpha).solve();
 }
 
-}  // namespace
-
-namespace {
-
-// At the strengths of the file.
+// Limit loads with the strengths of the file.
 LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Structure& structure,
                                 const problems::LimitProblem& problem,
                                 const LimitParameters& parameters) {
@@ -135,11 +131,12 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
   RootSearch search(analysis, problem, parameters.split_from);
   LimitFindings findings;
   auto& answer = findings.answer;
+  const auto note_end = [&] {
+    if (search.ended()) answer.rest = analysis.budget().stop_reason();
+  };
   find_nominal(search, truss, parameters, findings);
   if (answer.status != LoadStatus::collapses) {
-    if (answer.status == LoadStatus::undetermined && search.ended()) {
-      answer.rest = analysis.budget().stop_reason();
-    }
+    if (answer.status == LoadStatus::undetermined) note_end();
     return findings;
   }
   answer.nominal = search.in_units(search.nominal(), search.model().dead);
@@ -147,14 +144,11 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
     if (!search.ended()) {
       answer.load_curve = factor_curve(search, *parameters.curve_load, parameters.curve_to);
     }
-    if (search.ended()) answer.rest = analysis.budget().stop_reason();
+    note_end();
   }
   if (parameters.loss) {
-    if (search.ended()) {
-      answer.rest = analysis.budget().stop_reason();
-    } else {
-      findings.loss = worst_loss(search, truss, parameters);
-    }
+    note_end();
+    if (!search.ended()) findings.loss = worst_loss(search, truss, parameters);
     return findings;
   }
   if (!parameters.alpha) return findings;
@@ -163,7 +157,7 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
     if (parameters.samples == 0) return {};
     SampledLoads sampled;
     if (!search.ended()) sampled = sampled_loads(search, parameters);
-    if (search.ended()) answer.rest = analysis.budget().stop_reason();
+    note_end();
     answer.samples = std::move(sampled.factors);
     return std::move(sampled.best);
   };
@@ -181,12 +175,12 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
       answer.worst_curve =
           worst_factor_curve(search, truss, *parameters.alpha, parameters.curve_to);
     }
-    if (search.ended()) answer.rest = analysis.budget().stop_reason();
+    note_end();
   }
   return findings;
 }
 
-// After all struts have buckled.
+// Limit loads with all struts at their residual strength.
 LimitFindings loads_after_buckling(engine::Analysis& analysis, problems::Structure structure,
                                    problems::LimitProblem problem,
                                    const LimitParameters& parameters) {

@@ -23,7 +23,7 @@ struct LimitFindings {
   /// The same analysis with all struts at their residual strength; nothing: there are no struts, or
   /// no result at their strength. Its claims are among `statements`.
   std::optional<LimitAnswer> residual;
-  /// Of a question about the loss of members; nothing: none, or no nominal factor was found.
+  /// Answer of `--lose`; nothing: not requested, or no nominal factor was found.
   std::optional<LossAnswer> loss;
   std::optional<LossAnswer> residual_loss;  ///< the same with all struts at residual strength
 

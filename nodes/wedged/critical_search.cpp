@@ -62,7 +62,7 @@ struct BelowTrial {
   }
 };
 
-// The search runs on the first rank, such that the result does not depend on timing. It belongs to
+// The search runs on the first rank, so that the result does not depend on timing. It belongs to
 // the analysis of its caller, whose next steps depend on it.
 BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalParameters& parameters, const CriticalGrid& grid,
@@ -210,21 +210,20 @@ class SmallestStrategies {
   CriticalFindings& findings_;
 };
 
-CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
-                                    const problems::WedgedProblem& problem, CriticalMethod method,
-                                    double width, double maximum,
-                                    std::vector<CriticalCost>& costs) {
-  CriticalFindings findings;
-  const auto feasible = feasible_patterns(analysis, problem, maximum, costs);
+// The status is the same on every rank.
+void pattern_by_pattern(engine::Analysis& analysis, const problems::WedgedProblem& problem,
+                        CriticalMethod method, double width, double maximum,
+                        CriticalFindings& findings) {
+  const auto feasible = feasible_patterns(analysis, problem, maximum, findings.costs);
   findings.status = feasible.status;
   // A partial list does not determine the answer.
-  if (findings.status != engine::Status::solved) return findings;
+  if (findings.status != engine::Status::solved) return;
   auto outcome = bracket_patterns(analysis, problem, feasible.leaves, method, width,
                                   multiples(maximum, width));
-  costs.push_back(
+  findings.costs.push_back(
       {CriticalPhase::coefficients, maximum, outcome.opened(), outcome.tally().programs});
   findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });
-  if (!analysis.is_first()) return findings;
+  if (!analysis.is_first()) return;
   const FrictionGrid grid(width);
   for (const auto& found : outcome.solutions) {
     const auto& [number, cell] = found.solution;
@@ -240,7 +239,6 @@ CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
   }
   findings.bisection_ranks = std::move(outcome.ranks);
   findings.conclude(findings.status == engine::Status::solved ? maximum : 0);
-  return findings;
 }
 
 // Narrows the bracket by the patterns with the smallest coefficients, on all ranks.
@@ -251,11 +249,11 @@ void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProble
     smallest.lower = findings.lower;
     if (!findings.upper) return smallest;
     const auto& first = findings.patterns.front();
-    const auto block = problems::blocks_of(problem)[first.block];
     smallest.upper = *findings.upper;
     Configuration leaf;
+    leaf.block = first.block;
     leaf.pattern = first.pattern;
-    smallest.leaf = {first.block, own_leaf(leaf, block)};
+    smallest.leaf = own_node(leaf, problems::blocks_of(problem));
     return smallest;
   });
   bracket.raise_lower(found.lower);
@@ -317,12 +315,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
                         recorder, bracket, findings.costs);
   SmallestStrategies strategies(analysis, problem, parameters, grid, bounds, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
-    auto costs = std::move(findings.costs);
-    auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.maximum, costs);
-    found.costs = std::move(costs);
-    findings = std::move(found);
-    findings.status =
-        engine::from_first_rank(analysis.transport(), [&] { return findings.status; });
+    pattern_by_pattern(analysis, problem, method, grid.width, grid.maximum, findings);
     if (findings.status != engine::Status::solved) findings.stopped_in = CriticalPhase::patterns;
     narrow_by_patterns(analysis, problem, findings, bracket);
   };

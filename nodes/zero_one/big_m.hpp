@@ -22,7 +22,7 @@ struct TighteningResult {
 };
 
 /// The rows of the form a'x + M tau <= b, with one binary and other columns. Each new M is computed
-/// from the given M and b, such that rounds end; it is 0 where the row holds for both values of
+/// from the given M and b, so that rounds end; it is 0 where the row holds for both values of
 /// tau.
 class BigMs {
  public:

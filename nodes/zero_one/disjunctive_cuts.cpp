@@ -201,7 +201,7 @@ class CutProgram {
       largest = std::max(largest, std::abs(alpha[j]));
     }
     if (largest == 0) return {};
-    // Scaled by a power of two, such that multipliers and coefficients remain consistent.
+    // Scaled by a power of two, so that multipliers and coefficients remain consistent.
     const double scale = std::exp2(-std::ceil(std::log2(largest)));
     DisjunctiveCut cut;
     double at_point = 0;

@@ -1,5 +1,5 @@
 // Bounds of columns implied by rows, which the safe bound requires for columns without bounds (such
-// as a flow limited by a capacity row). Rounded outwards, such that no point is lost.
+// as a flow limited by a capacity row). Rounded outwards, so that no point is lost.
 #pragma once
 
 #include <span>

@@ -38,7 +38,7 @@ struct MixedRoot {
 
 /// The root, computed by every rank alike.
 /// @param options except `stop`, which is that of the analysis
-/// @throws engine::Disagreement on every rank if their results differ
+/// @throws engine::RankMismatch on every rank if their results differ
 MixedRoot mixed_root(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                      ZeroOneRootOptions options);
 

@@ -10,7 +10,7 @@ namespace kusabi::problems {
 namespace {
 
 /// Unit of force for numbers of a given size: F unless they are much smaller. Units within a factor
-/// of `alike` are equal, such that the program resembles its truss; the others are F times a power
+/// of `alike` are equal, so that the program resembles its truss; the others are F times a power
 /// of two.
 double unit_of(double size, double force_unit) {
   constexpr double alike = 8;

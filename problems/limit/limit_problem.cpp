@@ -143,7 +143,7 @@ std::uint64_t fingerprint(const LimitProblem& problem) {
     for (const double value : *vector) result.add(value);
   }
   for (const UncertainColumn& column : problem.uncertain) {
-    // A negative number, which no displacement has, such that fingerprints of single components are
+    // A negative number, which no displacement has, so that fingerprints of single components are
     // unchanged.
     if (column.direction.size() > 1) result.add(-static_cast<int>(column.direction.size()));
     for (const auto& [degree, value] : column.direction) {

@@ -85,10 +85,6 @@ void add_placing(const Structure& structure, std::span<const UnconstrainedBody> 
       frame.transpose() * more;
 }
 
-std::string name(const Structure& structure, int node) {
-  return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
-}
-
 // An unconstrained body without contact candidates has no influence on answers and is most likely
 // an input error.
 void refuse_untouched(const Structure& structure, std::span<const UnconstrainedBody> bodies,
@@ -109,7 +105,7 @@ void refuse_untouched(const Structure& structure, std::span<const UnconstrainedB
         structure, position_of(structure.sources.nodes, node),
         fmt::format("the body of node {} is unconstrained, {}, and has no contact candidate; "
                     "expected supports, or a contact candidate on it",
-                    name(structure, node), described(bodies[b])));
+                    quoted_name(structure, node), described(bodies[b])));
   }
 }
 

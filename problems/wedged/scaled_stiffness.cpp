@@ -153,7 +153,7 @@ Part add_member(const Structure& structure, const FreeDegrees& degrees, const Me
     part.numbers.push_back(row.number);
     part.sizes.push_back(std::abs(numbers::rounded(row.value)));
     for (const auto& column : vector) {
-      // The product of the two entries is computed first, such that (i, j) and (j, i) have the same
+      // The product of the two entries is computed first, so that (i, j) and (j, i) have the same
       // rounding.
       matrix.coeffRef(row.number, column.number) += weight * (row.value * column.value);
     }

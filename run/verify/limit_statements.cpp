@@ -16,6 +16,7 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "support/input_error.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/limit/sign_cover.hpp"
 #include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {

@@ -112,7 +112,8 @@ class Bounds {
 
   /// @param r reaction, over all cones  @param normal its u_n = F~ r, one number per candidate; for
   ///        an unconstrained body with H alpha, and then G'r
-  /// @param alpha, correction of an unconstrained body
+  /// @param alpha coefficients of the rigid-body modes  @param correction cost of correcting the
+  ///        equations of these modes
   template <class Reaction, class Normal, class Motion = Vector>
   [[nodiscard]] Below below(const NodeSets& sets, std::span<const double> friction,
                             const Reaction& r, const Normal& normal, const Motion& alpha = {},

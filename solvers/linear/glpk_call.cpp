@@ -83,4 +83,19 @@ std::string glpk_messages_of(const std::function<void()>& call) {
   return here.messages;
 }
 
+GlpkProblem::GlpkProblem() {
+  glpk_call([this] { lp_ = glp_create_prob(); });
+  environment_ = glpk_environment();
+}
+
+// The objects of a discarded environment are already freed.
+GlpkProblem::~GlpkProblem() {
+  if (environment_ == glpk_environment()) glp_delete_prob(lp_);
+}
+
+void GlpkProblem::call(const std::function<void()>& what) const {
+  if (environment_ != glpk_environment()) throw GlpkError("GLPK failed before");
+  glpk_call(what);
+}
+
 }  // namespace kusabi::linear

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+struct glp_prob;  // keeps glpk.h out of this header
+
 namespace kusabi::linear {
 
 /// GLPK failed, or was called with wrong arguments.
@@ -26,5 +28,23 @@ void glpk_call(const std::function<void()>& call);
 
 /// As glpk_call(); returns GLPK's output.
 std::string glpk_messages_of(const std::function<void()>& call);
+
+/// A GLPK problem, valid as long as its environment.
+class GlpkProblem {
+ public:
+  /// An empty one. @throws GlpkError
+  GlpkProblem();
+  GlpkProblem(const GlpkProblem&) = delete;
+  GlpkProblem& operator=(const GlpkProblem&) = delete;
+  ~GlpkProblem();
+
+  [[nodiscard]] glp_prob* get() const { return lp_; }
+  /// glpk_call(). @throws GlpkError also if the environment was discarded
+  void call(const std::function<void()>& what) const;
+
+ private:
+  glp_prob* lp_ = nullptr;
+  unsigned environment_ = 0;
+};
 
 }  // namespace kusabi::linear

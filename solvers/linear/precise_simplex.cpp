@@ -207,44 +207,30 @@ class Refinement {
     return true;
   }
 
-  // x with B x = right, in the order of head_.
-  std::optional<Vector> solve_basis(const Vector& right) {
-    const Apply apply = [&](const Vector& x, Vector& product, std::vector<double>& terms) {
-      for (std::size_t p = 0; p < head_.size(); ++p) {
-        each_entry(head_[p], [&](std::size_t row, double value) {
-          const Precise term = x[p] * Precise(value);
-          product[row] += term;
-          terms[row] += size(term);
-        });
-      }
-    };
-    const auto solve = [&](std::vector<double>& b) { return simplex_.solve_with_basis(b); };
-    if (auto x =
-            corrected(right, apply, [&](Vector& b) { return approximate_in_doubles(b, solve); })) {
-      return x;
-    }
-    return corrected(right, apply, [&](Vector& b) { return approximate_in_all_bits(b, false); });
-  }
+  // basis: x with B x = right, in the order of head_. transposed: pi with B'pi = right.
+  enum class System { basis, transposed };
 
-  // pi with B'pi = right.
-  std::optional<Vector> solve_transposed(const Vector& right) {
+  std::optional<Vector> solve(const Vector& right, System system) {
+    const bool transposed = system == System::transposed;
     const Apply apply = [&](const Vector& x, Vector& product, std::vector<double>& terms) {
       for (std::size_t p = 0; p < head_.size(); ++p) {
         each_entry(head_[p], [&](std::size_t row, double value) {
-          const Precise term = x[row] * Precise(value);
-          product[p] += term;
-          terms[p] += size(term);
+          const auto [from, to] = transposed ? std::pair(row, p) : std::pair(p, row);
+          const Precise term = x[from] * Precise(value);
+          product[to] += term;
+          terms[to] += size(term);
         });
       }
     };
-    const auto solve = [&](std::vector<double>& b) {
-      return simplex_.solve_with_transposed_basis(b);
+    const auto in_doubles = [&](std::vector<double>& b) {
+      return transposed ? simplex_.solve_with_transposed_basis(b) : simplex_.solve_with_basis(b);
     };
-    if (auto x =
-            corrected(right, apply, [&](Vector& b) { return approximate_in_doubles(b, solve); })) {
+    if (auto x = corrected(right, apply,
+                           [&](Vector& b) { return approximate_in_doubles(b, in_doubles); })) {
       return x;
     }
-    return corrected(right, apply, [&](Vector& b) { return approximate_in_all_bits(b, true); });
+    return corrected(right, apply,
+                     [&](Vector& b) { return approximate_in_all_bits(b, transposed); });
   }
 
   // ---- a round ---------------------------------------------------------------------------------
@@ -293,7 +279,7 @@ class Refinement {
         right[static_cast<std::size_t>(entry.row)] += values_[k] * Precise(entry.value);
       }
     }
-    const auto basic = solve_basis(right);
+    const auto basic = solve(right, System::basis);
     if (!basic) return false;
     Vector costs(rows_, 0.0);
     missed_.assign(rows_, 0.0);
@@ -306,7 +292,7 @@ class Refinement {
       values_[k - rows_] = (*basic)[p];
       costs[p] = extended_.columns[k - rows_].cost;
     }
-    const auto pi = solve_transposed(costs);
+    const auto pi = solve(costs, System::transposed);
     if (!pi) return false;
     duals_.assign(rows_, 0.0);
     for (std::size_t i = 0; i < rows_; ++i) duals_[i] = -(*pi)[i];
@@ -392,7 +378,7 @@ class Refinement {
     if (place < 0 || head_.size() != rows_) return {};
     Vector unit(rows_, 0.0);
     unit[static_cast<std::size_t>(place)] = sign;
-    return solve_transposed(unit);
+    return solve(unit, System::transposed);
   }
 
   // True if these multipliers prove that no point satisfies all rows and bounds.

@@ -24,25 +24,6 @@ namespace {
 
 using support::InputError;
 
-// A GLPK problem, valid as long as its environment.
-class Loaded {
- public:
-  Loaded() {
-    glpk_call([this] { lp_ = glp_create_prob(); });
-    environment_ = glpk_environment();
-  }
-  Loaded(const Loaded&) = delete;
-  Loaded& operator=(const Loaded&) = delete;
-  ~Loaded() {
-    if (environment_ == glpk_environment()) glp_delete_prob(lp_);
-  }
-  [[nodiscard]] glp_prob* get() const { return lp_; }
-
- private:
-  glp_prob* lp_ = nullptr;
-  unsigned environment_ = 0;
-};
-
 enum class Format { mps, lp };
 
 Format format_of(const std::filesystem::path& file) {
@@ -196,7 +177,7 @@ ProgramFile read_program(const std::filesystem::path& file) {
   }
   if (format_of(file) == Format::mps) return parse_mps(unpacked(name), name);
   refuse_unsupported_lp(unpacked(name), name);
-  const Loaded loaded;
+  const GlpkProblem loaded;
   load(loaded.get(), name);
   auto* const lp = loaded.get();
   ProgramFile result;

@@ -65,34 +65,22 @@ void require_bounds(double lower, double upper) {
 
 }  // namespace
 
-struct Simplex::Problem {
-  glp_prob* lp = nullptr;
-  unsigned environment = 0;
-
-  Problem() {
-    glpk_call([this] { lp = glp_create_prob(); });
-    environment = glpk_environment();
-  }
-  Problem(const Problem&) = delete;
-  Problem& operator=(const Problem&) = delete;
-  // The objects of a discarded environment are already freed.
-  ~Problem() {
-    if (environment == glpk_environment()) glp_delete_prob(lp);
-  }
-
+struct Simplex::Problem : GlpkProblem {
   // GLPK counts from 1.
   [[nodiscard]] int row(int index) const {
-    if (index < 0 || index >= glp_get_num_rows(lp)) throw std::out_of_range("no such row");
+    if (index < 0 || index >= glp_get_num_rows(get())) throw std::out_of_range("no such row");
     return index + 1;
   }
   [[nodiscard]] int column(int index) const {
-    if (index < 0 || index >= glp_get_num_cols(lp)) throw std::out_of_range("no such column");
+    if (index < 0 || index >= glp_get_num_cols(get())) throw std::out_of_range("no such column");
     return index + 1;
   }
 
-  void call(const std::function<void()>& what) const {
-    if (environment != glpk_environment()) throw GlpkError("GLPK failed before");
-    glpk_call(what);
+  // Replaces b by the solution that `routine` computes.
+  void solve(void (*routine)(glp_prob* lp, double* b), std::vector<double>& b) const {
+    b.insert(b.begin(), 0);
+    call([&] { routine(get(), b.data()); });
+    b.erase(b.begin());
   }
 };
 
@@ -101,7 +89,7 @@ Simplex::Simplex(const LinearProgram& program) : problem_(std::make_unique<Probl
   const auto column_count = static_cast<int>(program.columns.size());
   row_empty_.resize(program.rows.size());
   column_empty_.resize(program.columns.size());
-  auto* const lp = problem_->lp;
+  auto* const lp = problem_->get();
   problem_->call([&] {
     if (row_count > 0) glp_add_rows(lp, row_count);
     if (column_count > 0) glp_add_cols(lp, column_count);
@@ -148,11 +136,11 @@ Simplex& Simplex::operator=(Simplex&& other) noexcept = default;
 Simplex::~Simplex() = default;
 
 int Simplex::rows() const {
-  return glp_get_num_rows(problem_->lp);
+  return glp_get_num_rows(problem_->get());
 }
 
 int Simplex::columns() const {
-  return glp_get_num_cols(problem_->lp);
+  return glp_get_num_cols(problem_->get());
 }
 
 void Simplex::set_column_bounds(int column, double lower, double upper) {
@@ -160,7 +148,7 @@ void Simplex::set_column_bounds(int column, double lower, double upper) {
   column_empty_.at(static_cast<std::size_t>(column)) = lower > upper;
   if (lower > upper) return;
   problem_->call([&] {
-    glp_set_col_bnds(problem_->lp, column + 1, bound_type(lower, upper), finite_or_zero(lower),
+    glp_set_col_bnds(problem_->get(), column + 1, bound_type(lower, upper), finite_or_zero(lower),
                      finite_or_zero(upper));
   });
 }
@@ -170,7 +158,7 @@ void Simplex::set_row_bounds(int row, double lower, double upper) {
   row_empty_.at(static_cast<std::size_t>(row)) = lower > upper;
   if (lower > upper) return;
   problem_->call([&] {
-    glp_set_row_bnds(problem_->lp, row + 1, bound_type(lower, upper), finite_or_zero(lower),
+    glp_set_row_bnds(problem_->get(), row + 1, bound_type(lower, upper), finite_or_zero(lower),
                      finite_or_zero(upper));
   });
 }
@@ -178,12 +166,12 @@ void Simplex::set_row_bounds(int row, double lower, double upper) {
 void Simplex::set_cost(int column, double cost) {
   require(std::isfinite(cost), "a cost is not finite");
   const int number = problem_->column(column);
-  problem_->call([&] { glp_set_obj_coef(problem_->lp, number, cost); });
+  problem_->call([&] { glp_set_obj_coef(problem_->get(), number, cost); });
 }
 
 void Simplex::set_constant(double constant) {
   require(std::isfinite(constant), "the constant is not finite");
-  problem_->call([&] { glp_set_obj_coef(problem_->lp, 0, constant); });
+  problem_->call([&] { glp_set_obj_coef(problem_->get(), 0, constant); });
 }
 
 int Simplex::add_row(double lower, double upper, std::span<const LinearTerm> terms) {
@@ -197,8 +185,8 @@ int Simplex::add_row(double lower, double upper, std::span<const LinearTerm> ter
   }
   const int index = rows();
   problem_->call([&] {
-    glp_add_rows(problem_->lp, 1);
-    glp_set_mat_row(problem_->lp, index + 1, static_cast<int>(at.size()) - 1, at.data(),
+    glp_add_rows(problem_->get(), 1);
+    glp_set_mat_row(problem_->get(), index + 1, static_cast<int>(at.size()) - 1, at.data(),
                     values.data());
   });
   row_empty_.push_back(false);
@@ -217,8 +205,8 @@ int Simplex::add_column(const LinearColumn& column, std::span<const LinearEntry>
   }
   const int index = columns();
   problem_->call([&] {
-    glp_add_cols(problem_->lp, 1);
-    glp_set_mat_col(problem_->lp, index + 1, static_cast<int>(at.size()) - 1, at.data(),
+    glp_add_cols(problem_->get(), 1);
+    glp_set_mat_col(problem_->get(), index + 1, static_cast<int>(at.size()) - 1, at.data(),
                     values.data());
   });
   column_empty_.push_back(false);
@@ -238,18 +226,19 @@ void Simplex::drop_rows(std::span<const int> dropped) {
   std::vector<int> numbers{0};
   for (const int row : dropped) numbers.push_back(problem_->row(row));
   problem_->call(
-      [&] { glp_del_rows(problem_->lp, static_cast<int>(dropped.size()), numbers.data()); });
+      [&] { glp_del_rows(problem_->get(), static_cast<int>(dropped.size()), numbers.data()); });
   for (auto row = dropped.rbegin(); row != dropped.rend(); ++row) {
     row_empty_.erase(row_empty_.begin() + *row);
   }
   int basic = 0;
-  for (int i = 1; i <= rows(); ++i) basic += glp_get_row_stat(problem_->lp, i) == GLP_BS ? 1 : 0;
-  for (int j = 1; j <= columns(); ++j) basic += glp_get_col_stat(problem_->lp, j) == GLP_BS ? 1 : 0;
+  for (int i = 1; i <= rows(); ++i) basic += glp_get_row_stat(problem_->get(), i) == GLP_BS ? 1 : 0;
+  for (int j = 1; j <= columns(); ++j)
+    basic += glp_get_col_stat(problem_->get(), j) == GLP_BS ? 1 : 0;
   if (basic != rows()) use_slack_basis();
 }
 
 void Simplex::scale() {
-  problem_->call([&] { glp_scale_prob(problem_->lp, GLP_SF_AUTO); });
+  problem_->call([&] { glp_scale_prob(problem_->get(), GLP_SF_AUTO); });
 }
 
 // ---- solving -----------------------------------------------------------------------------------
@@ -273,7 +262,7 @@ LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
   if (status_ == LinearStatus::failed) status_ = solve(GLP_PRIMAL, limits);
   for (const int method : {GLP_PRIMAL, GLP_DUALP}) {
     if (status_ != LinearStatus::failed) break;
-    problem_->call([&] { glp_adv_basis(problem_->lp, 0); });
+    problem_->call([&] { glp_adv_basis(problem_->get(), 0); });
     status_ = solve(method, limits);
   }
   return status_;
@@ -281,7 +270,7 @@ LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
 
 int Simplex::steps_per_piece() const {
   const double size = static_cast<double>(rows()) + static_cast<double>(columns()) +
-                      static_cast<double>(glp_get_num_nz(problem_->lp));
+                      static_cast<double>(glp_get_num_nz(problem_->get()));
   return static_cast<int>(std::max(min_piece, read_entries_per_piece / std::max(1.0, size)));
 }
 
@@ -297,14 +286,14 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   const int enough = min_steps + steps_per_row * (rows() + columns());
   const int maximum = std::min(limits.iterations, enough);
   if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
-  const int before = glp_get_it_cnt(problem_->lp);
+  const int before = glp_get_it_cnt(problem_->get());
   const int piece = limits.stop ? steps_per_piece() : maximum;
   int done = 0;
   int code = 0;
   for (;;) {
     control.it_lim = std::min(piece, maximum - done);
-    problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
-    done = std::max(0, glp_get_it_cnt(problem_->lp) - before);
+    problem_->call([&] { code = glp_simplex(problem_->get(), &control); });
+    done = std::max(0, glp_get_it_cnt(problem_->get()) - before);
     if (code != GLP_EITLIM || done >= maximum) break;
     if (support::asked(limits.stop)) {
       iterations_ += static_cast<std::uint64_t>(done);
@@ -317,7 +306,7 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
     return limits.iterations <= enough ? LinearStatus::stopped : LinearStatus::failed;
   }
   if (code != 0) return LinearStatus::failed;
-  switch (glp_get_status(problem_->lp)) {
+  switch (glp_get_status(problem_->get())) {
     case GLP_OPT:
       return LinearStatus::optimal;
     case GLP_NOFEAS:
@@ -332,10 +321,10 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
 Basis Simplex::basis() const {
   Basis basis(static_cast<std::size_t>(rows()), static_cast<std::size_t>(columns()));
   for (std::size_t i = 0; i < basis.rows(); ++i) {
-    basis.set_row(i, place_of(glp_get_row_stat(problem_->lp, static_cast<int>(i) + 1)));
+    basis.set_row(i, place_of(glp_get_row_stat(problem_->get(), static_cast<int>(i) + 1)));
   }
   for (std::size_t j = 0; j < basis.columns(); ++j) {
-    basis.set_column(j, place_of(glp_get_col_stat(problem_->lp, static_cast<int>(j) + 1)));
+    basis.set_column(j, place_of(glp_get_col_stat(problem_->get(), static_cast<int>(j) + 1)));
   }
   return basis;
 }
@@ -348,18 +337,18 @@ void Simplex::set_basis(const Basis& basis) {
     for (int i = 0; i < rows(); ++i) {
       const auto at = static_cast<std::size_t>(i);
       const int status = at < basis.rows() ? glpk_status(basis.row(at)) : GLP_BS;
-      glp_set_row_stat(problem_->lp, i + 1, status);
+      glp_set_row_stat(problem_->get(), i + 1, status);
     }
     for (int j = 0; j < columns(); ++j) {
       const int status = glpk_status(basis.column(static_cast<std::size_t>(j)));
-      glp_set_col_stat(problem_->lp, j + 1, status);
+      glp_set_col_stat(problem_->get(), j + 1, status);
     }
   });
   refactorise();
 }
 
 void Simplex::use_slack_basis() {
-  problem_->call([&] { glp_std_basis(problem_->lp); });
+  problem_->call([&] { glp_std_basis(problem_->get()); });
   refactorise();
 }
 
@@ -368,15 +357,15 @@ void Simplex::use_slack_basis() {
 void Simplex::refactorise() {
   problem_->call([&] {
     for (int i = 1; i <= rows(); ++i) {
-      if (glp_get_row_stat(problem_->lp, i) != GLP_BS) continue;
-      glp_set_row_stat(problem_->lp, i, GLP_NL);
-      glp_set_row_stat(problem_->lp, i, GLP_BS);
+      if (glp_get_row_stat(problem_->get(), i) != GLP_BS) continue;
+      glp_set_row_stat(problem_->get(), i, GLP_NL);
+      glp_set_row_stat(problem_->get(), i, GLP_BS);
       return;
     }
     for (int j = 1; j <= columns(); ++j) {
-      if (glp_get_col_stat(problem_->lp, j) != GLP_BS) continue;
-      glp_set_col_stat(problem_->lp, j, GLP_NL);
-      glp_set_col_stat(problem_->lp, j, GLP_BS);
+      if (glp_get_col_stat(problem_->get(), j) != GLP_BS) continue;
+      glp_set_col_stat(problem_->get(), j, GLP_NL);
+      glp_set_col_stat(problem_->get(), j, GLP_BS);
       return;
     }
   });
@@ -385,19 +374,19 @@ void Simplex::refactorise() {
 // ---- the last solve ----------------------------------------------------------------------------
 
 double Simplex::objective() const {
-  return glp_get_obj_val(problem_->lp);
+  return glp_get_obj_val(problem_->get());
 }
 
 double Simplex::value(int column) const {
-  return glp_get_col_prim(problem_->lp, problem_->column(column));
+  return glp_get_col_prim(problem_->get(), problem_->column(column));
 }
 
 double Simplex::dual(int row) const {
-  return glp_get_row_dual(problem_->lp, problem_->row(row));
+  return glp_get_row_dual(problem_->get(), problem_->row(row));
 }
 
 double Simplex::reduced_cost(int column) const {
-  return glp_get_col_dual(problem_->lp, problem_->column(column));
+  return glp_get_col_dual(problem_->get(), problem_->column(column));
 }
 
 std::vector<double> Simplex::values() const {
@@ -409,12 +398,6 @@ std::vector<double> Simplex::values() const {
 std::vector<double> Simplex::duals() const {
   std::vector<double> all(static_cast<std::size_t>(rows()));
   for (int i = 0; i < rows(); ++i) all[static_cast<std::size_t>(i)] = dual(i);
-  return all;
-}
-
-std::vector<double> Simplex::reduced_costs() const {
-  std::vector<double> all(static_cast<std::size_t>(columns()));
-  for (int j = 0; j < columns(); ++j) all[static_cast<std::size_t>(j)] = reduced_cost(j);
   return all;
 }
 
@@ -433,7 +416,7 @@ std::pair<int, double> Simplex::contradicting() {
   std::pair<int, double> found{-1, 0};
   if (status_ != LinearStatus::infeasible || empty_bounds() || !factorised()) return found;
   problem_->call([&] {
-    auto* const lp = problem_->lp;
+    auto* const lp = problem_->get();
     const int ray = glp_get_unbnd_ray(lp);
     if (ray == 0) return;
     const bool is_row = ray <= rows();
@@ -453,7 +436,7 @@ bool Simplex::factorised() {
   bool there = rows() == 0;
   if (there) return true;
   problem_->call(
-      [&] { there = glp_bf_exists(problem_->lp) != 0 || glp_factorize(problem_->lp) == 0; });
+      [&] { there = glp_bf_exists(problem_->get()) != 0 || glp_factorize(problem_->get()) == 0; });
   return there;
 }
 
@@ -461,25 +444,21 @@ std::vector<int> Simplex::basis_head() {
   if (!factorised()) return {};
   std::vector<int> head;
   for (int place = 1; place <= rows(); ++place) {
-    head.push_back(glp_get_bhead(problem_->lp, place) - 1);
+    head.push_back(glp_get_bhead(problem_->get(), place) - 1);
   }
   return head;
 }
 
 bool Simplex::solve_with_basis(std::vector<double>& b) {
-  if (!factorised()) return false;
-  b.insert(b.begin(), 0);
-  problem_->call([&] { glp_ftran(problem_->lp, b.data()); });
-  b.erase(b.begin());
-  return true;
+  const bool there = factorised();
+  if (there) problem_->solve(glp_ftran, b);
+  return there;
 }
 
 bool Simplex::solve_with_transposed_basis(std::vector<double>& b) {
-  if (!factorised()) return false;
-  b.insert(b.begin(), 0);
-  problem_->call([&] { glp_btran(problem_->lp, b.data()); });
-  b.erase(b.begin());
-  return true;
+  const bool there = factorised();
+  if (there) problem_->solve(glp_btran, b);
+  return there;
 }
 
 }  // namespace kusabi::linear

@@ -101,7 +101,6 @@ class Simplex {
   [[nodiscard]] double reduced_cost(int column) const;
   [[nodiscard]] std::vector<double> values() const;
   [[nodiscard]] std::vector<double> duals() const;
-  [[nodiscard]] std::vector<double> reduced_costs() const;
   /// After `infeasible`: multipliers of the rows with which safe_dual_bound() of the program
   /// without its costs is above zero. Empty if GLPK gives none.
   [[nodiscard]] std::vector<double> farkas();

@@ -29,11 +29,6 @@ inline bool belongs(const Supports& ray, const Cone& cone) {
   return (ray.reaction() & cone.separated) == 0 && (ray.separated() & cone.reaction) == 0;
 }
 
-/// True if two rays are cross-complementary.
-inline bool cross_complementary(const Supports& a, const Supports& b) {
-  return (a.reaction() & b.separated()) == 0 && (a.separated() & b.reaction()) == 0;
-}
-
 /// All maximal cones, in the order of their reactions.
 std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all);
 

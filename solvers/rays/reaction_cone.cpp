@@ -39,7 +39,7 @@ ReactionCone::ReactionCone(const LongMatrix& compliance, std::span<const double>
       gaps_(i, 2 * k + 1) = by_normal + by_tangential;
     }
   }
-  // Unit of the modes, such that their numbers are of the size of those of reactions.
+  // Unit of the modes, so that their numbers are of the size of those of reactions.
   unit_ = gaps_.topRows(m).cwiseAbs().maxCoeff();
   gaps_.topRightCorner(m, motions_.lifting()) =
       unit_ * motions_.moves(Eigen::seqN(0, m, 2), Eigen::seqN(0, motions_.lifting()));

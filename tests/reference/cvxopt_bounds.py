@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes cvxopt_bounds.json: bounds of single candidates, infeasible nodes with cuts, exact values.
 
-Input of the tests of verify/wedged/cut_proof.cpp. Multipliers are those of the least bound that
+Input of the tests of verify/wedged/infeasibility_proof.cpp. Multipliers are those of the least bound that
 cvxopt's conelp finds. The exact value is the maximum over all patterns of contact and separation of
 
     max r_ni  or  max u_ni,   s = sum r_n = 1,   u = F r,

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "searched.hpp"
+#include "verify/limit/sign_cover.hpp"
 
 namespace kusabi::verify {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace kusabi::verify {
 
-/// Changes the numbers c by the smallest amount, relative to `room`, such that the sum of c_k
+/// Changes the numbers c by the smallest amount, relative to `room`, so that the sum of c_k
 /// rows[k] is zero.
 /// @param numbers c, one for each row
 /// @param room of each number, the unit in which its change is measured; zero: unchanged

@@ -1,4 +1,4 @@
-// Linear equations with few unknowns in rational numbers, such that linear dependence is decided
+// Linear equations with few unknowns in rational numbers, so that linear dependence is decided
 // exactly.
 #pragma once
 

@@ -36,6 +36,14 @@ void shift_up(mpz_class& value, long bits) {
   mpz_mul_2exp(value.get_mpz_t(), value.get_mpz_t(), static_cast<mp_bitcnt_t>(bits));
 }
 
+double towards(const mpq_class& value, double limit) {
+  double number = value.get_d();
+  if (std::isinf(number)) number = std::copysign(std::numeric_limits<double>::max(), number);
+  const auto beyond = [&] { return limit < 0 ? number > value : number < value; };
+  while (std::isfinite(number) && beyond()) number = std::nextafter(number, limit);
+  return number;
+}
+
 }  // namespace
 
 bool all_finite(std::span<const double> values) {
@@ -227,6 +235,14 @@ DyadicList DyadicMatrix::operator*(const DyadicList& x) const {
     }
   }
   return product;
+}
+
+double rounded_down(const mpq_class& value) {
+  return towards(value, -std::numeric_limits<double>::infinity());
+}
+
+double rounded_up(const mpq_class& value) {
+  return towards(value, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace kusabi::verify

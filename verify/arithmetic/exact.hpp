@@ -81,6 +81,10 @@ inline const Dyadic& larger(const Dyadic& a, const Dyadic& b) {
   return a < b ? b : a;
 }
 
+/// The nearest doubles below and above the number or equal to it; infinite if there is none.
+double rounded_down(const mpq_class& value);
+double rounded_up(const mpq_class& value);
+
 /// Numbers with a common exponent: entry i is mantissas[i] * 2^exponent.
 struct DyadicList {
   std::vector<mpz_class> mantissas;

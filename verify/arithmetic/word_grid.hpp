@@ -1,4 +1,4 @@
-// Numbers on a common grid, each in one word, such that sums of products of two are exact in two
+// Numbers on a common grid, each in one word, so that sums of products of two are exact in two
 // words.
 #pragma once
 
@@ -15,7 +15,7 @@ struct WordGrid {
   long exponent = 0;
 };
 
-/// Bits of a word, such that a sum of so many products of two words fits into 126 bits.
+/// Bits of a word, so that a sum of so many products of two words fits into 126 bits.
 long word_bits(std::size_t terms);
 
 /// The numbers truncated towards zero. @param terms the largest number of products in a sum

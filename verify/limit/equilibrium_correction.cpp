@@ -19,7 +19,7 @@
 namespace kusabi::verify {
 namespace {
 
-// Smaller numbers are replaced by zero, or by this number in upper bounds, such that products of
+// Smaller numbers are replaced by zero, or by this number in upper bounds, so that products of
 // two do not underflow.
 constexpr double tiny = 1e-140;
 

@@ -15,20 +15,14 @@ namespace {
 /// Larger counts are refused as damaged numbers before memory is allocated.
 constexpr std::uint64_t maximum = 10'000'000;
 
-std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
-  const auto value = lines.integer(10, what);
-  if (value >= size) lines.refuse(what + " below " + std::to_string(size));
-  return value;
-}
-
 Sparse sparse(Lines& lines, std::size_t size, const std::string& what) {
   const auto expected = "the number of " + what;
-  const auto number = place(lines, size + 1, expected);
+  const auto number = lines.below(size + 1, expected);
   constexpr std::size_t shortest = 4;  // characters of an index and a number, "0 0x0"
   if (number > lines.remainder().size() / shortest) lines.refuse(expected + " that the line holds");
   Sparse entries(number);
   for (auto& [at, value] : entries) {
-    at = place(lines, size, "the place of one of the " + what);
+    at = lines.below(size, "the place of one of the " + what);
     value = lines.number(what);
   }
   return entries;
@@ -85,7 +79,7 @@ void read_columns(Lines& lines, LimitCertificate& certificate) {
     lines.expect_word("column", what);
     auto& column = certificate.uncertain.emplace_back();
     do {
-      const auto at = place(lines, certificate.displacements, what);
+      const auto at = lines.below(certificate.displacements, what);
       column.emplace_back(at, lines.number(what));
       if (column.back().second == 0) lines.refuse(what);
     } while (!lines.remainder().empty());
@@ -101,7 +95,7 @@ void read_names(Lines& lines, LimitCertificate& certificate) {
   for (std::size_t k = 0; k < named; ++k) {
     lines.next();
     lines.expect_word("name", what);
-    auto& name = certificate.names[place(lines, m, what)];
+    auto& name = certificate.names[lines.below(m, what)];
     if (!name.empty() || lines.remainder().empty()) lines.refuse(what);
     name = lines.remainder();
   }
@@ -120,7 +114,7 @@ LimitCut read_cut(Lines& lines, const LimitCertificate& certificate) {
   const std::string what = "'cut', a column of T, a factor, and forces";
   lines.expect_word("cut", what);
   LimitCut cut;
-  cut.column = place(lines, certificate.uncertain.size(), what);
+  cut.column = lines.below(certificate.uncertain.size(), what);
   cut.factor = lines.number(what);
   cut.forces = sparse(lines, certificate.members(), "forces");
   lines.end_of_line(what);
@@ -140,9 +134,9 @@ LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size
   node.line = lines.number();
   node.signs.assign(certificate.uncertain.size(), 0);
   node.one_sided.assign(certificate.uncertain.size(), 0);
-  const auto decided = place(lines, certificate.uncertain.size() + 1, "the number of signs");
+  const auto decided = lines.below(certificate.uncertain.size() + 1, "the number of signs");
   for (std::size_t d = 0; d < decided; ++d) {
-    const auto at = place(lines, certificate.uncertain.size(), "a column of T");
+    const auto at = lines.below(certificate.uncertain.size(), "a column of T");
     const auto sign = lines.word();
     if ((sign != "+" && sign != "-") || node.signs[at] != 0) {
       lines.refuse("'+' or '-' for a column, once");
@@ -282,10 +276,7 @@ std::vector<LimitStatement> read_limit_certificate(std::string_view text, const 
   Lines lines(without_digest(text, file), file);
   lines.next();
   auto statements = with_cases ? read_statements(lines) : read_first_version(lines);
-  if (!lines.done()) {
-    lines.next();
-    lines.refuse("the line 'digest …', the last one");
-  }
+  lines.expect_end();
   return statements;
 }
 

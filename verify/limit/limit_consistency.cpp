@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "verify/limit/exact_truss.hpp"
 #include "verify/structure/assembly.hpp"
 #include "verify/wedged/lines.hpp"
 
@@ -47,18 +48,6 @@ std::optional<std::vector<std::pair<std::size_t, Approximate>>> true_column(
     if (value != 0) return {};
   }
   return exact;
-}
-
-std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure& structure,
-                              const Freedom& freedom) {
-  std::vector<Enclosure> sum(freedom.count);
-  for (const auto& force : forces) {
-    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += Enclosure(force.components[axis]);
-    }
-  }
-  return sum;
 }
 
 // The recorded load is a sum of doubles in double precision, with few rounding errors.
@@ -204,8 +193,8 @@ std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& 
   }
   LimitTruss truss;
   if (auto why = other_bars(certificate, structure, freedom, truss)) return *why;
-  const auto dead = sum_of(structure.dead, structure, freedom);
-  const auto reference = sum_of(structure.reference, structure, freedom);
+  const auto dead = sum_of<Enclosure>(structure.dead, structure, freedom);
+  const auto reference = sum_of<Enclosure>(structure.reference, structure, freedom);
   auto true_dead = true_load(certificate.dead, dead);
   auto true_reference = true_load(certificate.reference, reference);
   if (!true_dead) return "the recorded dead load is not that of the truss";

@@ -3,29 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "verify/limit/gram.hpp"
+#include "verify/limit/corrected_motion.hpp"
 
 namespace kusabi::verify {
 namespace {
 
 Dyadic product(const Dyadic& a, double b) {
   return a * Dyadic(b);
-}
-
-using Column = std::vector<std::pair<std::size_t, Approximate>>;
-
-// b'u.
-Dyadic elongation_of(const Column& column, const std::vector<Dyadic>& motion) {
-  Dyadic total;
-  for (const auto& [e, entry] : column) total = total + entry.value * motion[e];
-  return total;
 }
 
 // Bounds of the error of each entry of the certificate's columns; empty if they are exact.
@@ -54,20 +43,6 @@ std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const L
 
 }  // namespace
 
-LimitTruss recorded_truss(const LimitCertificate& certificate) {
-  LimitTruss truss;
-  for (const auto& column : certificate.columns) {
-    auto& exact = truss.columns.emplace_back();
-    for (const auto& [e, entry] : column) exact.emplace_back(e, Approximate{Dyadic(entry), {}});
-  }
-  for (const double dead : certificate.dead) truss.dead.push_back({Dyadic(dead), {}});
-  for (const double reference : certificate.reference) {
-    truss.reference.push_back({Dyadic(reference), {}});
-  }
-  truss.half_widths = certificate.alpha;
-  return truss;
-}
-
 LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
     : certificate_(certificate),
       truss_(std::move(truss)),
@@ -94,7 +69,7 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
   }
 }
 
-// Of a cut, by the sums if none of them may be zero, otherwise exactly.
+// Defect of a cut: by enclosed sums if none of them may be zero, otherwise exactly.
 Sparse LimitProof::defect_of(const LimitCut& cut, std::span<const EnclosedSum> sums) const {
   Sparse sizes;
   for (std::size_t e = 0; e < sums.size(); ++e) {
@@ -137,114 +112,6 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
   return load;
 }
 
-namespace {
-
-/// A member is rigid in the intended motion if its elongation is below this share of the largest
-/// displacement.
-constexpr double is_still = 1e-9;
-
-/// The elongation of a rigid member is made exactly zero if rounding of the motion may change the
-/// dissipation by more than this share. Not all can be zero: directions of bars are rounded, so a
-/// redundant body has no exact rigid motion.
-constexpr double significant_cost = 1e-14;
-constexpr double rounding = 0x1p-53;
-
-/// Each step reduces the elongations by about ten digits, by fewer for trusses close to mechanisms.
-constexpr int steps = 12;
-constexpr double shift = 1e-10;
-
-// Changes a motion such that the elongations of some columns are zero up to rounding far below that
-// of doubles, by projections with rows scaled to one.
-std::vector<Dyadic> without_elongations(std::vector<Dyadic> motion,
-                                        const std::vector<const Column*>& still) {
-  std::vector<Sparse> roughly;
-  std::vector<bool> touched(motion.size());
-  std::vector<double> weight;  // scales each row to one
-  for (const auto* column : still) {
-    auto& rough = roughly.emplace_back();
-    double square = 0;
-    for (const auto& [e, entry] : *column) {
-      rough.emplace_back(e, entry.value.nearest());
-      square += rough.back().second * rough.back().second;
-      touched[e] = true;
-    }
-    weight.push_back(1 / square);
-  }
-  std::vector<std::size_t> displacements;
-  for (std::size_t e = 0; e < touched.size(); ++e) {
-    if (touched[e]) displacements.push_back(e);
-  }
-  std::vector<std::size_t> all(still.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const Gram gram(roughly, all, weight, displacements, motion.size(), shift);
-  if (!gram.definite()) return motion;
-  std::vector<double> change(displacements.size());
-  for (int step = 0; step < steps; ++step) {
-    // Relative to the largest, such that nothing underflows.
-    std::vector<Dyadic> stretches;
-    std::optional<long> scale;
-    for (const auto* column : still) {
-      stretches.push_back(elongation_of(*column, motion));
-      if (stretches.back().sign() == 0) continue;
-      scale = std::max(scale.value_or(stretches.back().magnitude()), stretches.back().magnitude());
-    }
-    if (!scale) break;
-    std::ranges::fill(change, 0.0);
-    for (std::size_t k = 0; k < still.size(); ++k) {
-      const double stretch = weight[k] * stretches[k].scaled(-*scale).nearest();
-      for (const auto& [e, entry] : roughly[k]) change[gram.place(e)] += stretch * entry;
-    }
-    gram.solve(change);
-    for (const auto e : displacements) {
-      const double each = change[gram.place(e)];
-      if (!std::isfinite(each)) return motion;
-      motion[e] = motion[e] - Dyadic(each).scaled(*scale);
-    }
-  }
-  return motion;
-}
-
-}  // namespace
-
-// The recorded motion, corrected such that members that are rigid in the intended motion are rigid
-// exactly and, if requested, the reference load does no work. A large yield force, which stands for
-// an unlimited one, would multiply rounding errors. The correction need not be accurate: its bound
-// is computed exactly.
-std::vector<Dyadic> LimitProof::corrected_motion(bool without_work) const {
-  std::vector<Dyadic> motion;
-  double largest = 0;
-  for (const double u : certificate_.motion) {
-    motion.emplace_back(u);
-    largest = std::max(largest, std::abs(u));
-  }
-  std::vector<std::size_t> rigid;
-  double dissipated = 0;
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
-    if (std::abs(stretch) <= is_still * largest) {
-      rigid.push_back(i);
-    } else {
-      dissipated +=
-          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
-    }
-  }
-  std::vector<const Column*> still;
-  for (const auto i : rigid) {
-    // Upper bound of the cost, since the sign of a rounding error is unknown.
-    const double cost =
-        rounding * largest * std::max(certificate_.tension[i], certificate_.compression[i]);
-    if (cost > significant_cost * dissipated) still.push_back(&truss_.columns[i]);
-  }
-  Column reference;
-  if (without_work) {
-    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
-      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
-    }
-    still.push_back(&reference);
-  }
-  return still.empty() ? motion : without_elongations(std::move(motion), still);
-}
-
 bool LimitProof::load_is_admissible() const {
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) return false;
@@ -254,7 +121,7 @@ bool LimitProof::load_is_admissible() const {
 
 std::variant<mpq_class, std::string> LimitProof::upper() const {
   if (!load_is_admissible()) return "the load is outside of its bounds";
-  const auto u = corrected_motion(false);
+  const auto u = corrected_motion(certificate_, truss_, false);
   Dyadic work;        // of f_R
   Dyadic work_error;  // of the work
   Dyadic value;
@@ -370,7 +237,7 @@ bool LimitProof::shows_no_factor() const {
     return false;
   }
   std::vector<mpq_class> motion;
-  for (const auto& u : corrected_motion(true)) motion.push_back(u.rational());
+  for (const auto& u : corrected_motion(certificate_, truss_, true)) motion.push_back(u.rational());
   const auto largest = std::ranges::max_element(certificate_.reference, {},
                                                 [](double value) { return std::abs(value); });
   const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
@@ -403,61 +270,6 @@ bool LimitProof::shows_no_factor() const {
     excess -= (elongation < 0 ? compression : tension) * abs(elongation);
   }
   return excess > 0;
-}
-
-namespace {
-
-// Checks that `nodes`, which all have the signs decided so far, cover all combinations of the
-// others. A column decided by all of them partitions both the combinations and the nodes.
-std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<bool>& decided,
-                                std::size_t depth) {
-  if (nodes.empty()) return "no node covers some combination of signs";
-  for (std::size_t j = 0; j < decided.size(); ++j) {
-    if (decided[j] || std::ranges::any_of(nodes, [j](const auto* n) { return n->signs[j] == 0; })) {
-      continue;
-    }
-    decided[j] = true;
-    const auto middle = std::partition(nodes.begin(), nodes.end(),
-                                       [j](const auto* node) { return node->signs[j] > 0; });
-    const auto positive = static_cast<std::size_t>(middle - nodes.begin());
-    auto found = flaw(nodes.first(positive), decided, depth + 1);
-    if (!found) found = flaw(nodes.subspan(positive), decided, depth + 1);
-    decided[j] = false;
-    return found;
-  }
-  const auto whole = [depth](const LimitNode* node) {
-    const auto count =
-        node->signs.size() - static_cast<std::size_t>(std::ranges::count(node->signs, 0));
-    return count == depth;
-  };
-  // A node that decides no further sign covers the whole subtree.
-  if (std::ranges::any_of(nodes, whole)) return {};
-  return "the nodes do not form a tree: some of them have no decided sign in common";
-}
-
-double towards(const mpq_class& value, double limit) {
-  double number = value.get_d();
-  if (std::isinf(number)) number = std::copysign(std::numeric_limits<double>::max(), number);
-  const auto beyond = [&] { return limit < 0 ? number > value : number < value; };
-  while (std::isfinite(number) && beyond()) number = std::nextafter(number, limit);
-  return number;
-}
-
-}  // namespace
-
-std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate) {
-  std::vector<const LimitNode*> nodes;
-  for (const auto& node : certificate.nodes) nodes.push_back(&node);
-  std::vector<bool> decided(certificate.uncertain.size(), false);
-  return flaw(nodes, decided, 0);
-}
-
-double rounded_down(const mpq_class& value) {
-  return towards(value, -std::numeric_limits<double>::infinity());
-}
-
-double rounded_up(const mpq_class& value) {
-  return towards(value, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace kusabi::verify

@@ -15,27 +15,9 @@
 #include "verify/limit/enclosed_sum.hpp"
 #include "verify/limit/equilibrium_correction.hpp"
 #include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/limit_truss.hpp"
 
 namespace kusabi::verify {
-
-/// A number within `error` of `value`.
-struct Approximate {
-  Dyadic value;
-  Dyadic error;
-};
-
-/// The truss of the proof: that of a certificate, whose numbers are doubles, or that of a problem
-/// file, whose direction cosines are roots, enclosed with a hundred digits.
-struct LimitTruss {
-  std::vector<std::vector<std::pair<std::size_t, Approximate>>> columns;  ///< B, by member
-  std::vector<Approximate> dead;                                          ///< f_D
-  std::vector<Approximate> reference;                                     ///< f_R
-  std::vector<double> half_widths{};   ///< of the uncertain loads of the problem file, in its order
-  std::vector<std::string> members{};  ///< names; empty: that of a certificate, with numbers only
-};
-
-/// The truss with the numbers of the certificate.
-LimitTruss recorded_truss(const LimitCertificate& certificate);
 
 class LimitProof {
  public:
@@ -65,7 +47,6 @@ class LimitProof {
   [[nodiscard]] std::optional<std::string> yielding(const LimitNode& node,
                                                     const std::vector<Dyadic>& taken,
                                                     const std::vector<double>& defects) const;
-  [[nodiscard]] std::vector<Dyadic> corrected_motion(bool without_work) const;
   [[nodiscard]] bool load_is_admissible() const;
   [[nodiscard]] std::string name_of(std::size_t member) const;
 
@@ -76,13 +57,5 @@ class LimitProof {
       column_errors_;            // bounds of the distance of B from the doubles of the certificate
   std::vector<Sparse> defects_;  // of each cut, nonzero entries, rounded up
 };
-
-/// Checks that the nodes cover all combinations of signs. @return the fault; nothing if every
-/// combination is below a node
-std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate);
-
-/// The nearest doubles below and above the number or equal to it; infinite if there is none.
-double rounded_down(const mpq_class& value);
-double rounded_up(const mpq_class& value);
 
 }  // namespace kusabi::verify

@@ -17,12 +17,6 @@ std::size_t count(Lines& lines, std::size_t text_left, const std::string& what) 
   return value;
 }
 
-std::size_t below(Lines& lines, std::size_t size, const std::string& what) {
-  const auto value = lines.integer(10, what);
-  if (value >= size) lines.refuse(what + " below " + std::to_string(size));
-  return value;
-}
-
 double not_negative(Lines& lines, const std::string& what) {
   const double value = lines.number(what);
   if (value < 0) lines.refuse(what + " that is not negative");
@@ -38,7 +32,7 @@ void begin(Lines& lines, std::string_view keyword, const std::string& what) {
 std::vector<std::size_t> members(Lines& lines, const Structure& truss, const std::string& what) {
   std::vector<std::size_t> numbers(count(lines, lines.remainder().size(), what));
   for (auto& number : numbers) {
-    number = below(lines, truss.bars.size(), what);
+    number = lines.below(truss.bars.size(), what);
     if (&number != numbers.data() && number <= *(&number - 1)) lines.refuse(what);
   }
   return numbers;
@@ -69,8 +63,8 @@ Structure read_truss(Lines& lines) {
   for (std::size_t k = 0; k < bars; ++k) {
     begin(lines, "member", of_bar);
     auto& bar = truss.bars.emplace_back();
-    bar.first = below(lines, nodes, of_bar);
-    bar.second = below(lines, nodes, of_bar);
+    bar.first = lines.below(nodes, of_bar);
+    bar.second = lines.below(nodes, of_bar);
     if (truss.coordinates[bar.first] == truss.coordinates[bar.second])
       lines.refuse("two nodes at different places");
     bar.tension = not_negative(lines, of_bar);
@@ -86,7 +80,7 @@ std::vector<Force> read_forces(Lines& lines, const Structure& truss, const std::
   for (auto left = lines.count(keyword); left > 0; --left) {
     begin(lines, "force", what);
     auto& force = forces.emplace_back();
-    force.node = below(lines, truss.coordinates.size(), what);
+    force.node = lines.below(truss.coordinates.size(), what);
     for (std::size_t axis = 0; axis < truss.dimension; ++axis)
       force.components[axis] = lines.number(what);
     lines.end_of_line(what);
@@ -105,8 +99,8 @@ void read_loads(Lines& lines, Structure& truss) {
     auto& column = uncertain.emplace_back();
     for (auto parts = count(lines, lines.remainder().size(), what); parts > 0; --parts) {
       auto& part = column.emplace_back();
-      part.node = below(lines, truss.coordinates.size(), what);
-      part.axis = below(lines, truss.dimension, what);
+      part.node = lines.below(truss.coordinates.size(), what);
+      part.axis = lines.below(truss.dimension, what);
       part.weight = lines.number(what);
     }
     truss.load_names.emplace_back(lines.remainder());
@@ -119,7 +113,7 @@ StressColumn read_column(Lines& lines, const LossStatement& statement,
   begin(lines, "forces", what);
   StressColumn column{lines.number(what), {}};
   for (auto left = count(lines, lines.remainder().size(), what); left > 0; --left) {
-    const auto member = below(lines, statement.truss.bars.size(), what);
+    const auto member = lines.below(statement.truss.bars.size(), what);
     const bool after = column.forces.empty() || column.forces.back().first < member;
     if (!after || !std::ranges::binary_search(support, member)) lines.refuse(what);
     column.forces.emplace_back(member, lines.number(what));
@@ -219,10 +213,7 @@ std::vector<LossStatement> read_loss_certificate(std::string_view text, const st
     statements.push_back(read_residual(lines, std::move(without_claim)));
     lines.next();
   } while (lines.text() != "end");
-  if (!lines.done()) {
-    lines.next();
-    lines.refuse("the line 'digest …', the last one");
-  }
+  lines.expect_end();
   return statements;
 }
 

@@ -9,57 +9,27 @@
 #include <vector>
 
 #include "verify/arithmetic/cholesky.hpp"
-#include "verify/arithmetic/reverse_cuthill_mckee.hpp"
-#include "verify/structure/assembly.hpp"
 #include "verify/structure/enclosed_problem.hpp"
-#include "verify/structure/several_normals.hpp"
+#include "verify/structure/scaled_partition.hpp"
 
 namespace kusabi::verify {
 namespace {
 
-constexpr long stiffness_grid = -300;
 constexpr long displacement_grid = -160;
 constexpr long kept_bits = 160;  // of K
-constexpr const char* too_ill =
-    "the stiffness is not proved to be positive definite: the structure is a mechanism, or too "
-    "ill-conditioned for a factor in double precision";
-
-struct Entry {
-  std::size_t column;
-  mpz_class value;
-};
-using Rows = std::vector<std::vector<Entry>>;
-
-// K^0, scaled by powers of two, rounded to the grid and partitioned as in equation (2).
-struct Parts {
-  std::size_t contact = 0;  // c
-  std::size_t rest = 0;     // n
-  Rows contact_contact;     // all by rows; columns of N in the order of N
-  Rows rest_contact;
-  Rows rest_rest;
-  Dyadic error_square;  // of the distance from the exact K^0, scaled alike, in the Frobenius norm
-  long contact_scale = 0;  // displacements of C are multiplied by 2^this, forces divided
-};
-
-// Half of the exponent of a diagonal entry: scaling with 2^-this on both sides makes it about 1.
-long half_exponent(const Dyadic& value) {
-  return static_cast<long>(std::floor(static_cast<double>(value.magnitude()) / 2));
-}
-
 class Condensation {
  public:
   Condensation(const Structure& structure, std::span<const ForceList> loads, double springs,
                const support::LongWork& work)
-      : structure_(structure), loads_(loads), springs_(springs), work_(work), freedom_(structure) {}
+      : structure_(structure),
+        loads_(loads),
+        work_(work),
+        rows_(candidate_rows(structure, loads, springs)) {}
 
   std::variant<LoadedStiffness, std::string> result();
 
  private:
-  void add_loads(SparseEnclosure& stiffness);
-  void release_rollers(const ContactPoint& point, SparseEnclosure& stiffness);
-  void number_candidates(SparseEnclosure& stiffness);
   std::optional<std::string> partition();
-  void order_unknowns(const SparseEnclosure& stiffness);
   std::optional<std::string> factorise();
   void solve_dependent();
   void refine(std::size_t column);
@@ -73,18 +43,9 @@ class Condensation {
 
   const Structure& structure_;
   std::span<const ForceList> loads_;
-  double springs_;
   const support::LongWork& work_;
-  Freedom freedom_;
-  std::vector<std::vector<std::size_t>> seen_;  // d displacements of each candidate
-  std::vector<std::size_t> load_numbers_;       // rows of the loads, d or none
-  std::vector<long> load_scales_;               // forces are multiplied by 2^this
-  CandidateNumbers shared_numbers_;  // displacements of candidates at nodes with several contact
-                                     // normals, already in their frames
-  std::vector<std::size_t> place_;   // position of each free displacement in C or N
-  std::vector<bool> is_contact_;
-  std::vector<std::size_t> displacement_;  // displacement at each position in N
-  Parts parts_;
+  CandidateRows rows_;
+  PartitionedStiffness parts_;
   Profile profile_;
   std::optional<Cholesky> factor_;                 // of K_NN
   Dyadic minimum_;                                 // lower bound of its eigenvalues
@@ -94,149 +55,11 @@ class Condensation {
   Dyadic radius_;
 };
 
-void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
-  place_.assign(freedom_.count, 0);
-  is_contact_.assign(freedom_.count, false);
-  for (const auto& numbers : seen_) {
-    for (const auto number : numbers) {
-      is_contact_[number] = true;
-      place_[number] = parts_.contact++;
-    }
-  }
-  std::vector<std::size_t> rest;
-  for (std::size_t number = 0; number < freedom_.count; ++number) {
-    if (is_contact_[number]) continue;
-    place_[number] = rest.size();
-    rest.push_back(number);
-  }
-  std::vector<std::vector<std::size_t>> neighbours(rest.size());
-  for (std::size_t at = 0; at < rest.size(); ++at) {
-    for (const auto& [column, value] : stiffness[rest[at]]) {
-      if (!is_contact_[column] && column != rest[at]) neighbours[at].push_back(place_[column]);
-    }
-  }
-  for (const auto at : reverse_cuthill_mckee(neighbours)) displacement_.push_back(rest[at]);
-  for (std::size_t at = 0; at < displacement_.size(); ++at) place_[displacement_[at]] = at;
-  parts_.rest = rest.size();
-}
-
-// Adds a grounding spring, without coupling, for a displacement of a candidate that a roller
-// prevents, so that K has d rows for each candidate. It is as stiff as the node along the axis
-// nearest to its normal. The roller takes the reaction of the obstacle along this displacement
-// (docs/theory/wedged.md, "Rollers at candidates").
-void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& stiffness) {
-  auto& numbers = freedom_.number[point.node];
-  const auto normal = numbers[largest_component_axis(point.normal)];
-  for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
-    if (numbers[axis] != Freedom::none) continue;
-    const auto spring = stiffness[normal][normal];
-    numbers[axis] = freedom_.count++;
-    stiffness.emplace_back()[numbers[axis]] = spring;
-  }
-}
-
-// A load is a row of K^0, H'f, and stays with the candidates: condensed with them it becomes E'f.
-// Forces are scaled by powers of two to the size of the stiffness. Loads are the displacements of
-// one more candidate.
-void Condensation::add_loads(SparseEnclosure& stiffness) {
-  const double size = typical_stiffness(structure_);
-  for (std::size_t load = 0; load < structure_.dimension; ++load) {
-    const auto row = freedom_.count++;
-    stiffness.emplace_back()[row] = Enclosure(size);
-    load_numbers_.push_back(row);
-    if (load >= loads_.size()) continue;
-    double largest = 0;
-    for (const auto& force : loads_[load]) {
-      for (const double component : force.components)
-        largest = std::max(largest, std::abs(component));
-    }
-    const int scale = largest == 0 ? 0 : std::ilogb(size) - std::ilogb(largest);
-    load_scales_.push_back(scale);
-    for (const auto& [node, components] : loads_[load]) {
-      for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
-        const Enclosure force(Dyadic(components[axis]).scaled(scale));
-        if (force.is_zero()) continue;
-        for (const auto& [number, weight] : freedom_.weighted(node, axis)) {
-          stiffness[row][number] += force * weight;
-          stiffness[number][row] += force * weight;
-        }
-      }
-    }
-  }
-}
-
-// A candidate alone at its node has the displacements of the node. Rollers are released before
-// normal coordinates are introduced, since the opposite place may be at a node with several contact
-// normals.
-void Condensation::number_candidates(SparseEnclosure& stiffness) {
-  if (!loads_.empty()) add_loads(stiffness);
-  const auto shared = shared_nodes(structure_);
-  const auto add_springs = [&](const auto& numbers) {
-    for (const auto number : numbers) {
-      if (springs_ != 0 && number != Freedom::none)
-        stiffness[number][number] += Enclosure(springs_);
-    }
-  };
-  for (const auto& point : structure_.contact) {
-    if (shared.contains(point.node)) continue;
-    add_springs(freedom_.number[point.node]);
-  }
-  for (const auto& point : structure_.contact) {
-    if (!shared.contains(point.node)) release_rollers(point, stiffness);
-  }
-  shared_numbers_ = use_normal_coordinates(structure_, freedom_, stiffness);
-  for (const auto& [candidate, numbers] : shared_numbers_) add_springs(numbers);
-  const auto d = static_cast<std::ptrdiff_t>(structure_.dimension);
-  for (std::size_t i = 0; i < structure_.contact.size(); ++i) {
-    const auto found = shared_numbers_.find(i);
-    const auto& numbers = freedom_.number[structure_.contact[i].node];
-    seen_.push_back(found != shared_numbers_.end()
-                        ? found->second
-                        : std::vector<std::size_t>(numbers.begin(), numbers.begin() + d));
-  }
-  if (!load_numbers_.empty()) seen_.push_back(load_numbers_);
-}
-
 std::optional<std::string> Condensation::partition() {
-  auto stiffness = enclosed_stiffness(structure_, freedom_);
-  number_candidates(stiffness);
-  for (std::size_t row = 0; row < stiffness.size(); ++row) {
-    const auto diagonal = stiffness[row].find(row);
-    if (diagonal == stiffness[row].end()) return too_ill;
-    for (const auto& [column, value] : stiffness[row]) {
-      if (!value.finite()) return "a bar has no length, or an element no area";
-    }
-    if (diagonal->second.lower().sign() <= 0) return too_ill;
-  }
-  order_unknowns(stiffness);
-  // N: each displacement has its own scale. C: all have the same, such that the error bound needs
-  // no weighted norm.
-  std::vector<long> scale(freedom_.count);
-  std::optional<long> largest;
-  for (std::size_t row = 0; row < freedom_.count; ++row) {
-    scale[row] = half_exponent(stiffness[row].at(row).lower());
-    if (is_contact_[row]) largest = std::max(largest.value_or(scale[row]), scale[row]);
-  }
-  parts_.contact_scale = *largest;
-  for (std::size_t row = 0; row < freedom_.count; ++row) {
-    if (is_contact_[row]) scale[row] = *largest;
-  }
-  parts_.contact_contact.resize(parts_.contact);
-  parts_.rest_contact.resize(parts_.rest);
-  parts_.rest_rest.resize(parts_.rest);
-  for (std::size_t row = 0; row < freedom_.count; ++row) {
-    for (const auto& [column, value] : stiffness[row]) {
-      const long shift = -scale[row] - scale[column];
-      Entry entry{place_[column], value.lower().scaled(shift).multiples(stiffness_grid)};
-      const auto error = value.upper().scaled(shift) - Dyadic(entry.value, stiffness_grid);
-      parts_.error_square = parts_.error_square + square(error);
-      if (is_contact_[row] && !is_contact_[column]) continue;  // its transpose
-      auto& rows = is_contact_[row]      ? parts_.contact_contact
-                   : is_contact_[column] ? parts_.rest_contact
-                                         : parts_.rest_rest;
-      rows[place_[row]].push_back(std::move(entry));
-    }
-  }
+  auto found = scaled_partition(rows_);
+  if (auto* const why = std::get_if<std::string>(&found)) return std::move(*why);
+  parts_ = std::get<PartitionedStiffness>(std::move(found));
+  rows_.stiffness = {};  // as large as its parts
   return {};
 }
 
@@ -264,7 +87,7 @@ std::optional<std::string> Condensation::factorise() {
   const auto minimum = min_eigenvalue(profile_, entries);
   support::leave_if(work_.stop);
   factor_ = Cholesky::of(profile_, rounded);
-  if (!minimum || !factor_) return too_ill;
+  if (!minimum || !factor_) return too_ill_conditioned;
   minimum_ = *minimum;
   return {};
 }
@@ -390,9 +213,9 @@ EnclosedMatrix Condensation::in_contact_frames() {
   const auto c = parts_.contact;
   std::vector<std::vector<mpz_class>> frames;  // of each candidate, by columns
   Dyadic error_square;
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
+  for (std::size_t i = 0; i < rows_.seen.size(); ++i) {
     auto& own = frames.emplace_back();
-    const bool rotates = i < structure_.contact.size() && !shared_numbers_.contains(i);
+    const bool rotates = i < structure_.contact.size() && !rows_.shared.contains(i);
     for (const auto& column : rotates ? frame(structure_.contact[i], d) : unit_frame(d)) {
       for (const auto& component : column) {
         own.push_back(component.lower().multiples(stiffness_grid));
@@ -443,7 +266,7 @@ EnclosedMatrix Condensation::in_contact_frames() {
 // The rows of the candidates, and the columns of the loads beside them.
 LoadedStiffness Condensation::separated(EnclosedMatrix whole) const {
   LoadedStiffness result{std::move(whole), {}};
-  if (load_numbers_.empty()) return result;
+  if (rows_.loads.empty()) return result;
   auto& [matrix, radius] = result.stiffness;
   const DyadicMatrix all = std::move(matrix);
   const auto size = all.size - structure_.dimension;
@@ -456,10 +279,10 @@ LoadedStiffness Condensation::separated(EnclosedMatrix whole) const {
   for (std::size_t load = 0; load < loads_.size(); ++load) {
     auto& [forces, error] = result.loads.emplace_back();
     forces = DyadicList(size);
-    forces.exponent = all.entries.exponent - load_scales_[load];
+    forces.exponent = all.entries.exponent - rows_.load_scales[load];
     for (std::size_t i = 0; i < size; ++i)
       forces.mantissas[i] = all.entries.mantissas[all.size * i + size + load];
-    error = radius.scaled(-load_scales_[load]);
+    error = radius.scaled(-rows_.load_scales[load]);
   }
   return result;
 }
@@ -467,7 +290,7 @@ LoadedStiffness Condensation::separated(EnclosedMatrix whole) const {
 std::variant<LoadedStiffness, std::string> Condensation::result() {
   if (auto why = partition()) return *why;
   if (auto why = factorise()) return *why;
-  if (parts_.rest > 0 && !(minimum_ > sqrt_above(parts_.error_square))) return too_ill;
+  if (parts_.rest > 0 && !(minimum_ > sqrt_above(parts_.error_square))) return too_ill_conditioned;
   solve_dependent();
   complement();
   return separated(in_contact_frames());

@@ -10,13 +10,14 @@
 
 #include "support/stop.hpp"
 #include "verify/arithmetic/exact.hpp"
+#include "verify/structure/candidate_rows.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::verify {
 
 /// K, dm x dm, by candidates, each with n, t1[, t2]; exactly zero between candidates that are not
 /// connected. Otherwise a sentence with the reason why K is not enclosed. A displacement along
-/// which a roller supports a candidate has a grounding spring, such that K is definite.
+/// which a roller supports a candidate has a grounding spring, so that K is definite.
 /// @param springs stiffness added to K along every displacement of a candidate, except supported
 ///        ones
 /// @pre no candidate is supported along its normal
@@ -24,9 +25,6 @@ namespace kusabi::verify {
 std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
                                                               double springs = 0,
                                                               const support::LongWork& work = {});
-
-/// Nodal forces that act together.
-using ForceList = std::vector<Force>;
 
 /// A load condensed to the displacements of the candidates: E'f with E = [I; -X], dm numbers.
 struct CondensedLoad {

@@ -1,152 +1,118 @@
-// Functions common to all proofs of a block. Infeasible nodes are in
-// verify/wedged/infeasibility_proof.cpp, feasible leaves in verify/wedged/leaf_proof.cpp.
+// Parts of the recorded numbers, and the proofs that they are for.
 #include "verify/wedged/block_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "verify/arithmetic/least_squares.hpp"
+#include "verify/wedged/form_proof.hpp"
+#include "verify/wedged/unloaded_proof.hpp"
 
 namespace kusabi::verify {
 
 using support::IndexSet;
 
-namespace {
-
-// Maximum number of regularised stiffnesses in the cache; each is as large as K.
-constexpr std::size_t max_kept = 6;
-
-// A rigid-body mode slides along U if its normal displacements on U are below this share of its
-// others. An example is the rotation of a conical plug about its axis with rounded normals.
-constexpr double nearly_sliding = 0x1p-40;
-
-}  // namespace
-
 BlockProof::BlockProof(ContactBlock block)
-    : block_(std::move(block)), bounds_(block_.names.size()) {
-  Dyadic steepest(1.0);
-  for (const double mu : block_.friction) {
-    friction_.emplace_back(mu);
-    steepest = larger(steepest, Dyadic(1.0) + square(friction_.back()));
-  }
-  steepest_ = sqrt_above(steepest);
-  near_motions_ = block_.motions.nearest();
-  const auto p = motions();
-  const auto [springs, sliding] = grounding({});
-  if (springs.size() != p) return;  // the modes are dependent
-  // Column by column: the recorded mode as a combination of the block's modes.
-  own_of_recorded_.resize(p * p);
-  for (std::size_t column = 0; column < p; ++column) {
-    std::vector<double> motion;
-    for (std::size_t at = column; at < block_.recorded_motions.size(); at += p)
-      motion.push_back(block_.recorded_motions[at]);
-    const auto own = least_squares(near_motions_, motion);
-    if (!own) return;
-    for (std::size_t k = 0; k < p; ++k) own_of_recorded_[p * k + column] = (*own)[k];
-  }
-  minimum_ = regularised(springs).min_eigenvalue();
+    : model_(std::move(block)), bounds_(model_.candidates()) {}
+
+Combination BlockProof::without_cuts(const IndexSet& contact, const IndexSet& separated,
+                                     std::span<const double> numbers) const {
+  return {.contact = contact,
+          .separated = separated,
+          .multipliers = numbers.first(model_.candidates()),
+          .mean = numbers.subspan(model_.candidates(), model_.motions())};
 }
 
-void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double negligible,
-                                Elimination& rest, std::vector<std::size_t>& chosen) const {
-  std::optional<double> first;
-  while (!rest.basis().empty()) {
-    std::optional<double> maximum;
-    std::size_t best = 0;
-    for (const auto row : rows) {
-      for (const auto& product : rest.products(block_.motions.rows[row])) {
-        const double size = std::abs(product.get_d()) / block_.motions.lengths[row].nearest();
-        if (sgn(product) == 0 || (maximum && size <= *maximum)) continue;
-        maximum = size;
-        best = row;
-      }
-    }
-    if (!maximum || (first && *maximum <= negligible * *first)) return;
-    if (!first) first = maximum;
-    rest.add_equation(block_.motions.rows[best]);
-    chosen.push_back(best);
-  }
-}
-
-BlockProof::Grounding BlockProof::grounding(const IndexSet& contact) const {
-  const auto d = block_.dimension;
-  Grounding result;
-  if (motions() == 0) return result;
-  std::vector<std::size_t> normals;
-  std::vector<std::size_t> others;
-  for (std::size_t row = 0; row < d * candidates(); ++row) {
-    auto& list = row % d == 0 && contains(contact, row / d) ? normals : others;
-    list.push_back(row);
-  }
-  Elimination rest(motions());
-  demand_largest(normals, nearly_sliding, rest, result.springs);
-  result.sliding = rest.basis();
-  demand_largest(others, 0, rest, result.springs);
-  std::sort(result.springs.begin(), result.springs.end());
+Combination BlockProof::with_cuts(const IndexSet& contact, const IndexSet& separated,
+                                  std::span<const double> numbers) const {
+  auto result = without_cuts(contact, separated, numbers);
+  const auto m = model_.candidates();
+  result.of_cuts = numbers.subspan(m + model_.motions(), m);
   return result;
 }
 
-const RegularisedStiffness& BlockProof::regularised(const std::vector<std::size_t>& springs) const {
-  for (const auto& each : regularised_) {
-    if (each.springs() == springs) return each;
-  }
-  if (regularised_.size() == max_kept) regularised_.pop_back();
-  regularised_.emplace_back(block_.stiffness, springs);
-  return regularised_.back();
+ProofResult BlockProof::prove_infeasible(const IndexSet& contact, const IndexSet& separated,
+                                         std::span<const double> numbers) const {
+  return InfeasibilityProof(model_, bounds_, without_cuts(contact, separated, numbers)).result();
 }
 
-// The springs act on normal displacements of U: no rigid-body mode leaves all of these zero.
-const RegularisedStiffness* BlockProof::regularised_at_normals(const IndexSet& contact) const {
-  const auto d = block_.dimension;
-  for (const auto& each : regularised_) {
-    const bool all = std::all_of(each.springs().begin(), each.springs().end(), [&](auto row) {
-      return row % d == 0 && contains(contact, row / d);
-    });
-    if (all) return &each;
-  }
-  return nullptr;
+ProofResult BlockProof::prove_by_cuts(const IndexSet& contact, const IndexSet& separated,
+                                      std::span<const double> numbers) const {
+  return prove_with_bounds(with_cuts(contact, separated, numbers));
 }
 
-Dyadic BlockProof::tangential_square(const DyadicList& vector, std::size_t candidate) const {
-  const auto d = block_.dimension;
-  Dyadic sum;
-  for (std::size_t k = 1; k < d; ++k) sum = sum + square(vector[d * candidate + k]);
-  return sum;
+ProofResult BlockProof::prove_by_form(std::span<const double> numbers) const {
+  return verify::prove_by_form(model_, numbers);
 }
 
-std::vector<double> BlockProof::own_coefficients(std::span<const double> recorded) const {
-  const auto p = motions();
-  std::vector<double> own(p, 0);
-  for (std::size_t i = 0; i < p; ++i) {
-    for (std::size_t j = 0; j < p; ++j) own[i] += own_of_recorded_[p * i + j] * recorded[j];
-  }
-  return own;
-}
-
-Rationals BlockProof::missing(const std::vector<double>& mean, const DyadicList& x,
-                              const std::vector<Rationals>& among) const {
-  const auto p = motions();
-  const auto rows = block_.motions.rows.size();
-  std::vector<double> moves;  // displacements by the given modes, by rows
-  std::vector<double> rest(rows, 0);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const auto own = std::span(near_motions_).subspan(p * row, p);
-    rest[row] = -x[row].nearest();
-    for (std::size_t k = 0; k < p; ++k) rest[row] += own[k] * mean[k];
-    for (const auto& motion : among) {
-      double sum = 0;
-      for (std::size_t k = 0; k < p; ++k) sum += own[k] * motion[k].get_d();
-      moves.push_back(sum);
+std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side side,
+                                                 const std::optional<double>& maximum,
+                                                 std::span<const double> numbers) {
+  auto combination = with_cuts({}, {}, numbers);
+  (side == Side::contact ? combination.contact : combination.separated)
+      .insert(static_cast<int>(candidate));
+  if (maximum) {
+    const double theta = numbers.back();
+    if (!std::isfinite(*maximum) || *maximum <= 0 || !std::isfinite(theta) || theta <= 0) {
+      return "a bound and the multiplier of its opposite must be above zero";
     }
+    combination.opposite = {candidate, side, Dyadic(theta), Dyadic(theta) * Dyadic(*maximum)};
   }
-  const auto shares = least_squares(moves, rest);
-  Rationals result(p);
-  for (std::size_t j = 0; shares && j < among.size(); ++j) {
-    if (!std::isfinite((*shares)[j])) continue;
-    for (std::size_t k = 0; k < p; ++k) result[k] += mpq_class((*shares)[j]) * among[j][k];
+  const auto proof_result = prove_with_bounds(std::move(combination));
+  if (proof_result.refusal) return proof_result.refusal;
+  bounds_except_large_ = bounds_except_large_ || proof_result.except_large_displacements;
+  if (maximum) {
+    bounds_.limit(candidate, side, *maximum);
+  } else {
+    bounds_.exclude(candidate, side);
   }
-  return result;
+  return {};
+}
+
+ProofResult BlockProof::prove_with_bounds(Combination combination) const {
+  const auto eta = combination.of_cuts;
+  if (!all_finite(combination.multipliers) || !all_finite(combination.mean) || !all_finite(eta)) {
+    return {"its numbers are too large to compute with"};
+  }
+  if (std::any_of(eta.begin(), eta.end(), [](double x) { return x < 0; })) {
+    return {"a multiplier of a cut is negative"};
+  }
+  combination.contact |= bounds_.in_contact();
+  combination.separated |= bounds_.separated();
+  // A candidate that must be on both sides excludes every configuration.
+  auto proof_result = combination.contact.meets(combination.separated)
+                          ? ProofResult{}
+                          : InfeasibilityProof(model_, bounds_, std::move(combination)).result();
+  if (!proof_result.refusal && bounds_except_large_) proof_result.except_large_displacements = true;
+  return proof_result;
+}
+
+bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
+                                           const IndexSet& separated) const {
+  return verify::leaves_a_contact_unloaded(model_, contact, separated);
+}
+
+std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& contact,
+                                                           std::span<const double> numbers) const {
+  if (contact.empty()) return "the leaf has no candidate in contact";
+  return LeafProof(model_, contact, numbers).refusal();
+}
+
+ProofResult BlockProof::prove_no_state(const IndexSet& contact, const IndexSet& separated,
+                                       std::span<const LoadShare> shares,
+                                       std::span<const double> numbers,
+                                       const std::optional<GripTerm>& grip) const {
+  auto all = without_cuts(contact, separated, numbers);
+  for (const auto& share : shares) all.loads.push_back(model_.acting(share));
+  all.grip = grip;
+  return InfeasibilityProof(model_, bounds_, std::move(all)).result();
+}
+
+std::optional<std::string> BlockProof::refusal_of_held_state(const IndexSet& contact,
+                                                             LoadShare share,
+                                                             std::span<const double> numbers,
+                                                             Grip* grip) const {
+  return LeafProof(model_, contact, numbers, share, grip).refusal();
 }
 
 }  // namespace kusabi::verify

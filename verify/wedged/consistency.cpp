@@ -128,6 +128,23 @@ std::optional<std::string> other_motions(const Certificate& certificate,
   return {};
 }
 
+// Candidates, friction and blocks of the header. @return the friction coefficient, or the
+// difference
+std::variant<double, std::string> friction_of_header(const Certificate& certificate,
+                                                     const Structure& structure) {
+  if (auto why = other_candidates(certificate, structure)) return *why;
+  auto friction = common_friction(certificate, structure);
+  if (std::holds_alternative<std::string>(friction)) return friction;
+  if (auto why = other_blocks(certificate, structure)) return *why;
+  return friction;
+}
+
+std::optional<std::string> other_modes(const Certificate& certificate,
+                                       const ContactMotions& motions) {
+  if (auto why = other_bodies(certificate, motions)) return why;
+  return other_motions(certificate, motions);
+}
+
 std::string direction_name(const Certificate& certificate, std::size_t displacement) {
   constexpr std::array<const char*, 3> kinds{"n", "t1", "t2"};
   const auto d = certificate.dimension;
@@ -177,17 +194,14 @@ std::optional<std::string> other_stiffness(const Certificate& certificate,
 
 std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
                                                            const Structure& structure) {
-  if (auto why = other_candidates(certificate, structure)) return *why;
-  auto friction = common_friction(certificate, structure);
+  auto friction = friction_of_header(certificate, structure);
   if (auto* why = std::get_if<std::string>(&friction)) return *why;
-  if (auto why = other_blocks(certificate, structure)) return *why;
   auto problem = enclosed_problem(structure);
   if (auto* why = std::get_if<std::string>(&problem)) {
     return "K of the structure is not enclosed: " + *why;
   }
   auto& [enclosed, motions] = std::get<EnclosedProblem>(problem);
-  if (auto why = other_bodies(certificate, motions)) return *why;
-  if (auto why = other_motions(certificate, motions)) return *why;
+  if (auto why = other_modes(certificate, motions)) return *why;
   if (auto why = other_stiffness(certificate, enclosed, min_scales(structure, motions)))
     return *why;
   return ConsistentStructure{std::move(enclosed), std::move(motions), std::get<double>(friction)};
@@ -195,16 +209,13 @@ std::variant<ConsistentStructure, std::string> consistency(const Certificate& ce
 
 std::variant<ConsistentLoads, std::string> consistency_under_load(const Certificate& header,
                                                                   const Structure& structure) {
-  if (auto why = other_candidates(header, structure)) return *why;
-  auto friction = common_friction(header, structure);
+  auto friction = friction_of_header(header, structure);
   if (auto* why = std::get_if<std::string>(&friction)) return *why;
-  if (auto why = other_blocks(header, structure)) return *why;
   auto found = enclosed_loads(structure);
   if (auto* why = std::get_if<std::string>(&found))
     return "K of the structure is not enclosed: " + *why;
   auto& enclosure = std::get<LoadedEnclosure>(found);
-  if (auto why = other_bodies(header, enclosure.problem.motions)) return *why;
-  if (auto why = other_motions(header, enclosure.problem.motions)) return *why;
+  if (auto why = other_modes(header, enclosure.problem.motions)) return *why;
   return ConsistentLoads{std::move(enclosure), std::get<double>(friction)};
 }
 

@@ -122,12 +122,9 @@ void read_nodes(Lines& lines, HoldCertificate& certificate) {
     } else if (keyword == "alive" || keyword == "wedged") {
       certificate.states.push_back(read_state(lines, keyword == "wedged", certificate));
     } else if (keyword == "end") {
-      const auto expected = "'end " + std::to_string(count) + "', the number of nodes above";
-      if (lines.integer(10, expected) != count || !lines.remainder().empty())
-        lines.refuse(expected);
-      if (lines.done()) return;
-      lines.next();
-      lines.refuse("the line 'digest …', the last one");
+      lines.expect_node_count(count);
+      lines.expect_end();
+      return;
     } else {
       lines.refuse("'dead', 'alive', 'wedged' or 'end'");
     }

@@ -17,17 +17,6 @@ namespace {
 
 constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
-// The largest double that is not above a rational number, and the least that is not below it.
-double not_above(const mpq_class& number) {
-  double near = number.get_d();
-  while (mpq_class(near) > number) near = std::nextafter(near, -unbounded_end);
-  return near;
-}
-
-double not_below(const mpq_class& number) {
-  return -not_above(mpq_class(-number));
-}
-
 }  // namespace
 
 HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& enclosure,
@@ -98,20 +87,17 @@ std::optional<std::string> HoldProof::refusal_of_unbalanced(LoadShare share) con
 std::optional<std::string> HoldProof::refusal(const HoldState& state) const {
   const auto& block = certificate_.header.blocks[state.block];
   const auto contact = within(block, state.contact);
-  const auto separated = within(block, state.separated);
   const auto& proof = blocks_[state.block];
   if (!state.share) {
     if (certificate_.total) return "a wedged configuration has no total";
     if (!proof.resists_all_motions(contact))
       return "its contacts do not resist every rigid-body mode";
-    return proof.refusal_of_feasible(contact, separated, state.numbers);
+    return proof.refusal_of_feasible(contact, state.numbers);
   }
   if (auto why = refusal_of_unbalanced(*state.share)) return why;
-  if (!certificate_.total)
-    return proof.refusal_of_held_state(contact, separated, *state.share, state.numbers);
-  BlockProof::Grip grip;
-  if (auto why =
-          proof.refusal_of_held_state(contact, separated, *state.share, state.numbers, &grip))
+  if (!certificate_.total) return proof.refusal_of_held_state(contact, *state.share, state.numbers);
+  Grip grip;
+  if (auto why = proof.refusal_of_held_state(contact, *state.share, state.numbers, &grip))
     return why;
   const mpq_class total(*certificate_.total);
   const mpq_class off = total * mpq_class(total_tolerance);
@@ -226,13 +212,13 @@ GripRange HoldProof::grip_of(std::size_t block, const std::vector<bool>& trees,
     const auto& state = certificate_.states[k];
     if (!states[k] || state.block != block || state.share != dead) continue;
     const auto& own = certificate_.header.blocks[block];
-    BlockProof::Grip grip;
-    if (blocks_[block].refusal_of_held_state(
-            within(own, state.contact), within(own, state.separated), dead, state.numbers, &grip))
+    Grip grip;
+    if (blocks_[block].refusal_of_held_state(within(own, state.contact), dead, state.numbers,
+                                             &grip))
       continue;
     if (!range.states) range.states = FactorRange{unbounded_end, -unbounded_end};
-    range.states->low = std::min(range.states->low, not_below(grip.maximum));
-    range.states->high = std::max(range.states->high, not_above(grip.minimum));
+    range.states->low = std::min(range.states->low, rounded_up(grip.maximum));
+    range.states->high = std::max(range.states->high, rounded_down(grip.minimum));
   }
   return range;
 }

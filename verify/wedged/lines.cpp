@@ -87,6 +87,12 @@ std::uint64_t Lines::integer(int base, const std::string& what) {
   return value;
 }
 
+std::size_t Lines::below(std::size_t size, const std::string& what) {
+  const auto value = integer(10, what);
+  if (value >= size) refuse(what + " below " + std::to_string(size));
+  return value;
+}
+
 std::size_t Lines::count(const std::string& keyword, std::size_t minimum, std::size_t maximum) {
   const auto what = "'" + keyword + "' and a number";
   next();
@@ -133,6 +139,17 @@ void Lines::numbers(std::size_t count, std::vector<double>& values, const std::s
 
 void Lines::end_of_line(const std::string& what) const {
   if (!words_.empty() || line_.ends_with(' ')) refuse(what);
+}
+
+void Lines::expect_node_count(std::size_t nodes) {
+  const auto expected = "'end " + std::to_string(nodes) + "', the number of nodes above";
+  if (integer(10, expected) != nodes || !words_.empty()) refuse(expected);
+}
+
+void Lines::expect_end() {
+  if (done()) return;
+  next();
+  refuse("the line 'digest …', the last one");
 }
 
 std::string_view without_digest(std::string_view text, const std::string& file) {

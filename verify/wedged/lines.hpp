@@ -44,6 +44,8 @@ class Lines {
   void expect(std::string_view text);
   void expect_word(std::string_view text, const std::string& what);
   std::uint64_t integer(int base, const std::string& what);
+  /// An integer below `size`.
+  std::size_t below(std::size_t size, const std::string& what);
 
   /// Reads the next line, 'keyword N' with N items of at least one character in the rest of the
   /// file. @param minimum, maximum of N
@@ -60,6 +62,12 @@ class Lines {
 
   /// Requires that the line has no further word.
   void end_of_line(const std::string& what) const;
+
+  /// Requires that the rest of the line 'end N' is the number of nodes above.
+  void expect_node_count(std::size_t nodes);
+
+  /// Requires that no line follows but the digest.
+  void expect_end();
 
  private:
   std::string_view rest_;

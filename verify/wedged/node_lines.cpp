@@ -106,14 +106,8 @@ void read_records(Lines& lines, Version version, Certificate& certificate) {
     }
     const auto keyword = lines.word();
     if (keyword == "end") {
-      const auto expected = "'end " + std::to_string(count) + "', the number of nodes above";
-      if (lines.integer(10, expected) != count || !lines.remainder().empty()) {
-        lines.refuse(expected);
-      }
-      if (!lines.done()) {
-        lines.next();
-        lines.refuse("the line 'digest …', the last one");
-      }
+      lines.expect_node_count(count);
+      lines.expect_end();
       break;
     }
     std::vector<Claim> claims{Claim::infeasible, Claim::feasible, Claim::none};

@@ -111,7 +111,7 @@ ProofResult Proof::proof_result(const Record& record) const {
     case Claim::form:
       return proof.prove_by_form(record.numbers);
     case Claim::feasible:
-      return {proof.refusal_of_feasible(contact, separated, record.numbers)};
+      return {proof.refusal_of_feasible(contact, record.numbers)};
     default:
       return {.unloaded = proof.leaves_a_contact_unloaded(contact, separated)};
   }

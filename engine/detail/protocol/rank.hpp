@@ -125,7 +125,7 @@ class Rank {
   // Updates statistics and stride after a step that opened nodes for `elapsed` seconds.
   void update_step_statistics(double elapsed);
 
-  // Adapts the number of nodes per step, such that messages are polled every 10 to 20 microseconds:
+  // Adapts the number of nodes per step, so that messages are polled every 10 to 20 microseconds:
   // the overhead is then negligible for the cheapest nodes, and a requesting rank hardly waits. The
   // cost of a node varies by a factor of a thousand between problems.
   void adapt_stride(double elapsed);

@@ -29,9 +29,6 @@ constexpr double no_cable_force = 1e-8;
 /// margin.
 constexpr double variation_margin = 1e-8;
 
-/// Minimum decrease of the scaled factor for another program; smaller ones may be rounding errors.
-constexpr double min_fall = 1e-10;
-
 Eigen::VectorXd values(const std::vector<double>& numbers, int count) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), count);
 }
@@ -58,32 +55,25 @@ RemainingFactor::RemainingFactor(const LimitModel& model, double alpha, support:
   first_ = simplex_.basis();
 }
 
-// As limit::descend, for a truss without the lost members.
-Descent RemainingFactor::descend(Eigen::VectorXd zeta) {
-  Descent descent;
-  simplex_.set_basis(first_);
-  for (;;) {
-    const auto dead = problems::dead_load(model_, zeta);
-    for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
-    const auto status = simplex_.solve_robustly({.stop = stop_});
-    if (status == linear::LinearStatus::infeasible) {
-      const auto reason = simplex_.farkas();
-      const auto size = reason.empty() ? 0 : model_.free_count();
-      return {LoadStatus::not_carried, {}, std::move(zeta), values(reason, size)};
-    }
-    if (status != linear::LinearStatus::optimal) return descent;
-    const auto columns = simplex_.values();
-    Collapse collapse{columns.back(), values(columns, model_.member_count()),
-                      values(simplex_.duals(), model_.free_count())};
-    const bool known = descent.status == LoadStatus::collapses;
-    if (known && collapse.factor >= descent.worst.collapse.factor - min_fall) return descent;
-    auto next = alpha_ == 0 ? zeta : worst_for(model_, alpha_, collapse.motion, zeta);
-    const bool settled = next == zeta;
-    descent.status = LoadStatus::collapses;
-    descent.worst = {std::move(zeta), std::move(collapse)};
-    if (settled) return descent;
-    zeta = std::move(next);
+// Of the truss without the lost members.
+LoadResult RemainingFactor::result(const Eigen::VectorXd& dead) {
+  for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
+  const auto status = simplex_.solve_robustly({.stop = stop_});
+  if (status == linear::LinearStatus::infeasible) {
+    const auto reason = simplex_.farkas();
+    return {LoadStatus::not_carried, {}, values(reason, static_cast<int>(reason.size()))};
   }
+  if (status != linear::LinearStatus::optimal) return {};
+  const auto columns = simplex_.values();
+  return {LoadStatus::collapses,
+          {columns.back(), values(columns, model_.member_count()),
+           values(simplex_.duals(), model_.free_count())}};
+}
+
+Descent RemainingFactor::descend(Eigen::VectorXd zeta) {
+  simplex_.set_basis(first_);
+  return limit::descend(model_, alpha_, std::move(zeta),
+                        [&](const Eigen::VectorXd& dead) { return result(dead); });
 }
 
 Descent RemainingFactor::solve(const IndexSet& lost, const Eigen::VectorXd& start) {

@@ -36,6 +36,7 @@ class RemainingFactor {
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
 
  private:
+  LoadResult result(const Eigen::VectorXd& dead);
   Descent descend(Eigen::VectorXd zeta);
 
   const problems::LimitModel& model_;

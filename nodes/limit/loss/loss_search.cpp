@@ -1,5 +1,5 @@
-// A start by losing the worst member again and again, then nodes of one tree in rounds. All ranks
-// know the states of the rounds before; the target decreases when a worse loss is found.
+// Greedy first loss, member by member; then rounds of nodes of one tree, shared among the ranks.
+// The target decreases whenever a worse loss is found.
 #include "nodes/limit/loss/loss_search.hpp"
 
 #include <algorithm>
@@ -53,8 +53,8 @@ std::size_t nodes_of_a_round(std::size_t states) {
   return std::clamp<std::size_t>(states / states_per_node, 1, maximum);
 }
 
-/// A result of shared work.
-struct Remains {
+/// Load factor after one loss, packed for other ranks.
+struct FactorAfterLoss {
   std::int32_t status = 0;
   double factor = 0;
 
@@ -137,7 +137,7 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
   std::vector<int> members;
   for (const int i : eligible_ - known.lost) members.push_back(i);
   if (members.empty()) return {};
-  const auto one = [&](std::uint64_t piece) -> Remains {
+  const auto one = [&](std::uint64_t piece) -> FactorAfterLoss {
     const int i = members[piece];
     const bool idle = std::abs(known.collapse.forces(i)) <= no_stress * model_.member_unit(i);
     if (idle && alpha_ == 0)
@@ -145,7 +145,7 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
     const auto found = after(known.lost | IndexSet::single(i));
     return {static_cast<std::int32_t>(found.status), found.collapse.factor};
   };
-  const auto found = analysis_.share<Remains>(members.size(), one);
+  const auto found = analysis_.share<FactorAfterLoss>(members.size(), one);
   std::vector<SingleLoss> losses;
   for (std::size_t k = 0; k < members.size(); ++k) {
     losses.push_back({members[k], static_cast<LoadStatus>(found[k].status), found[k].factor});

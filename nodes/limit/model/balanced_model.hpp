@@ -9,7 +9,7 @@
 namespace kusabi::limit {
 
 /// The model in which the dissipation of the nominal collapse is about one, or the loads are about
-/// one if that is smaller, such that the yield forces they need are not truncated. If the nominal
+/// one if that is smaller, so that the yield forces they need are not truncated. If the nominal
 /// load has no factor, or the simplex method fails, the unit is the median of the yield forces.
 /// @param alpha half-width of the uncertain components, in the unit of force
 problems::LimitModel balanced_model(const problems::LimitProblem& problem, double alpha);

@@ -27,7 +27,7 @@ inline constexpr int usual_split_from = 150;
 /// The least load factor over all losses of up to `maximum` members.
 struct LossParameters {
   int maximum = 1;                   ///< K
-  std::optional<double> at_least{};  ///< factor in question; nothing: the least one
+  std::optional<double> at_least{};  ///< required factor; nothing: the least one
   std::vector<int> kept{};           ///< members that are not lost
   double sudden = 1;                 ///< dynamic factor of the loads after the loss, >= 1
 };

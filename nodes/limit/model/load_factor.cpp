@@ -77,16 +77,13 @@ Eigen::VectorXd worst_for(const LimitModel& model, double alpha, const Eigen::Ve
   return zeta;
 }
 
-Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
-                Eigen::VectorXd zeta) {
+Descent descend(const LimitModel& model, double alpha, Eigen::VectorXd zeta,
+                const std::function<LoadResult(const Eigen::VectorXd& dead)>& solve) {
   Descent descent;
   for (;;) {
-    const LoadStatus status = load_factor.solve(problems::dead_load(model, zeta));
-    if (status == LoadStatus::not_carried) {
-      return {status, {}, std::move(zeta), load_factor.overpowering_motion()};
-    }
+    auto [status, collapse, motion] = solve(problems::dead_load(model, zeta));
+    if (status == LoadStatus::not_carried) return {status, {}, std::move(zeta), std::move(motion)};
     if (status == LoadStatus::undetermined) return descent;
-    Collapse collapse = load_factor.collapse();
     if (descent.status == LoadStatus::collapses &&
         collapse.factor >= descent.worst.collapse.factor - min_fall) {
       return descent;
@@ -98,6 +95,16 @@ Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
     if (settled) return descent;
     zeta = std::move(next);
   }
+}
+
+Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
+                Eigen::VectorXd zeta) {
+  return descend(model, alpha, std::move(zeta), [&](const Eigen::VectorXd& dead) -> LoadResult {
+    const auto status = load_factor.solve(dead);
+    if (status == LoadStatus::collapses) return {status, load_factor.collapse()};
+    if (status == LoadStatus::not_carried) return {status, {}, load_factor.overpowering_motion()};
+    return {};
+  });
 }
 
 }  // namespace kusabi::limit

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include <Eigen/Core>
@@ -26,6 +27,13 @@ enum class LoadStatus {
   undetermined,  ///< the simplex method failed
 };
 
+/// Result of (5) for one dead load.
+struct LoadResult {
+  LoadStatus status = LoadStatus::undetermined;
+  Collapse collapse{};       ///< of `collapses`
+  Eigen::VectorXd motion{};  ///< of `not_carried`: overpowering; empty if none was found
+};
+
 class LoadFactor {
  public:
   /// @param stop ends a long solve, which is then undetermined
@@ -34,7 +42,7 @@ class LoadFactor {
   /// Solves (5). The result depends on the load and on the basis, see `restart`.
   LoadStatus solve(const Eigen::VectorXd& dead);
 
-  /// Makes the next solve start from the basis of the first one, such that its result depends on
+  /// Makes the next solve start from the basis of the first one, so that its result depends on
   /// its load alone. @pre the first load has collapsed
   void restart();
 
@@ -76,7 +84,9 @@ struct Descent {
 };
 
 /// Alternates zeta = alpha sign(T^T u) and (5) while the factor decreases.
-/// @param zeta initial value: m, scaled
+/// @param zeta initial value: m, scaled  @param solve (5) for a dead load
+Descent descend(const problems::LimitModel& model, double alpha, Eigen::VectorXd zeta,
+                const std::function<LoadResult(const Eigen::VectorXd& dead)>& solve);
 Descent descend(const problems::LimitModel& model, LoadFactor& load_factor, double alpha,
                 Eigen::VectorXd zeta);
 

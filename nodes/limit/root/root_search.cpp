@@ -86,7 +86,7 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
   say(fmt::format("{} of {} uncertain loads are looked at for cuts", columns.size(),
                   model().uncertain_count()));
   const bool small = analysis_.transport().size() == 1 || columns.size() <= pricing_block;
-  // Stored results are distributed in any case, such that a resumed run need not price again.
+  // Stored results are distributed in any case, so that a resumed run need not price again.
   if (columns.empty() || (small && !analysis_.has_journal())) {
     return price_alone(pricing, z, columns);
   }

@@ -104,14 +104,16 @@ class SplitRoot {
   RootStatus iterate(splitting::AffineIteration& iteration);
   void bound_at_the_end(splitting::AffineIteration& iteration);
   RootStatus look_at_face(splitting::AffineIteration& iteration);
-  bool improve(Eigen::VectorXd motion);
+  bool descend_by(Eigen::VectorXd motion);
   bool try_disturbed(int times);
-  bool over(Clock::time_point end);
+  bool is_over(Clock::time_point end);
   void bound(const splitting::ColumnBlocks& y);
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
-  [[nodiscard]] bool enough() const { return result_.worst->collapse.factor < control_.enough; }
+  [[nodiscard]] bool is_low_enough() const {
+    return result_.worst->collapse.factor < control_.enough;
+  }
   void show(int steps) const;
 
   const LimitModel& model_;
@@ -138,7 +140,7 @@ Eigen::VectorXd SplitRoot::metric(const LimitModel& model) {
 }
 
 // @return false if a load has no factor
-bool SplitRoot::improve(Eigen::VectorXd motion) {
+bool SplitRoot::descend_by(Eigen::VectorXd motion) {
   const double work = model_.reference.dot(motion);
   if (!(std::abs(work) > 1e-14)) return true;
   motion /= work;
@@ -148,15 +150,15 @@ bool SplitRoot::improve(Eigen::VectorXd motion) {
   return true;
 }
 
-// Searches near the known collapse. @return as improve()
+// Searches near the known collapse. @return as descend_by()
 bool SplitRoot::try_disturbed(int times) {
   constexpr int sizes = 10;
-  for (int k = 0; k < times && !stopped() && !enough(); ++k) {
+  for (int k = 0; k < times && !stopped() && !is_low_enough(); ++k) {
     Eigen::VectorXd motion = result_.worst->collapse.motion;
     const double size = min_disturbance * std::pow(disturbance_ratio, tries_++ % sizes) *
                         motion.cwiseAbs().maxCoeff();
     for (double& u : motion) u += size * (static_cast<double>(bits_()) * 0x1p-31 - 1);
-    if (!improve(std::move(motion))) return false;
+    if (!descend_by(std::move(motion))) return false;
   }
   return true;
 }
@@ -200,7 +202,7 @@ void SplitRoot::show(int steps) const {
                    result_.worst->collapse.factor);
 }
 
-// @return open: without result
+// @return `open` if the face gives no answer
 RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   std::vector<int> signs;
   for (const double zeta : result_.worst->zeta) signs.push_back(zeta < 0 ? -1 : 1);
@@ -239,12 +241,12 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   }
 }
 
-// By the clock of the rank of the first columns.
-bool SplitRoot::over(Clock::time_point end) {
+// True if the time is over by the clock of the rank with the first columns.
+bool SplitRoot::is_over(Clock::time_point end) {
   const int groups = splitting::groups_of(static_cast<int>(program_.columns.size()));
-  std::vector<double> is_over(static_cast<std::size_t>(groups), Clock::now() > end ? 1 : 0);
-  sharing_.fill(is_over);
-  return is_over.front() != 0;
+  std::vector<double> over(static_cast<std::size_t>(groups), Clock::now() > end ? 1 : 0);
+  sharing_.fill(over);
+  return over.front() != 0;
 }
 
 // Any certificate gives a bound: without a target the sets soon intersect.
@@ -255,7 +257,7 @@ void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
       std::max(milliseconds_for_last_bound, time_share_of_last_bound * so_far.count()));
   const auto end = now + std::chrono::duration_cast<Clock::duration>(grace);
   bound_.set_stop({});
-  while (!best_ && !over(end)) {
+  while (!best_ && !is_over(end)) {
     for (int k = 0; k < steps_per_bound; ++k) {
       iteration.step(-std::numeric_limits<double>::infinity());
     }
@@ -271,12 +273,12 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
     tries = 1;
     const int look =
         iteration.steps() < first_steps ? first_steps_per_evaluation : steps_per_evaluation;
-    for (int k = 0; k < look && !enough(); ++k) {
+    for (int k = 0; k < look && !is_low_enough(); ++k) {
       if (iteration.steps() % steps_per_poll == 0 && stopped()) return RootStatus::stopped;
       iteration.step(result_.worst->collapse.factor);
     }
-    if (enough()) return RootStatus::enough;
-    if (!improve(iteration.motion())) return RootStatus::not_carried;
+    if (is_low_enough()) return RootStatus::enough;
+    if (!descend_by(iteration.motion())) return RootStatus::not_carried;
     if (iteration.residual() < near) bound(iteration.affine_point());
     const int steps = iteration.steps();
     show(steps);

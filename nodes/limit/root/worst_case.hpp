@@ -20,7 +20,7 @@ namespace kusabi::limit {
 /// method has rounding errors of about 1e-12, and engineering needs fewer than ten digits.
 inline constexpr double closed_gap = 1e-8;
 
-/// Columns of T in one block of pricing programs: each block starts from the same basis, such that
+/// Columns of T in one block of pricing programs: each block starts from the same basis, so that
 /// its results do not depend on its rank.
 inline constexpr std::size_t pricing_block = 32;
 
@@ -103,7 +103,7 @@ inline constexpr double first_room = 1e-11;
 /// Difference of gamma_j and |d_j'u| at the point, for each column of T, times its weight.
 Eigen::VectorXd violations_at(const problems::LimitModel& model, const Relaxed& point);
 
-/// Weights of the pricing programs: z plus `share` of its mean, such that the forces of members
+/// Weights of the pricing programs: z plus `share` of its mean, so that the forces of members
 /// that do not move are determined in the cuts.
 Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share);
 

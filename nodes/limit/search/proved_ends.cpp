@@ -10,6 +10,7 @@
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/limit/sign_cover.hpp"
 
 namespace kusabi::limit {
 namespace {

@@ -38,7 +38,7 @@ struct ClosedNode {
 ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts);
 
 /// Problem type of engine::search, for Goal::best. It passes no bounds of nodes to the engine: each
-/// is opened, such that each has a proof.
+/// is opened, so that each has a proof.
 class SignTree {
  public:
   struct Node {

@@ -34,7 +34,7 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha);
 class WorstCaseSearch {
  public:
   /// @pre all but `start` outlive this object. @param truss for the proofs @param start initial
-  /// point of (29) @pre question.alpha
+  /// point of (29) @pre parameters.alpha
   WorstCaseSearch(RootSearch& search, const LimitParameters& parameters,
                   const verify::Structure& truss, std::optional<ZeroOneStart> start = {})
       : search_(search), parameters_(parameters), truss_(truss), start_(std::move(start)) {}

@@ -34,7 +34,7 @@ struct ZeroOneWorst {
 /// Algorithm 4.2, after Algorithm 5.1 if requested, as printed: (27) in the units of the problem
 /// with the given M, u and gamma free, and no other information but `start`. docs/theory/limit.md
 /// lists the differences.
-/// @pre question.as_printed()
+/// @pre parameters.as_printed()
 ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitParameters& parameters,
                            const problems::LimitProblem& problem,
                            const std::optional<ZeroOneStart>& start);

@@ -6,7 +6,7 @@
 //   s.t. A [q_0 P; lambda_0 kappa] = [f_D  alpha T],   A = [B, -f_R],
 //        |q_0,i - (q^t_i - q^c_i) / 2| + sum_j |P_ij| <= (q^t_i + q^c_i) / 2   for each member i.
 //
-// Here q_0 is shifted by (q^t - q^c) / 2, such that each row is an l1 ball.
+// Here q_0 is shifted by (q^t - q^c) / 2, so that each row is an l1 ball.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Both triangular solves gather, such that sixteen sums stay in registers.
+// Both triangular solves gather, so that sixteen sums stay in registers.
 #include "nodes/limit/splitting/affine_projection.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Matrix of many columns in blocks of sixteen, four blocks to a group. Each rank has groups of its
 // own; sums over columns are formed within each group first and then over the groups in their
-// order, such that they are bitwise equal on any number of ranks.
+// order, so that they are bitwise equal on any number of ranks.
 #pragma once
 
 #include <cstddef>

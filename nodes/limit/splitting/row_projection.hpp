@@ -22,7 +22,6 @@ class RowProjection {
   [[nodiscard]] double threshold(int row) const {
     return thresholds_[static_cast<std::size_t>(row)];
   }
-  [[nodiscard]] std::vector<double>& thresholds() { return thresholds_; }
 
  private:
   void evaluate(const ColumnBlocks& z);

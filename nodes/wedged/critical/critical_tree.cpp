@@ -43,10 +43,7 @@ CriticalTree::Node CriticalTree::root() const {
 }
 
 void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
-  interruption_.within(out, node, [&] {
-    open(node, out);
-    return true;
-  });
+  interruption_.run(out, node, [&] { open(node, out); });
 }
 
 void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) {

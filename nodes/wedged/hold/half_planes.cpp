@@ -1,4 +1,5 @@
-// Every pair of lines, tested against all half-planes: the numbers are small.
+// Vertices by intersection of all pairs of lines, each tested against all half-planes; there are
+// few.
 #include "nodes/wedged/hold/half_planes.hpp"
 
 #include <algorithm>

@@ -206,10 +206,7 @@ LoadedLeaf HoldNodes::leaf(const LoadedPattern& pattern) const {
 }
 
 void HoldTree::expand(Node&& node, engine::Expansion<HoldTree>& out) {
-  interruption_.within(out, node, [&] {
-    open(node, out);
-    return true;
-  });
+  interruption_.run(out, node, [&] { open(node, out); });
 }
 
 // The leaf of all states of a node can have t* > 0 although the node has not: in the node, free

@@ -41,7 +41,7 @@ class BranchingRule {
   /// Sets the rule.
   void set(Branching branching) { branching_ = branching; }
 
-  /// The candidate by which a node is split; the first of equal ones, such that the tree is the
+  /// The candidate by which a node is split; the first of equal ones, so that the tree is the
   /// same everywhere.
   /// @param undecided undecided candidates, not empty  @param solver with the solution of the node
   [[nodiscard]] int candidate(const support::IndexSet& undecided, ContactSolver& solver) const {

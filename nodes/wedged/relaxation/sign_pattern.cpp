@@ -14,4 +14,8 @@ SignPattern own_leaf(const Configuration& found, const IndexSet& block) {
           .inactive = {}};
 }
 
+PatternNode own_node(const Configuration& found, const std::vector<IndexSet>& blocks) {
+  return {.block = found.block, .pattern = own_leaf(found, blocks[found.block])};
+}
+
 }  // namespace kusabi::wedged

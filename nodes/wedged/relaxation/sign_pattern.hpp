@@ -82,6 +82,9 @@ using LeafRecorder = std::function<void(const Configuration&)>;
 /// @param block its candidates, as the whole problem numbers them
 SignPattern own_leaf(const Configuration& found, const support::IndexSet& block);
 
+/// The same with its block. @param blocks candidates of each
+PatternNode own_node(const Configuration& found, const std::vector<support::IndexSet>& blocks);
+
 /// A leaf feasible with polyhedral friction cones: one of Y_1, ..., Y_k of Algorithm 5.8, with the
 /// result of its step 2.
 struct PolyhedralLeaf {

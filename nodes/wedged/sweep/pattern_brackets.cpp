@@ -18,7 +18,7 @@ constexpr std::int64_t cells_to_known = 100'000'000;
 
 CriticalPatternTree::Pattern pattern_of(const Configuration& leaf,
                                         const std::vector<support::IndexSet>& blocks) {
-  return {.leaf = {.block = leaf.block, .pattern = own_leaf(leaf, blocks[leaf.block])},
+  return {.leaf = own_node(leaf, blocks),
           .feasible = leaf.state == LeafState::feasible || leaf.state == LeafState::flat};
 }
 
@@ -48,7 +48,7 @@ std::vector<PatternBracket> pattern_brackets(engine::Analysis& analysis,
   const double width = coefficient / static_cast<double>(cells_to_known);
   const auto blocks = problems::blocks_of(problem);
   std::vector<SweepTree::Leaf> own;
-  for (const auto& leaf : known) own.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
+  for (const auto& leaf : known) own.push_back(SweepTree::leaf_of(leaf, blocks));
   SweepTree tree(problem, width, cells_to_known, own);
   const auto outcome = analysis.search(tree, {});
   if (!analysis.is_first() || outcome.status != engine::Status::solved) return {};

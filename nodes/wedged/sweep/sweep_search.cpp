@@ -58,8 +58,7 @@ SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedP
   findings.enumerated = true;
   findings.blocks = blocks.size();
   std::vector<SweepTree::Leaf> leaves;
-  for (const auto& leaf : at_most.leaves)
-    leaves.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
+  for (const auto& leaf : at_most.leaves) leaves.push_back(SweepTree::leaf_of(leaf, blocks));
   SweepTree tree(problem, width, top, std::move(leaves));
   auto outcome = analysis.search(tree, {});
   findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });

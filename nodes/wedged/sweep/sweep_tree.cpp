@@ -8,13 +8,13 @@
 
 namespace kusabi::wedged {
 
-SweepTree::Leaf SweepTree::leaf_of(const Configuration& found, const support::IndexSet& block) {
-  Leaf leaf{.place = {.block = found.block, .pattern = own_leaf(found, block)},
-            .stage = {LeafStage::Kind::unresolved, {}, {}}};
+SweepTree::Leaf SweepTree::leaf_of(const Configuration& found,
+                                   const std::vector<support::IndexSet>& blocks) {
+  Leaf leaf{.place = own_node(found, blocks), .stage = {LeafStage::Kind::unresolved, {}, {}}};
   if (found.state == LeafState::feasible) leaf.stage.kind = LeafStage::Kind::solid;
   if (found.state == LeafState::flat)
     leaf.stage = {LeafStage::Kind::flat, leaf.place.pattern.contact,
-                  problems::in_block(found.pattern.separated, block)};
+                  problems::in_block(found.pattern.separated, blocks[found.block])};
   return leaf;
 }
 
@@ -34,24 +34,18 @@ SweepTree::Tally SweepTree::tally() const {
 }
 
 SweepTree::Node SweepTree::root() const {
-  return {.first = 0, .count = static_cast<std::uint32_t>(leaves_.size())};
+  return {.first = 0, .last = leaves_.size()};
 }
 
 void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
-  if (node.count == 0) return;
-  if (node.count > 1) {
-    const auto half = node.count / 2;
-    out.branch({node.first, half});
-    out.branch({node.first + half, node.count - half});
-    return;
-  }
+  if (node.size() == 0 || branch_into_halves(node, 1, out)) return;
   const Leaf& leaf = leaves_[node.first];
   auto history = interruption_.within(out, node, [&] {
     return leaf_history(critical_[leaf.place.block], leaf.place.pattern, leaf.stage, maximum_);
   });
   if (!history) return;
   ++tally_.leaves;
-  out.solution({node.first, *std::move(history)});
+  out.solution({static_cast<std::uint32_t>(node.first), *std::move(history)});
 }
 
 }  // namespace kusabi::wedged

@@ -8,6 +8,7 @@
 
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
+#include "engine/index_range.hpp"
 #include "engine/search_declaration.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/sweep/leaf_history.hpp"
@@ -18,14 +19,7 @@ namespace kusabi::wedged {
 /// Problem type of engine::search.
 class SweepTree {
  public:
-  struct Node {
-    std::uint32_t first = 0, count = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& first& count;
-    }
-  };
+  using Node = engine::IndexRange;  ///< of leaves
 
   struct Solution {
     std::uint32_t number = 0;  ///< of the leaf in the list
@@ -54,8 +48,8 @@ class SweepTree {
   };
 
   /// Candidates with a reaction are in contact, all others separated, inactive or not.
-  /// @param found at the coefficient `maximum` x width @param block its candidates
-  static Leaf leaf_of(const Configuration& found, const support::IndexSet& block);
+  /// @param found at the coefficient `maximum` x width
+  static Leaf leaf_of(const Configuration& found, const std::vector<support::IndexSet>& blocks);
 
   SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t maximum,
             std::vector<Leaf> leaves);

@@ -40,7 +40,7 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_limit(
     const problems::Structure& structure, const support::LongWork& work = {});
 
-/// Treatment of proofs that do not cover large displacements (verify/wedged/block_proof.hpp). In
+/// Treatment of proofs that do not cover large displacements (verify/wedged/block_model.hpp). In
 /// structures with long levers, small rotations cause such displacements.
 enum class LargeDisplacements { left_out, counted };
 

@@ -39,6 +39,15 @@ class NodeInterruption {
     return done;
   }
 
+  /// The same for work without a result.
+  template <class Tree, class Work>
+  void run(engine::Expansion<Tree>& out, const typename Tree::Node& node, Work work) {
+    within(out, node, [&] {
+      work();
+      return true;
+    });
+  }
+
  private:
   std::shared_ptr<support::Stop> asked_ = std::make_shared<support::Stop>();
 };

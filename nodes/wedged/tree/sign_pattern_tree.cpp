@@ -126,7 +126,11 @@ std::optional<SignPatternTree::NodeResult> SignPatternTree::decide_with_cuts(con
   if (block.bounds.empty()) return {};
   const auto& [contact, separated, inactive] = node.pattern;
   if (excludes_all(block.bounds, contact, separated)) {
-    if (auto decision = prune_by_bounds(node)) return decision;
+    const auto nothing = [](const BlockRelaxation& own) {
+      return std::vector<double>(2 * own.bounds.size() +
+                                 static_cast<std::size_t>(own.mean_motion.count()));
+    };
+    if (auto decision = prune_by_cuts(node, nothing)) return decision;
   }
   if (free.empty()) return {};
   if (const auto known = one_sided(free, block.bounds)) return split(node, *known);
@@ -135,7 +139,9 @@ std::optional<SignPatternTree::NodeResult> SignPatternTree::decide_with_cuts(con
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   switch (answer.sign) {
     case conic::Sign::infeasible:
-      return prune_with(cuts, node);
+      return prune_by_cuts(node, [&](const BlockRelaxation& own) {
+        return cut_evidence(own.solver, own.mean_motion, cuts);
+      });
     case conic::Sign::feasible:
       return branch_feasible(node);
     case conic::Sign::unproved:
@@ -282,25 +288,12 @@ SignPatternTree::NodeResult SignPatternTree::prune(const Node& node,
   return {};
 }
 
-std::optional<SignPatternTree::NodeResult> SignPatternTree::prune_with(
-    std::span<const conic::Cut> cuts, const Node& node) {
-  if (evidence_.wants_evidence()) {
-    const BlockRelaxation& block = blocks_[node.block];
-    const auto numbers = cut_evidence(block.solver, block.mean_motion, cuts);
-    if (!closes(node, Evidence::Kind::cut, numbers)) return {};
-  }
-  ++tally_.infeasible;
-  return NodeResult{};
-}
-
-// Infeasible by the bounds alone.
-std::optional<SignPatternTree::NodeResult> SignPatternTree::prune_by_bounds(const Node& node) {
-  if (evidence_.wants_evidence()) {
-    const BlockRelaxation& block = blocks_[node.block];
-    const std::vector<double> nothing(2 * block.bounds.size() +
-                                      static_cast<std::size_t>(block.mean_motion.count()));
-    if (!closes(node, Evidence::Kind::cut, nothing)) return {};
-  }
+// Infeasible by cuts, or by the bounds alone.
+std::optional<SignPatternTree::NodeResult> SignPatternTree::prune_by_cuts(
+    const Node& node, const std::function<std::vector<double>(const BlockRelaxation&)>& numbers) {
+  if (evidence_.wants_evidence() &&
+      !closes(node, Evidence::Kind::cut, numbers(blocks_[node.block])))
+    return {};
   ++tally_.infeasible;
   return NodeResult{};
 }

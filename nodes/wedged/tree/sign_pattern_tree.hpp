@@ -22,6 +22,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -118,8 +119,8 @@ class SignPatternTree {
   conic::ConicResult probe(const Node& child);
   NodeResult split(const Node& node, int candidate);
   NodeResult prune(const Node& node, const Eigen::VectorXd& multipliers);
-  std::optional<NodeResult> prune_with(std::span<const conic::Cut> cuts, const Node& node);
-  std::optional<NodeResult> prune_by_bounds(const Node& node);
+  std::optional<NodeResult> prune_by_cuts(
+      const Node& node, const std::function<std::vector<double>(const BlockRelaxation&)>& numbers);
   bool closes(const Node& node, Evidence::Kind kind, std::span<const double> numbers);
   NodeResult branch_unproved(const Node& node);
   NodeResult close(const Node& node, Configuration leaf);

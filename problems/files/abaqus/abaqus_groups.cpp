@@ -232,29 +232,33 @@ const MeshGroup& AbaqusGroups::element_set(const AbaqusText& text, const std::st
   return set_of(text, name, "element", &MeshGroup::elements);
 }
 
-void AbaqusGroups::read_node_set(AbaqusText& text, const AbaqusCard& card) {
-  allow_only(text, card, {"NSET", "GENERATE", "UNSORTED", "INTERNAL", "INSTANCE"});
-  std::vector<int> set = group(text, required(text, card, "NSET"), card.at).nodes;
+template <class Read>
+void AbaqusGroups::read_group(AbaqusText& text, const AbaqusCard& card, std::string_view keyword,
+                              std::vector<int> MeshGroup::*members, Read read) {
+  allow_only(text, card, {keyword, "GENERATE", "UNSORTED", "INTERNAL", "INSTANCE"});
+  std::vector<int> set = group(text, required(text, card, keyword), card.at).*members;
   const int before = index_.instance();
   enter(instance_of(text, card));
-  read_set(
-      text, card, "node", mesh_.nodes.size(), set, [&](int tag) { return index_.find_node(tag); },
-      [&](const MeshText& line, std::size_t field) { return nodes(line, field); });
+  read(set);
   enter(before);
-  group(text, *card.find("NSET"), card.at).nodes = std::move(set);
+  group(text, *card.find(keyword), card.at).*members = std::move(set);
+}
+
+void AbaqusGroups::read_node_set(AbaqusText& text, const AbaqusCard& card) {
+  read_group(text, card, "NSET", &MeshGroup::nodes, [&](std::vector<int>& set) {
+    read_set(
+        text, card, "node", mesh_.nodes.size(), set, [&](int tag) { return index_.find_node(tag); },
+        [&](const MeshText& line, std::size_t field) { return nodes(line, field); });
+  });
 }
 
 void AbaqusGroups::read_element_set(AbaqusText& text, const AbaqusCard& card) {
-  allow_only(text, card, {"ELSET", "GENERATE", "UNSORTED", "INTERNAL", "INSTANCE"});
-  std::vector<int> set = group(text, required(text, card, "ELSET"), card.at).elements;
-  const int before = index_.instance();
-  enter(instance_of(text, card));
-  read_set(
-      text, card, "element", mesh_.elements.size(), set,
-      [&](int tag) { return index_.find_element(tag); },
-      [&](const MeshText& line, std::size_t field) { return elements(line, field); });
-  enter(before);
-  group(text, *card.find("ELSET"), card.at).elements = std::move(set);
+  read_group(text, card, "ELSET", &MeshGroup::elements, [&](std::vector<int>& set) {
+    read_set(
+        text, card, "element", mesh_.elements.size(), set,
+        [&](int tag) { return index_.find_element(tag); },
+        [&](const MeshText& line, std::size_t field) { return elements(line, field); });
+  });
 }
 
 }  // namespace kusabi::problems

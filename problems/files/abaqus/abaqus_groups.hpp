@@ -66,6 +66,10 @@ class AbaqusGroups {
   /// The members of the set that a field names. @param kind "node" or "element"
   const std::vector<int>& set_named(const MeshText& line, std::size_t field, std::string_view kind,
                                     std::vector<int> MeshGroup::*members) const;
+  /// *NSET or *ELSET. @param read adds the members that the lines of the card name
+  template <class Read>
+  void read_group(AbaqusText& text, const AbaqusCard& card, std::string_view keyword,
+                  std::vector<int> MeshGroup::*members, Read read);
   void read_face(const MeshText& line, MeshGroup& surface);
 
   MeshData& mesh_;

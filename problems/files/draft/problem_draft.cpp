@@ -38,7 +38,7 @@ const toml::node* ProblemDraft::section(std::string_view name) const {
 }
 
 std::string ProblemDraft::node_name(int node) const {
-  return support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
+  return quoted_name(structure_, node);
 }
 
 int ProblemDraft::add_node(const std::string& name, const Eigen::VectorXd& place,

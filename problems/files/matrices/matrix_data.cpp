@@ -1,4 +1,4 @@
-// Sorted entries, such that duplicates and transposed entries are found.
+// Sorted entries, so that duplicates and transposed entries are found.
 #include "problems/files/matrices/matrix_data.hpp"
 
 #include <algorithm>

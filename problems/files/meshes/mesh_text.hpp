@@ -30,7 +30,6 @@ class MeshText {
   /// Omits line numbers in errors from now on, for converted texts whose lines are not in the file.
   void leave_out_lines() { has_lines_ = false; }
   const std::string& file() const { return file_; }
-  std::size_t bytes_left() const { return text_.size() - at_; }
 
   std::size_t fields() const { return fields_.size(); }
   std::string_view field(std::size_t index) const { return fields_[index]; }

@@ -21,6 +21,10 @@ std::string key(const std::string& name) {
   return bare && !name.empty() ? name : toml_text(name);
 }
 
+std::string name_text(const Structure& structure, int node) {
+  return toml_text(structure.node_names[static_cast<std::size_t>(node)]);
+}
+
 std::string vector_text(const Eigen::VectorXd& numbers) {
   return fmt::format("[{}]", fmt::join(numbers.begin(), numbers.end(), ", "));
 }
@@ -44,9 +48,6 @@ std::string yield_text(const YieldForces& yield) {
 
 void write_members(const Structure& structure, std::string& text) {
   const auto& members = structure.members;
-  const auto name = [&](int node) {
-    return toml_text(structure.node_names[static_cast<std::size_t>(node)]);
-  };
   by_runs(
       members.size(),
       [&](auto a, auto b) {
@@ -56,7 +57,8 @@ void write_members(const Structure& structure, std::string& text) {
       [&](auto first, auto last) {
         std::vector<std::string> pairs;
         for (auto i = first; i < last; ++i) {
-          pairs.push_back(fmt::format("[{}, {}]", name(members[i].first), name(members[i].second)));
+          pairs.push_back(fmt::format("[{}, {}]", name_text(structure, members[i].first),
+                                      name_text(structure, members[i].second)));
         }
         text += "\n[[members]]\n";
         if (members[first].axial_stiffness != 0) {
@@ -69,9 +71,6 @@ void write_members(const Structure& structure, std::string& text) {
 
 void write_elements(const Structure& structure, std::string& text) {
   const auto& elements = structure.elements;
-  const auto name = [&](int node) {
-    return toml_text(structure.node_names[static_cast<std::size_t>(node)]);
-  };
   const auto material = [&](auto i) {
     return std::tuple(elements[i].modulus, elements[i].ratio, elements[i].thickness,
                       elements[i].state);
@@ -82,7 +81,7 @@ void write_elements(const Structure& structure, std::string& text) {
         std::vector<std::string> groups;
         for (auto i = first; i < last; ++i) {
           std::vector<std::string> names;
-          for (const int node : elements[i].nodes) names.push_back(name(node));
+          for (const int node : elements[i].nodes) names.push_back(name_text(structure, node));
           groups.push_back(fmt::format("[{}]", fmt::join(names, ", ")));
         }
         text += fmt::format("\n[[elements]]\nE = {}\nnu = {}\n", elements[first].modulus,
@@ -122,7 +121,7 @@ std::string place_text(const Structure& structure, const std::vector<WeightedNod
   std::vector<std::string> names;
   std::vector<double> weights;
   for (const auto& [node, weight] : place) {
-    names.push_back(toml_text(structure.node_names[static_cast<std::size_t>(node)]));
+    names.push_back(name_text(structure, node));
     weights.push_back(weight);
   }
   return fmt::format("{{ nodes = [{}], weights = [{}] }}", fmt::join(names, ", "),
@@ -133,15 +132,13 @@ std::string place_text(const Structure& structure, const std::vector<WeightedNod
 void write_inclined(const Structure& structure, std::string& text) {
   for (const auto& [node, direction] : structure.inclined) {
     text += fmt::format("\n[[supports]]\nnodes = [{}]\ndirection = {}\n",
-                        toml_text(structure.node_names[static_cast<std::size_t>(node)]),
-                        vector_text(direction));
+                        name_text(structure, node), vector_text(direction));
   }
 }
 
 void write_ties(const Structure& structure, std::string& text) {
   for (const auto& [node, to] : structure.ties) {
-    text += fmt::format("\n[[ties]]\nnodes = [{}]\nto = [{}]\n",
-                        toml_text(structure.node_names[static_cast<std::size_t>(node)]),
+    text += fmt::format("\n[[ties]]\nnodes = [{}]\nto = [{}]\n", name_text(structure, node),
                         place_text(structure, to));
   }
 }
@@ -156,8 +153,7 @@ void write_springs(const Structure& structure, std::string& text) {
       [&](auto first, auto last) {
         std::vector<std::string> names;
         for (auto i = first; i < last; ++i) {
-          names.push_back(
-              toml_text(structure.node_names[static_cast<std::size_t>(springs[i].node)]));
+          names.push_back(name_text(structure, springs[i].node));
         }
         text +=
             fmt::format("\n[[springs]]\nnodes = {}\naxes = [\"{}\"]\nstiffness = {}\n",
@@ -179,8 +175,7 @@ void write_contact(const Structure& structure, std::string& text) {
         std::vector<std::string> names;
         std::vector<std::string> places;
         for (auto i = first; i < last; ++i) {
-          names.push_back(
-              toml_text(structure.node_names[static_cast<std::size_t>(contact[i].node)]));
+          names.push_back(name_text(structure, contact[i].node));
           places.push_back(place_text(structure, contact[i].against));
         }
         text += fmt::format("\n[[contact]]\nnodes = {}\nnormal = {}\n", toml_list(names),
@@ -213,7 +208,7 @@ void write_loads(const Structure& structure, std::string& text) {
       [&](auto first, auto last) {
         std::vector<std::string> names;
         for (auto i = first; i < last; ++i) {
-          names.push_back(toml_text(structure.node_names[static_cast<std::size_t>(loads[i].node)]));
+          names.push_back(name_text(structure, loads[i].node));
         }
         text += fmt::format("\n[[loads]]\nkind = \"{}\"\nnodes = {}\nforce = {}\n",
                             loads[first].kind == Load::Kind::dead ? "dead" : "reference",
@@ -239,9 +234,8 @@ void write_uncertain_load(const Structure& structure, const UncertainParameter& 
       [&](auto first, auto last) {
         Eigen::VectorXd force = Eigen::VectorXd::Zero(structure.dimension);
         for (auto i = first; i < last; ++i) force(components[i].axis) = components[i].weight;
-        const auto node = static_cast<std::size_t>(components[first].node);
         text += fmt::format("  {{ nodes = [{}], force = {} }},\n",
-                            toml_text(structure.node_names[node]), vector_text(force));
+                            name_text(structure, components[first].node), vector_text(force));
       });
   text += "]\n" + half_width_text(parameter);
 }
@@ -256,8 +250,7 @@ void write_uncertainty(const Structure& structure, std::string& text) {
     }
     const auto& [node, axis, weight] = parameter.components.front();
     text += fmt::format("\n[[uncertainty]]\nnodes = [{}]\naxes = [\"{}\"]\nweight = {}\n",
-                        toml_text(structure.node_names[static_cast<std::size_t>(node)]),
-                        axis_name(axis), weight) +
+                        name_text(structure, node), axis_name(axis), weight) +
             half_width_text(parameter);
   }
 }

@@ -100,10 +100,6 @@ std::set<int> meant_apart(const Structure& structure) {
   return nodes;
 }
 
-std::string name_of(const Structure& structure, int node) {
-  return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
-}
-
 }  // namespace
 
 bool is_ground(const Structure& structure, int node) {
@@ -170,8 +166,8 @@ std::vector<std::string> coincidence_warnings(const Structure& structure) {
       "moves independently{}; expected one node at a place (in Gmsh: Coherence, Coherence Mesh), "
       "[[ties]] "
       "between them, or a [[contact]] with against where bodies touch",
-      pairs.size(), pairs.size() == 1 ? "node is" : "nodes are", name_of(structure, first),
-      name_of(structure, second),
+      pairs.size(), pairs.size() == 1 ? "node is" : "nodes are", quoted_name(structure, first),
+      quoted_name(structure, second),
       bodies.size() > 1 ? fmt::format(" (the structure is of {} bodies)", bodies.size()) : "");
   return {structure_error(structure, position_of(structure.sources.nodes, second), message).what()};
 }

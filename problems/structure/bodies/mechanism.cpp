@@ -134,7 +134,7 @@ std::string some_names(const Structure& structure, const std::vector<int>& nodes
   std::string list;
   for (std::size_t place = 0; place < shown; ++place) {
     if (place > 0) list += ", ";
-    list += support::in_quotes(structure.node_names[static_cast<std::size_t>(nodes[place])]);
+    list += quoted_name(structure, nodes[place]);
   }
   if (nodes.size() > shown) list += fmt::format(" and {} more", nodes.size() - shown);
   return list;

@@ -246,7 +246,7 @@ void SupportedBody::require_ties_in_place(const PreciseMatrix& motions) const {
             "node {} is tied to a place that differs from its own, in an unconstrained body; "
             "expected coincident nodes, weights that give the place exactly, or supports of the "
             "body",
-            support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
+            quoted_name(structure_, node)));
   }
 }
 
@@ -272,7 +272,7 @@ void SupportedBody::refuse() const {
       fmt::format("it is numerically undecided whether the supports of the body of node {} prevent "
                   "all its rigid-body modes; expected supports that leave a mode free exactly, or "
                   "clearly prevent it",
-                  support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
+                  quoted_name(structure_, node)));
 }
 
 // A single bar may rotate about its axis without displacement of a node; this is not counted as a

@@ -44,9 +44,7 @@ class ConstraintCheck {
   };
 
   bool is_node(int node) const { return node >= 0 && node < std::ssize(structure_.node_names); }
-  std::string name(int node) const {
-    return support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
-  }
+  std::string name(int node) const { return quoted_name(structure_, node); }
   bool is_fixed(int node, int axis) const {
     return structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)];
   }

@@ -28,9 +28,7 @@ class ElementCheck {
   void shape() const;
 
  private:
-  std::string name(int node) const {
-    return support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
-  }
+  std::string name(int node) const { return quoted_name(structure_, node); }
   std::string corner_names() const;
   [[noreturn]] void fail(std::string_view message) const {
     throw structure_error(structure_, position_of(structure_.sources.elements, index_), message);

@@ -42,9 +42,7 @@ class StructureCheck {
  private:
   int node_count() const { return static_cast<int>(structure_.node_names.size()); }
   bool is_node(int node) const { return node >= 0 && node < node_count(); }
-  std::string name(int node) const {
-    return support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
-  }
+  std::string name(int node) const { return quoted_name(structure_, node); }
   bool is_fixed(int node, int axis) const {
     return structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)];
   }

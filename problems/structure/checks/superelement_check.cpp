@@ -49,8 +49,7 @@ void check_rows(const Structure& structure, std::size_t index) {
     if (!seen.emplace(node, axis).second) {
       fail(structure, index,
            fmt::format("the stiffness has two rows of {} along {}; expected one",
-                       support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]),
-                       axis_name(axis)));
+                       quoted_name(structure, node), axis_name(axis)));
     }
   }
   const auto size = static_cast<Eigen::Index>(own.rows.size());

@@ -29,8 +29,7 @@ std::vector<std::optional<double>> angles(const Structure& structure) {
 }
 
 std::string node_name(const Structure& structure, std::size_t candidate) {
-  const int node = structure.contact[candidate].node;
-  return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
+  return quoted_name(structure, structure.contact[candidate].node);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Faces of all elements, such that those with the same vertices are adjacent.
+// Faces of all elements, so that those with the same vertices are adjacent.
 #pragma once
 
 #include <array>

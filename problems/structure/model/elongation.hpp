@@ -90,7 +90,7 @@ void add_square(const StrainVector<Scalar>& vector, Scalar weight,
                 std::vector<Eigen::Triplet<Scalar>>& entries) {
   for (const auto& row : vector) {
     for (const auto& column : vector) {
-      // The product of the two entries is computed first, such that (i, j) and (j, i) have the same
+      // The product of the two entries is computed first, so that (i, j) and (j, i) have the same
       // rounding.
       entries.emplace_back(row.number, column.number, weight * (row.value * column.value));
     }

@@ -51,8 +51,7 @@ Eigen::MatrixXd normals_of(const Structure& structure, const std::vector<std::si
 }
 
 void check_normals(const Structure& structure, const std::vector<std::size_t>& candidates) {
-  const auto node = static_cast<std::size_t>(structure.contact[candidates.front()].node);
-  const std::string name = support::in_quotes(structure.node_names[node]);
+  const auto name = quoted_name(structure, structure.contact[candidates.front()].node);
   const auto maximum = static_cast<std::size_t>(structure.dimension);
   if (candidates.size() > maximum) {
     refuse_candidate(

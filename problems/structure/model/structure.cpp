@@ -28,6 +28,10 @@ std::string which_at_node(const Structure& structure, std::size_t index) {
 
 }  // namespace
 
+std::string quoted_name(const Structure& structure, int node) {
+  return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
+}
+
 std::string candidate_name(const Structure& structure, std::size_t index) {
   const auto name = [&](int node) { return structure.node_names[static_cast<std::size_t>(node)]; };
   const ContactCandidate& candidate = structure.contact[index];

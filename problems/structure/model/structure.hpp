@@ -225,6 +225,9 @@ int body_elements(const Structure& structure);
 /// An element or outline, elements first.
 const Element& body_element(const Structure& structure, int index);
 
+/// The name of a node in quotes, for messages.
+std::string quoted_name(const Structure& structure, int node);
+
 /// Name of a candidate in answers: its node and, after a bar, the opposite node; "a|b+" if b, the
 /// node of the largest weight, is one of several. At a node with several normals "a@left" by the
 /// opposite surface, or "a@1" by order unless each has a surface of its own.

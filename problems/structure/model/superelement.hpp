@@ -42,7 +42,7 @@ void for_each_entry(const Structure& structure, const FreeDegrees& degrees, std:
       if (entry.value() == 0) continue;
       for (const auto& row : parts[static_cast<std::size_t>(entry.row())]) {
         for (const auto& column : parts[static_cast<std::size_t>(j)]) {
-          // The product of the two weights is computed first, such that (i, j) and (j, i) have the
+          // The product of the two weights is computed first, so that (i, j) and (j, i) have the
           // same rounding.
           use(row.number, column.number, entry.value() * (row.value * column.value));
         }

@@ -16,6 +16,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/limit/sign_cover.hpp"
 
 namespace kusabi::limit {
 namespace {

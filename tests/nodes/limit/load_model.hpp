@@ -18,6 +18,7 @@
 #include "tests/nodes/limit/plain_truss.hpp"
 #include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/limit/sign_cover.hpp"
 
 namespace kusabi::limit::test {
 

@@ -11,6 +11,7 @@
 #include "tests/nodes/limit/load_model.hpp"
 #include "tests/nodes/limit/two_bars.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/limit/sign_cover.hpp"
 
 namespace kusabi::limit {
 namespace {

@@ -404,6 +404,10 @@ std::set<std::set<int>> families(const std::vector<ZeroSet>& rays, Candidates al
   return list;
 }
 
+bool cross_complementary(const Supports& a, const Supports& b) {
+  return (a.reaction() & b.separated()) == 0 && (a.separated() & b.reaction()) == 0;
+}
+
 std::set<std::set<int>> cliques(const std::vector<ZeroSet>& rays, Candidates all) {
   std::vector<std::set<int>> neighbours(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {

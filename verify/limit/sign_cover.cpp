@@ -1,0 +1,49 @@
+// Division of the nodes by columns that all of them have decided.
+#include "verify/limit/sign_cover.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kusabi::verify {
+namespace {
+
+// Checks that `nodes`, which all have the signs decided so far, cover all combinations of the
+// others. A column decided by all of them partitions both the combinations and the nodes.
+std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<bool>& decided,
+                                std::size_t depth) {
+  if (nodes.empty()) return "no node covers some combination of signs";
+  for (std::size_t j = 0; j < decided.size(); ++j) {
+    if (decided[j] || std::ranges::any_of(nodes, [j](const auto* n) { return n->signs[j] == 0; })) {
+      continue;
+    }
+    decided[j] = true;
+    const auto middle = std::partition(nodes.begin(), nodes.end(),
+                                       [j](const auto* node) { return node->signs[j] > 0; });
+    const auto positive = static_cast<std::size_t>(middle - nodes.begin());
+    auto found = flaw(nodes.first(positive), decided, depth + 1);
+    if (!found) found = flaw(nodes.subspan(positive), decided, depth + 1);
+    decided[j] = false;
+    return found;
+  }
+  const auto whole = [depth](const LimitNode* node) {
+    const auto count =
+        node->signs.size() - static_cast<std::size_t>(std::ranges::count(node->signs, 0));
+    return count == depth;
+  };
+  // A node that decides no further sign covers the whole subtree.
+  if (std::ranges::any_of(nodes, whole)) return {};
+  return "the nodes do not form a tree: some of them have no decided sign in common";
+}
+
+}  // namespace
+
+std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate) {
+  std::vector<const LimitNode*> nodes;
+  for (const auto& node : certificate.nodes) nodes.push_back(&node);
+  std::vector<bool> decided(certificate.uncertain.size(), false);
+  return flaw(nodes, decided, 0);
+}
+
+}  // namespace kusabi::verify
