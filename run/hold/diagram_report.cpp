@@ -21,20 +21,27 @@ ordered_json points_json(const Points& points) {
   return list;
 }
 
+// Standing of the answer that no factor is held.
+const char* none(const HeldPoint& point) {
+  if (point.factors.unresolved) return "not known";
+  return point.factors.proved ? "none, proved" : "none, computed";
+}
+
 // With several coefficients the first column is theirs, and one without intervals has a row.
 void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
                      const std::vector<HeldPoint>& points, bool several) {
   if (several) csv.word("mu");
-  csv.word("interval").word("low").word("high").word("contact").end_row();
+  csv.word("interval").word("low").word("high").word("standing").word("contact").end_row();
   for (const auto& point : points) {
     std::size_t number = 0;
     for (const auto& each : point.factors.intervals) {
       if (several) csv.number(point.mu);
       csv.count(++number).number(each.low).number(each.high);
+      csv.word(each.proved && each.low_proved && each.high_proved ? "proved" : "computed");
       csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
     }
     if (several && number == 0)
-      csv.number(point.mu).nothing().nothing().nothing().nothing().end_row();
+      csv.number(point.mu).nothing().nothing().nothing().text(none(point)).nothing().end_row();
   }
 }
 

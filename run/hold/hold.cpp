@@ -1,6 +1,7 @@
 // `kusabi hold`: options, stages and results, on all ranks.
 #include "run/hold/hold.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "problems/structure/model/load_cases.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/command/sweep_points.hpp"
@@ -37,7 +39,6 @@ class Hold final : public Subcommand {
   void search(CommandRun& run) override;
   void search_at(engine::Analysis& analysis, double mu);
   std::vector<Step> results(CommandRun& run) override;
-  std::vector<std::string> remarks(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
 
  private:
@@ -108,14 +109,14 @@ void Hold::refuse_without_loads() const {
       given ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
 }
 
-// A sum of normal reactions is that of one decoupled part.
+// Wedged parts would add any sum to that of the others.
 void Hold::refuse_total() const {
   if (!options_.parameters.total) return;
   if (options_.grip) throw WrongInput("--grip: the sum is given by --total; expected one of them");
-  const int parts = wedged::loaded_blocks(loaded_);
+  const auto parts = problems::blocks_of(loaded_.problem).size();
   if (parts != 1) {
     throw WrongInput(fmt::format(
-        "--total: loads act on {} decoupled parts; expected a structure with one", parts));
+        "--total: the candidates are in {} decoupled parts; expected a file with one", parts));
   }
 }
 
@@ -194,7 +195,9 @@ void Hold::prepare(CommandRun& run) {
   loaded_ = run.within_limits([&](const auto& work) {
     return options_.diagram ? loads_of_cases(work) : wedged::loaded_problem(structure_, work);
   });
-  for (const double mu : options_.points) friction_at(loaded_.problem, mu, options_.input.file);
+  auto trials = options_.points;  // or the first coefficient of the search
+  if (trials.empty()) trials.push_back(std::min(1.0, options_.parameters.maximum));
+  for (const double mu : trials) friction_at(loaded_.problem, mu, options_.input.file);
   refuse_without_loads();
   refuse_total();
   agree(run.session(), loaded_.problem);
@@ -253,11 +256,16 @@ void Hold::search_at(engine::Analysis& analysis, double mu) {
   if (options_.grip && point.factors.status == engine::Status::solved)
     point.grip = wedged::grip_range(analysis, loaded_, mu, parameters, record.get());
   findings_.ended = point.status();
+  const bool one_factor = point.factors.one_factor_at_most;
   if (options_.points.size() > 1 && findings_.ended != engine::Status::solved)
     findings_.costs_left = point.costs();
   else
     findings_.points.push_back(std::move(point));
-  if (record) record->finish();
+  if (!record) return;
+  // Without a search the loads prove the answer.
+  findings_.certified = record->has_evidence() || (findings_.ended == engine::Status::solved &&
+                                                   findings_.costs().empty() && !one_factor);
+  if (findings_.certified) record->finish();
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {
@@ -271,16 +279,6 @@ std::vector<Step> Hold::results(CommandRun& run) {
                  write_chart(out, hold_chart(result, headline(verdict())).value());
                }),
       run.answer([this] { return hold_table(options_, loaded_, findings_); })};
-}
-
-std::vector<std::string> Hold::remarks(CommandRun& /*run*/) {
-  if (options_.certificate.empty() || findings_.points.empty() ||
-      !findings_.points.front().factors.one_factor_at_most)
-    return {};
-  return {
-      fmt::format("{} has no evidence: the reference load is in equilibrium at one factor at "
-                  "most, of which nothing is recorded",
-                  options_.certificate)};
 }
 
 Verdict Hold::verdict() const {

@@ -52,7 +52,8 @@ struct HeldPoint {
 struct HoldFindings {
   std::optional<wedged::HoldingFriction> friction{};
   std::vector<HeldPoint>
-      points{};  ///< of the options, in their order; of several, only complete ones
+      points{};            ///< of the options, in their order; of several, only complete ones
+  bool certified = false;  ///< a certificate of factors was written
   std::optional<wedged::Diagram> diagram{};
   engine::Status ended = engine::Status::solved;  ///< of the points
   std::vector<wedged::HoldCost> costs_left{};     ///< of a point that is not complete

@@ -51,6 +51,7 @@ class HoldCertificate final : public wedged::HoldRecord {
 
   void state(std::uint32_t block, const std::optional<wedged::LoadShare>& share,
              const wedged::LoadedPattern& pattern, std::span<const double> numbers) override {
+    has_states_ = true;
     if (!session_.is_first()) return;
     auto line = fmt::format("{} {}", share ? "alive" : "wedged", block + 1);
     if (share) append_numbers(line, std::array{share->dead, share->reference});
@@ -58,6 +59,8 @@ class HoldCertificate final : public wedged::HoldRecord {
     append_numbers(line, numbers);
     file_.add(std::string_view(line += '\n'));
   }
+
+  [[nodiscard]] bool has_evidence() const override { return has_states_ || !trees_.empty(); }
 
   void finish() override {
     file_.close();
@@ -80,6 +83,7 @@ class HoldCertificate final : public wedged::HoldRecord {
   std::vector<double> friction_;
   CertificateFile file_;
   std::vector<std::string> trees_;
+  bool has_states_ = false;
 };
 
 }  // namespace

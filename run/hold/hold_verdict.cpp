@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/verdict/answer_words.hpp"
 
@@ -27,11 +29,12 @@ Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool 
   return upward ? Bracket{inside, outside} : Bracket{outside, inside};
 }
 
-HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
+HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                           const wedged::HoldingFriction& found) {
   HoldingBracket answer{.bracket = {},
                         .factor = !problems::uniform_friction(loaded.problem),
                         .maximum = found.maximum};
+  answer.load_case = options.load_case;
   if (found.any_by_supports) answer.reason = HoldReason::supports;
   if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
   if (found.lower_known) answer.bracket.lower = Bound{found.lower, standing(found.lower_proved)};
@@ -48,6 +51,7 @@ HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProble
                         .intervals = {},
                         .outside = standing(found.proved),
                         .open = found.unresolved};
+  answer.load_case = options.load_case;
   answer.total = options.parameters.total;
   if (found.any_by_supports) answer.reason = HoldReason::supports;
   if (found.any_by_wedging) answer.reason = HoldReason::wedging;
@@ -101,6 +105,25 @@ HoldingFactors point_of(const HoldOptions& options, const wedged::LoadedProblem&
   return answer;
 }
 
+// A sentence for each certificate that was not written. The least coefficient, zero, has none
+// below.
+std::vector<std::string> missing_certificates(const HoldFindings& findings) {
+  const bool ended = findings.status() != engine::Status::solved;
+  if (findings.friction && !ended) {
+    std::vector<std::string> sentences;
+    const auto& found = *findings.friction;
+    if (found.upper.value_or(1) > 0 && !(found.lower_known && found.lower_proved))
+      sentences.emplace_back("No certificate of a lower bound was written, since none is proved.");
+    if (found.upper && !found.upper_proved)
+      sentences.emplace_back(
+          "No certificate of the upper bound was written, since it is computed, not proved.");
+    return sentences;
+  }
+  if (!findings.friction && findings.certified) return {};
+  return {fmt::format("No certificate was written, since {}.",
+                      ended ? "the search ended early" : "it would contain no proof")};
+}
+
 }  // namespace
 
 Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
@@ -108,7 +131,7 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
   Verdict verdict{.ended = findings.status()};
   bool any = false;
   if (findings.friction) {
-    verdict.answer = bracket_of(loaded, *findings.friction);
+    verdict.answer = bracket_of(options, loaded, *findings.friction);
     any = findings.friction->any_by_supports;
   } else if (findings.diagram) {
     verdict.answer = diagram_of(options, loaded, *findings.diagram);
@@ -124,8 +147,7 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
     verdict.answer = std::move(factors);
     any = findings.points.front().factors.any_by_supports;
   }
-  if (findings.friction && !options.certificate.empty() && verdict.ended != engine::Status::solved)
-    verdict.missing.emplace_back("No certificate was written, since the search ended early.");
+  if (!options.certificate.empty()) verdict.missing = missing_certificates(findings);
   if (!any) {
     verdict.details.emplace_back(
         "\"Can hold\" means that a state of equilibrium exists; whether it is reached depends on "

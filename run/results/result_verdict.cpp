@@ -145,7 +145,8 @@ class WrittenVerdict {
     return {.bracket = bracket(answer, "bracket"),
             .factor = truth(answer, "factor"),
             .maximum = reader_.number(answer, "most"),
-            .reason = hold_reason(answer)};
+            .reason = hold_reason(answer),
+            .load_case = some_text(answer, "case").value_or("")};
   }
   [[nodiscard]] HoldingFactors holding_factors(const ResultJson& answer) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -156,6 +157,7 @@ class WrittenVerdict {
                          .outside = standing(answer, "outside"),
                          .open = truth(answer, "open"),
                          .reason = hold_reason(answer),
+                         .load_case = some_text(answer, "case").value_or(""),
                          .total = some_number(answer, "total")};
     for (const auto& each : reader_.list(answer, "intervals")) {
       found.intervals.push_back({some_number(each, "low").value_or(-unbounded),

@@ -7,6 +7,7 @@
 #include "run/output/values.hpp"
 #include "run/verdict/answer_words.hpp"
 #include "run/verdict/shown_bracket.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -41,6 +42,32 @@ std::string parts(const HoldingFactors& found) {
   return text;
 }
 
+// ", and none below 1 or above 2", rounded away from the factors that are held.
+std::string none_outside(const HoldingFactors& found) {
+  const auto& all = found.intervals;
+  const auto out = [](const std::optional<Bound>& bound, double held) {
+    return bound ? bound->value : held;
+  };
+  std::string text;
+  const auto add = [&](const std::string& range) {
+    text += (text.empty() ? ", and none " : " or ") + range;
+  };
+  if (std::isfinite(all.front().low))
+    add("below " + rounded_down(out(all.front().below.lower, all.front().low)));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const auto [from, to] =
+        inside(out(all[i - 1].above.upper, all[i - 1].high), out(all[i].below.lower, all[i].low));
+    add(fmt::format("between {} and {}", from, to));
+  }
+  if (std::isfinite(all.back().high))
+    add("above " + rounded_up(out(all.back().above.upper, all.back().high)));
+  return text;
+}
+
+std::string in_case(const std::string& load_case) {
+  return load_case.empty() ? "" : " in load case " + support::in_quotes(load_case);
+}
+
 bool is_everything(const HoldingFactors& found) {
   return found.intervals.size() == 1 && std::isinf(found.intervals.front().low) &&
          std::isinf(found.intervals.front().high);
@@ -66,29 +93,27 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
   if (found.reason == HoldReason::supports) return by_supports;
   if (found.reason == HoldReason::unbalanced) return by_no_friction;
   const auto& [lower, upper] = found.bracket;
+  const auto load = "the dead load" + in_case(found.load_case);
   if (!lower && !upper)
-    return "The smallest friction coefficient at which it can hold the dead load is not known.";
+    return fmt::format("The smallest friction coefficient at which it can hold {} is not known.",
+                       load);
   if (!upper) {
-    return fmt::format("It cannot hold the dead load up to friction coefficient {}{}{}{}.",
+    return fmt::format("It cannot hold {} up to friction coefficient {}{}{}{}.", load,
                        rounded_down(lower->value), of_each(found.factor),
                        unless_proved(lower->standing),
                        lower->value < found.maximum ? "; above it, this is not known" : "");
   }
   if (upper->value == 0)
-    return fmt::format("It can hold the dead load without friction{}.",
-                       unless_proved(upper->standing));
+    return fmt::format("It can hold {} without friction{}.", load, unless_proved(upper->standing));
   if (!lower) {
     return fmt::format(
-        "It can hold the dead load at friction coefficient {}{}{}; below it, this is not "
-        "known.",
+        "It can hold {} at friction coefficient {}{}{}; below it, this is not known.", load,
         rounded_up(upper->value), of_each(found.factor), unless_proved(upper->standing));
   }
   const auto shown = in_sentence(lower->value, upper->value);
-  return fmt::format(
-      "It cannot hold the dead load below friction coefficient {}{}{}; at {} it "
-      "can{}.",
-      shown.lower, of_each(found.factor), unless_proved(lower->standing), shown.upper,
-      unless_proved(upper->standing));
+  return fmt::format("It cannot hold {} below friction coefficient {}{}{}; at {} it can{}.", load,
+                     shown.lower, of_each(found.factor), unless_proved(lower->standing),
+                     shown.upper, unless_proved(upper->standing));
 }
 
 void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
@@ -119,12 +144,13 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
 
 std::string headline_of(const HoldingFactors& found, engine::Status ended) {
   if (found.reason == HoldReason::supports) return by_supports;
-  auto where = fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
+  auto where = fmt::format("at friction coefficient {}{}{}", found.friction, of_each(found.factor),
+                           in_case(found.load_case));
   if (found.total) where += fmt::format(" with normal reactions that add up to {}", *found.total);
   if (found.reason == HoldReason::wedging) {
     return fmt::format(
-        "It can hold any load {}: it can be wedged there, with a residual stress of any size.",
-        where);
+        "It can hold {} {}: it can be wedged there, with a residual stress of any size.",
+        found.of_reference ? "the reference load at any factor" : "the dead load", where);
   }
   const char* const what = found.of_reference ? "the loads at any factor" : "the dead load";
   if (found.intervals.empty()) {
@@ -143,7 +169,7 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
   }
   const auto others = found.open || ended != engine::Status::solved
                           ? std::string("; others are not known")
-                          : fmt::format(", and no other{}", unless_proved(found.outside));
+                          : none_outside(found) + unless_proved(found.outside);
   return fmt::format("It can hold these factors of the reference load {}: {}{}.", where,
                      parts(found), others);
 }
@@ -161,13 +187,14 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
           ? fmt::format("at {} friction coefficients", points.size())
           : fmt::format("at {} of {} friction coefficients (the others are not known)",
                         points.size(), found.requested);
+  const auto of = in_case(points.front().load_case);
   const auto& total = points.front().total;
   const auto sum =
       total ? fmt::format(" with normal reactions that add up to {}", *total) : std::string();
   const auto what =
       points.front().of_reference
-          ? fmt::format("It can hold these factors of the reference load {}{}", where, sum)
-          : fmt::format("The dead load {}{}", where, sum);
+          ? fmt::format("It can hold these factors of the reference load {}{}{}", where, of, sum)
+          : fmt::format("The dead load {}{}{}", where, of, sum);
   return fmt::format(
       "{}: {}{}{}.", what, at(points.front()), points.size() > 1 ? ", " + at(points.back()) : "",
       points.size() > 2 ? "; the table has the factors at the other coefficients" : "");

@@ -92,6 +92,7 @@ struct HoldingBracket {
   bool factor = false;  ///< coefficients multiply that of each candidate
   double maximum = 0;   ///< upper limit of the search
   HoldReason reason = HoldReason::searched;
+  std::string load_case{};  ///< empty: the file has none
 };
 
 /// The least and the largest sum of the normal reactions over all states under the dead load.
@@ -118,6 +119,7 @@ struct HoldingFactors {
   Standing outside = Standing::proved;  ///< of the claim that no other factor is held
   bool open = false;                    ///< factors may be missing
   HoldReason reason = HoldReason::searched;
+  std::string load_case{};            ///< empty: the file has none
   std::optional<double> total{};      ///< sum of the normal reactions in all these states
   std::optional<HoldingGrip> grip{};  ///< if it was requested
 };

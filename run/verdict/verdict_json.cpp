@@ -64,11 +64,13 @@ ordered_json answer_json(const CriticalBracket& found) {
 }
 
 ordered_json answer_json(const HoldingBracket& found) {
-  return {{"kind", "holding-friction"},
-          {"bracket", bracket_json(found.bracket)},
-          {"factor", found.factor},
-          {"most", found.maximum},
-          {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+  ordered_json json{{"kind", "holding-friction"},
+                    {"bracket", bracket_json(found.bracket)},
+                    {"factor", found.factor},
+                    {"most", found.maximum},
+                    {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+  if (!found.load_case.empty()) json["case"] = found.load_case;
+  return json;
 }
 
 ordered_json answer_json(const HoldingFactors& found) {
@@ -88,6 +90,7 @@ ordered_json answer_json(const HoldingFactors& found) {
                     {"outside", standing_name(found.outside)},
                     {"open", found.open},
                     {"reason", hold_reasons.at(static_cast<std::size_t>(found.reason))}};
+  if (!found.load_case.empty()) json["case"] = found.load_case;
   if (found.total) json["total"] = *found.total;
   if (found.grip) {
     json["grip"] = {{"held", found.grip->held},

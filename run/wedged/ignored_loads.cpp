@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {
@@ -34,15 +35,23 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
   std::vector<std::string> lines;
   const auto& sources = structure.sources;
   const auto uncertain = structure.uncertain ? structure.uncertain->size() : 0;
-  if (!structure.loads.empty() || uncertain != 0) {
+  // `patterns` lists how much of a reference load each pattern holds, without load cases.
+  const bool reference = command == "patterns" && problems::load_cases(structure).empty();
+  const auto is_ignored = [&](const problems::Load& load) {
+    return !reference || load.kind == problems::Load::Kind::dead;
+  };
+  const auto first = std::ranges::find_if(structure.loads, is_ignored);
+  const bool loads = first != structure.loads.end();
+  if (loads || uncertain != 0) {
     const auto position =
-        problems::position_of(structure.loads.empty() ? sources.uncertain : sources.loads, 0);
+        problems::position_of(loads ? sources.loads : sources.uncertain,
+                              loads ? static_cast<int>(first - structure.loads.begin()) : 0);
+    const auto count =
+        static_cast<std::uint64_t>(std::ranges::count_if(structure.loads, is_ignored));
     const auto message = fmt::format(
         "kusabi {} ignores {} of the file: wedged configurations are without load; kusabi hold "
         "searches states under load, kusabi limit the limit load of a truss",
-        command,
-        structure.loads.empty() ? counted(uncertain, "uncertain load")
-                                : counted(structure.loads.size(), "load"));
+        command, loads ? counted(count, "load") : counted(uncertain, "uncertain load"));
     lines.emplace_back(problems::structure_error(structure, position, message).what());
   }
   if (structure.imposed_forces.size() > 0) {

@@ -4,6 +4,7 @@ nothing wrong.
     python3 hold_certificate_test.py KUSABI SOURCES
 """
 import hashlib
+import json
 import math
 import pathlib
 import random
@@ -71,6 +72,37 @@ class HoldCertificate(KusabiCase):
             mu = float(re.search(r"PROVED: at friction coefficient ([0-9.]+)", said)[1])
             self.assertAlmostEqual(mu, 1 / 3, delta=1e-8)
             self.assertEqual(mu < 1 / 3, end == "lower")
+
+    def test_certificates_without_a_proof_are_not_written(self):
+        # The resultant passes through b: the upper bound is computed.
+        place = self.folder / "tips.toml"
+        place.write_text("""
+name = "triangle"
+dimension = 2
+units = { length = "m", force = "N" }
+[nodes]
+a = [0, 0]
+b = [1, 0]
+c = [0.5, 1]
+[[members]]
+EA = 100
+between = [["a", "b"], ["b", "c"], ["a", "c"]]
+[[contact]]
+nodes = ["a", "b"]
+normal = [0, 1]
+[[loads]]
+kind = "dead"
+nodes = ["c"]
+force = [1, -2]
+""")
+        missing = "No certificate of the upper bound was written"
+        self.written(place)
+        self.assertIn(missing, " ".join(json.loads(self.result.read_text())["verdict"]["missing"]))
+        self.assertEqual([each.name for each in self.folder.glob("cert*")], ["cert.lower"])
+        self.assertIn("it cannot hold the dead load", self.proved(self.folder / "cert.lower", place)[2])
+        run = self.kusabi("hold", LADDER, "--mu", 0.4, "--node-limit", 1, "--certificate", self.folder / "new", "--output", self.result)
+        self.assertEqual((run.returncode, (self.folder / "new").exists()), (3, False))
+        self.assertIn("since the search ended early", " ".join(json.loads(self.result.read_text())["verdict"]["missing"]))
 
     def test_factors_and_their_complement_are_proved(self):
         self.written(LADDER, "--mu", "0.4")
@@ -294,6 +326,20 @@ force = [-0.01, 0]
         (held,) = self.solve("hold", case, "--mu", 1.03178, "--total", 1.2236448818295438)["result"]["intervals"]
         self.assertAlmostEqual(held["low"], -1.5470855433539605, delta=1e-7)
         self.assertAlmostEqual(held["high"], 0.06368385942367348, delta=1e-7)
+
+    def test_a_total_is_that_of_one_part(self):
+        # The other ladder is not loaded, but at 1.4 it can be wedged with any sum.
+        text = LADDER.read_text()
+        mesh, loads = text.index("[[mesh]]"), text.index("[[loads]]")
+        place = self.folder / "two.toml"
+        place.write_text(text + "\n" + moved(text[mesh:loads], 10).replace('"ladder', '"other'))
+        refused = self.refused("hold", place, "--mu", 1.4, "--total", 0.1)
+        self.assertIn("--total: the candidates are in 2 decoupled parts", refused)
+        self.written(place, "--mu", 0.4)
+        certificate = self.folder / "cert"
+        body = certificate.read_text()
+        certificate.write_text(sealed(body[:body.index("digest")].replace("\ntrees ", "\ntotal 0x1p-3\ntrees ")))
+        self.assertIn("expected no total, since it is that of one block", self.refused("verify", certificate, "--problem", place))
 
     def test_totals_and_grips_are_not_combined(self):
         self.assertIn("expected one of them", self.refused("hold", LADDER, "--mu", 0.4, "--total", 1, "--grip"))

@@ -3,12 +3,13 @@
     python3 hold_test.py KUSABI SOURCES
 """
 import csv
+import fractions
 import math
 import pathlib
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import EXAMPLES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
+from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
 
 LADDER = (EXAMPLES / "ladder.toml").read_text()
 PEG = (EXAMPLES / "peg-under-load.toml").read_text()
@@ -116,7 +117,8 @@ class Hold(KusabiCase):
         self.assertIsNone(held["high"])
         self.check_end(held["low"], held["low_out"], -0.625)
         result = self.solve("hold", "ladder.toml", "--mu", 1.4)
-        self.assertIn("It can hold any load at friction coefficient 1.4", result["verdict"]["sentence"])
+        self.assertIn("It can hold the reference load at any factor at friction coefficient 1.4: it can be wedged there",
+                      result["verdict"]["sentence"])
 
     def test_a_peg_jams_if_it_is_tilted_either_way(self):
         for mu in (0.5, 0.74):
@@ -126,7 +128,7 @@ class Hold(KusabiCase):
             self.check_end(low["high"], low["high_out"], -0.75 / mu)
             self.check_end(high["low"], high["low_out"], 0.75 / mu)
         self.assertEqual(result["verdict"]["answer"]["outside"], "proved")
-        self.assertIn("any load", self.solve("hold", "peg-under-load.toml", "--mu", 0.76)["verdict"]["sentence"])
+        self.assertIn("any factor", self.solve("hold", "peg-under-load.toml", "--mu", 0.76)["verdict"]["sentence"])
 
     def test_a_dead_load_alone_is_decided(self):
         text = LADDER.split("[[loads]]\nkind = \"reference\"")[0]
@@ -202,6 +204,7 @@ class Hold(KusabiCase):
         for words in (("--mu", "0.4,0.3"), ("--mu", "-0.1"), ("--mu", "0.1:0.2"), ("--mu", "0.1,0.2", "--diagram"),
                       ("--mu", "0.1,0.2", "--certificate", self.folder / "cert")):
             self.assertIn("--mu", self.refused("hold", EXAMPLES / "ladder.toml", *words))
+        self.assertIn("expected 0, or 1e-06", self.refused("hold", EXAMPLES / "ladder.toml", "--mu-max", 1e-9))
         bare = LADDER.split("[[loads]]")[0]
         self.assertIn("there is no dead load", self.refused("hold", self.problem(bare)))
         self.assertIn("there is no load", self.refused("hold", self.problem(bare), "--mu", 0.4))
@@ -222,6 +225,43 @@ class Hold(KusabiCase):
         found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
         self.check_end(found["upper"], found["lower"], 0.3)
         self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))
+
+    def test_one_factor_of_equilibrium_is_between_doubles_that_are_not_held(self):
+        # A seesaw, whose loads are in equilibrium at 3/7, which is no double.
+        text = TRIANGLE.replace("[1, 0]", "[0.3, 0.1]").replace("[0.5, 1]", "[-0.7, 0.1]").replace('nodes = ["a", "b"]', 'nodes = ["a"]')
+        text += DEAD.format('"b"', "[0, -1]") + DEAD.format('"c"', "[0, -1]").replace("dead", "reference")
+        result = self.solve("hold", self.problem(text), "--mu", 0.5)
+        (held,) = result["result"]["intervals"]
+        self.assertEqual((held["low"], held["proved"], held["state"]["factor"]), (held["high"], False, held["low"]))
+        self.assertTrue(fractions.Fraction(held["low_out"]) < fractions.Fraction(3, 7) < fractions.Fraction(held["high_out"]))
+        self.assertAlmostEqual(held["state"]["reactions"]["a"][0], 10 / 7, delta=1e-6)
+        self.assertRegex(result["verdict"]["sentence"], r"0\.428571 \(computed, not proved\), and none below 0\.42857 or above 0\.42858")
+
+    def test_parts_that_may_hold_one_factor_are_undecided(self):
+        # Each holds a range of pushes; they have the end -0.6 in common.
+        part = TRIANGLE + DEAD.format('"c"', "[0, -2]") + DEAD.format('"c"', "[1, 0]").replace("dead", "reference")
+        nodes, rest = part[:part.index("[[members]]")], part[part.index("[[members]]"):]
+        second = rest.replace('"a"', '"d"').replace('"b"', '"e"').replace('"c"', '"f"').replace("[0, -2]", "[1.2, -2]")
+        place = self.problem(nodes + "d = [10, 0]\ne = [11, 0]\nf = [10.5, 1]\n" + rest + second)
+        result = self.solve("hold", place, "--mu", 0.3)
+        self.assertEqual((result["result"]["intervals"], result["verdict"]["answer"]["open"]), ([], True))
+        self.assertIn("It is not known whether", result["verdict"]["sentence"])
+
+    def test_an_end_without_a_factor_that_is_not_held_is_open(self):
+        result = self.solve("hold", SOURCES / "tests" / "cases" / "open_end.toml", "--mu", 0.5)
+        for each in result["result"]["intervals"]:
+            for end in ("low", "high"):
+                if each[end] is not None and each[f"{end}_out"] is None:
+                    self.assertFalse(each[f"{end}_proved"])
+                    self.assertEqual(result["verdict"]["answer"]["outside"], "computed")
+
+    def test_the_load_case_is_named(self):
+        cases = LADDER.replace('kind = "reference"', 'kind = "reference"\ncase = "climb"')
+        for words in ((), ("--mu", 0.4), ("--mu", "0.4,0.5")):
+            verdict = self.solve("hold", self.problem(cases), "--case", "climb", *words)["verdict"]
+            self.assertIn('in load case "climb"', verdict["sentence"])
+            answer = verdict["answer"]
+            self.assertEqual(answer.get("points", [answer])[0]["case"], "climb")
 
     def test_uncertain_loads_are_refused(self):
         interval = LADDER.replace("force = [0, -1]", "force = [[-0.5, 0.5], -1]", 1)
@@ -279,6 +319,7 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
         rows = list(csv.DictReader((self.folder / "a.csv").read_text().splitlines()))
         self.assertEqual([row["mu"] for row in rows], ["0.4", "0.4", "0.5", "0.5", "0.74", "0.74", "0.76", "2"])
         self.assertEqual([row["low"] == "" for row in rows], [True, False] * 3 + [True, True])
+        self.assertEqual({row["standing"] for row in rows}, {"proved"})
         self.assertRegex(result["verdict"]["sentence"], r"at 5 friction coefficients: at 0.4 up to -1.875.* at 2 all;")
         for name in ("a.svg", "b.svg"):
             picture = (self.folder / name).read_text()
@@ -287,7 +328,10 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
 
     def test_several_coefficients_of_a_dead_load_are_decided(self):
         text = LADDER.split("[[loads]]\nkind = \"reference\"")[0]
-        result = self.solve("hold", self.problem(text), "--mu", "0.31:0.35:0.01")
+        table = self.folder / "a.csv"
+        result = self.solve("hold", self.problem(text), "--mu", "0.31:0.35:0.01", "--csv", table)
+        rows = csv.DictReader(table.read_text().splitlines())
+        self.assertEqual([row["standing"] for row in rows], ["none, proved"] * 3 + ["proved"] * 2)
         held = {each["mu"]: len(each["intervals"]) for each in result["result"]["points"]}
         self.assertEqual(held, {0.31: 0, 0.32: 0, 0.33: 0, 0.34: 1, 0.35: 1})
         self.assertEqual(result["verdict"]["sentence"], "The dead load at 5 friction coefficients: at 0.31 it cannot be held, "

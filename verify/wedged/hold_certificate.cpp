@@ -53,6 +53,8 @@ void read_trees(Lines& lines, HoldCertificate& certificate) {
     lines.expect_word("total", total);
     certificate.total = lines.number(total);
     if (*certificate.total <= 0) lines.refuse(total);
+    if (certificate.header.blocks.size() != 1)
+      lines.refuse("no total, since it is that of one block");
     lines.end_of_line(total);
     lines.next();
   }

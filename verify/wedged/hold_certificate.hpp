@@ -53,7 +53,8 @@ struct HoldState {
 /// The content of a file.
 struct HoldCertificate {
   std::string load_case;          ///< of the problem file; empty: all loads act
-  std::optional<double> total{};  ///< sum of the normal reactions in all its trees and states
+  std::optional<double> total{};  ///< sum of the normal reactions in all its trees and
+                                  ///< states, of the only block
   Certificate header;             ///< without stiffness, bounds and records
   std::vector<HoldTree> trees{};
   std::vector<HoldNode> nodes{};

@@ -49,12 +49,10 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
     if (!minimum_ || *minimum < *minimum_) minimum_ = minimum;
   }
   if (!certificate.total) return;
-  for (auto& part : parts_) {  // the dead share has the total, also without a load
-    const bool loaded = part.dead || part.reference;
-    part = {.unconstrained = loaded, .dead = loaded, .reference = part.reference};
-  }
-  const auto loaded = std::ranges::count_if(parts_, [](const auto& part) { return part.dead; });
-  if (loaded != 1) minimum_.reset();
+  // The only block; the dead share has the total, also without a load.
+  auto& part = parts_.front();
+  const bool loaded = part.dead || part.reference;
+  part = {.unconstrained = loaded, .dead = loaded, .reference = part.reference};
 }
 
 ProofResult HoldProof::proof_result(const HoldNode& node) const {

@@ -37,7 +37,7 @@ struct GripRange {
 struct HoldClaims {
   std::vector<FactorRange> held{};  ///< each factor has a state; in ascending order
   std::vector<FactorRange> none{};  ///< no factor has one; in ascending order
-  /// The same with the normal reactions of one block adding up to `total`.
+  /// The same with normal reactions that add up to `total`.
   std::optional<double> total{};
   std::optional<GripRange> grip{};  ///< if a tree restricts a sum
 };

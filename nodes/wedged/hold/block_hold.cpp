@@ -85,18 +85,19 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   return found;
 }
 
-// Adds the interval of a leaf, and removes it from the unknown ranges.
+// Adds the interval of a leaf, and removes it from the unknown ranges, up to the factors that the
+// pattern does not hold. An end without one leaves the rest unknown.
 void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
                      HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const double from = factor_in(leaf, range_of(low, high));
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
   found.unresolved = found.unresolved || !held.high_proved || !held.low_proved;
+  const double below = std::isfinite(held.low_out) ? held.low_out : held.low;
+  const double above = std::isfinite(held.high_out) ? held.high_out : held.high;
   std::vector<FactorRange> left;
   for (const FactorRange& each : unknown) {
-    if (each.low < held.low_out)
-      left.push_back({each.low, std::min(each.high, held.low_out), true});
-    if (each.high > held.high_out)
-      left.push_back({std::max(each.low, held.high_out), each.high, true});
+    if (each.low < below) left.push_back({each.low, std::min(each.high, below), true});
+    if (each.high > above) left.push_back({std::max(each.low, above), each.high, true});
   }
   unknown = std::move(left);
   found.intervals.push_back(held);
@@ -109,9 +110,10 @@ bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, doub
                             HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const auto shares = range_of(low, high);
   for (const auto& leaf : limits) {
-    if (!std::isfinite(factor_in(leaf, shares))) continue;
-    take(leaf, low, high, Standard::computed, found, unknown, mu);
-    if (unknown.empty() || unknown.back().low != low || unknown.back().high != high) return true;
+    if (std::isfinite(factor_in(leaf, shares))) {
+      take(leaf, low, high, Standard::computed, found, unknown, mu);
+      if (unknown.empty() || !(unknown.back() == FactorRange{low, high, true})) return true;
+    }
     found.unresolved = true;
   }
   return false;
@@ -132,9 +134,11 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
     }
     if (!outcome.leaf.empty()) {
       take(outcome.leaf.front(), low, high, Standard::proved, found, unknown, mu);
+      if (unknown.empty() || !(unknown.back() == FactorRange{low, high, true})) continue;
+      found.unresolved = true;
+    } else if (take_limits(outcome.tally.limits, low, high, found, unknown, mu)) {
       continue;
     }
-    if (take_limits(outcome.tally.limits, low, high, found, unknown, mu)) continue;
     unknown.pop_back();
     empty_ranges.push_back({low, high, outcome.is_infeasible()});
     if (outcome.tally.unresolved() != 0) found.unresolved = true;
@@ -143,23 +147,40 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
 
 namespace {
 
-// Intervals that overlap, or whose ends are not distinguished, become one.
+// Adds an interval that begins in the last one, or at an end that is not distinguished from its
+// own. Each end keeps the factor that is not held beyond it, and what is proved of that.
+void extend_by(HeldInterval& last, const HeldInterval& each) {
+  if (each.low_out < last.low_out) {
+    last.low_out = each.low_out;
+    last.low_proved = each.low_proved;
+  }
+  if (each.high_out > last.high_out) {
+    last.high_out = each.high_out;
+    last.high_proved = each.high_proved;
+  }
+  if (each.low >= last.low && each.high <= last.high) return;  // also if it is only computed
+  last.proved = last.proved && each.proved && each.low <= last.high;
+  if (each.high > last.high) last.pattern = each.pattern;
+  last.high = std::max(last.high, each.high);
+}
+
+// The union of all. Between intervals whose brackets overlap, but are wide, no factor is known that
+// is not held.
 std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
   std::ranges::sort(all, {}, &HeldInterval::low);
   std::vector<HeldInterval> result;
-  for (const auto& each : all) {
-    if (result.empty() || each.low_out > result.back().high_out) {
-      result.push_back(each);
+  for (auto& each : all) {
+    const bool apart = result.empty() || each.low > result.back().high;
+    const bool close = !result.empty() && each.low_out <= result.back().high_out;
+    if (apart && close && !(each.low_proved && result.back().high_proved)) {
+      result.back().high_proved = each.low_proved = false;
+      result.back().high_out = unbounded_end;
+      each.low_out = -unbounded_end;
+    } else if (!apart || close) {
+      extend_by(result.back(), each);
       continue;
     }
-    auto& last = result.back();
-    const bool inside = each.low >= last.low && each.high <= last.high;
-    if (inside) continue;  // also an end that is only computed
-    last.proved = last.proved && each.proved && each.low <= last.high;
-    last.low_out = std::min(last.low_out, each.low_out);
-    if (each.high > last.high) last.pattern = each.pattern;
-    last.high = std::max(last.high, each.high);
-    last.high_out = std::max(last.high_out, each.high_out);
+    result.push_back(each);
   }
   return result;
 }
@@ -177,6 +198,13 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   std::vector<FactorRange> empty_ranges;
   explore(found, empty_ranges, mu);
   if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
+  for (const FactorRange& gap : empty_ranges) {
+    if (!gap.proved) continue;
+    for (auto& each : found.intervals) {
+      if (gap.high <= each.low && !std::isfinite(each.low_out)) each.low_out = gap.high;
+      if (gap.low >= each.high && !std::isfinite(each.high_out)) each.high_out = gap.low;
+    }
+  }
   found.intervals = joined(std::move(found.intervals));
   for (const FactorRange& gap : empty_ranges) {
     found.proved = found.proved && gap.proved;
@@ -186,6 +214,8 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
       if (gap.high >= each.low_out && gap.low < each.low_out) each.low_proved = false;
     }
   }
+  for (const auto& each : found.intervals)
+    found.proved = found.proved && each.low_proved && each.high_proved;
   for (auto& each : found.intervals) {
     each.state = state(each.pattern, each.high, mu);
     if (!each.state) each.state = state(each.pattern, each.low, mu);

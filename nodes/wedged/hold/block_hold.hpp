@@ -75,6 +75,8 @@ class BlockHold {
   struct FactorRange {
     double low, high;
     bool proved;
+
+    friend bool operator==(const FactorRange&, const FactorRange&) = default;
   };
   /// States of a pattern for a certificate: at both ends, and at the finite factor `inside`.
   struct Piece {

@@ -112,9 +112,15 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
     break;
   }
   if (std::isinf(infeasible)) return {feasible, infeasible};
-  return bisect({feasible, infeasible}, min_factor_share * scale, [&](double factor) {
-    return at(pattern, {1, factor}, mu, standard);
-  });
+  const auto result_at = [&](double factor) { return at(pattern, {1, factor}, mu, standard); };
+  Ends ends = bisect({feasible, infeasible}, min_factor_share * scale, result_at);
+  if (std::min(ends.feasible, ends.infeasible) < 0 &&
+      std::max(ends.feasible, ends.infeasible) > 0) {
+    const HoldResult result = result_at(0);
+    if (result == HoldResult::feasible) ends.feasible = 0;
+    if (result == HoldResult::infeasible) ends.infeasible = 0;
+  }
+  return ends;
 }
 
 HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, double mu,

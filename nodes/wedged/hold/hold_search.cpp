@@ -28,8 +28,9 @@ bool is_under_reference(const LoadedProblem& block) {
 }
 
 // Load factors held by both; brackets of ends are kept.
+// @param open set if brackets of ends overlap, so that both may hold a factor between them
 std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
-                                 const std::vector<HeldInterval>& other) {
+                                 const std::vector<HeldInterval>& other, bool& open) {
   std::vector<HeldInterval> result;
   for (const auto& a : one) {
     for (const auto& b : other) {
@@ -39,7 +40,10 @@ std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
       both.low_out = lower.low_out;
       both.low_proved = lower.low_proved;
       both.proved = a.proved && b.proved;
-      if (both.low <= both.high) result.push_back(both);
+      if (both.low <= both.high)
+        result.push_back(both);
+      else
+        open = open || std::max(a.low_out, b.low_out) < std::min(a.high_out, b.high_out);
     }
   }
   std::ranges::sort(result, {}, &HeldInterval::low);
@@ -87,38 +91,32 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   auto at = held_factors(analysis, fixed, mu, parameters);
   at.any_by_supports = false;
   at.one_factor_at_most = true;
-  for (auto& each : at.intervals) each.low = each.low_out = each.high = each.high_out = *factor;
+  // The factor is that of equilibrium up to its rounding.
+  for (auto& each : at.intervals) {
+    each.low = each.high = *factor;
+    each.low_out = std::nextafter(std::nextafter(*factor, -unbounded_end), -unbounded_end);
+    each.high_out = std::nextafter(std::nextafter(*factor, unbounded_end), unbounded_end);
+    each.proved = false;
+    if (each.state) each.state->factor = *factor;
+  }
   return at;
 }
 
-// States whose normal reactions add up to a given sum, of the block on which the loads act.
+// States whose normal reactions add up to a given sum. @pre one block
 HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                        const HoldParameters& parameters, HoldRecord* record) {
-  HeldFactors found;
-  const auto blocks = problems::blocks_of(loaded.problem);
-  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
-    const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    if (!is_under_reference(block) && !is_under_dead(block)) continue;
-    std::vector<HoldCost> costs;
-    BlockHold hold(analysis, block, parameters, costs, record != nullptr);
-    found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
-    found.costs = std::move(costs);
-    for (auto& each : found.intervals) each.block = number;
-    if (record != nullptr && found.status == engine::Status::solved)
-      hold.record({block, blocks[number], number, mu, parameters.precision}, *record);
-  }
+  const auto candidates = problems::blocks_of(loaded.problem).front();
+  const LoadedProblem block = loaded_block(loaded, candidates);
+  std::vector<HoldCost> costs;
+  BlockHold hold(analysis, block, parameters, costs, record != nullptr);
+  auto found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
+  found.costs = std::move(costs);
+  if (record != nullptr && found.status == engine::Status::solved)
+    hold.record({block, candidates, 0, mu, parameters.precision}, *record);
   return found;
 }
 
 }  // namespace
-
-int loaded_blocks(const LoadedProblem& loaded) {
-  int count = 0;
-  for (const auto& candidates : problems::blocks_of(loaded.problem)) {
-    if (is_loaded(loaded_block(loaded, candidates))) ++count;
-  }
-  return count;
-}
 
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldParameters& parameters, HoldRecord* record) {
@@ -149,7 +147,10 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     if (own.status != engine::Status::solved) found.status = own.status;
     found.proved = found.proved && own.proved;
     found.unresolved = found.unresolved || own.unresolved;
-    found.intervals = common(found.intervals, own.intervals);
+    bool open = false;
+    found.intervals = common(found.intervals, own.intervals, open);
+    found.proved = found.proved && !open;
+    found.unresolved = found.unresolved || open;
     if (found.status != engine::Status::solved) {
       if (is_loaded_from(loaded, blocks, number + 1)) found.intervals.clear();
       found.proved = false;
@@ -178,7 +179,7 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                      const HoldParameters& parameters) {
   constexpr LoadShare dead{1, 0};
   const auto blocks = problems::blocks_of(loaded.problem);
-  if (found.lower_known) {
+  if (found.not_in_equilibrium || (found.lower_proved && evidence.tree)) {
     const auto record = parameters.recorder(HoldClaim::lower, found.lower);
     if (evidence.tree) {
       const auto number = evidence.lower_block;
@@ -188,7 +189,7 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
     }
     record->finish();
   }
-  if (!found.upper) return;
+  if (!found.upper || !found.upper_proved) return;
   const auto record = parameters.recorder(HoldClaim::upper, *found.upper);
   for (std::uint32_t number = 0; number < evidence.patterns.size(); ++number) {
     const auto& pattern = evidence.patterns[number];

@@ -83,12 +83,10 @@ struct HoldParameters {
   double width = 1e-9;    ///< of the brackets, relative
   Precision precision = Precision::escalating;
   Tightening tightening = Tightening::automatic;
-  std::optional<double> total{};  ///< sum of the normal reactions of all states; of factors only
-  HoldRecorder recorder{};        ///< of certificates of a coefficient; empty: none
+  /// Sum of the normal reactions of all states; of factors only, and of a problem of one block.
+  std::optional<double> total{};
+  HoldRecorder recorder{};  ///< of certificates of a coefficient; empty: none
 };
-
-/// Number of decoupled subproblems on which a load or a clearance acts.
-int loaded_blocks(const LoadedProblem& loaded);
 
 /// Every rank makes the same call and gets the same result.
 /// @param record of the certificate, or null

@@ -81,7 +81,10 @@ void add_holding_brackets(std::vector<AnyAnswer>& all) {
     for (const auto& bracket : brackets(lower, 0.33333334)) {
       if (lower > 1 && bracket.upper) continue;  // would lie below the lower bound
       for (const bool factor : {false, true})
-        all.push_back(HoldingBracket{.bracket = bracket, .factor = factor, .maximum = 1000});
+        all.push_back(HoldingBracket{.bracket = bracket,
+                                     .factor = factor,
+                                     .maximum = 1000,
+                                     .load_case = factor ? "wind" : ""});
     }
   }
   for (const auto standing : {Standing::computed, Standing::proved})
@@ -139,6 +142,7 @@ void add_holding(std::vector<AnyAnswer>& all) {
         held.intervals = {{.low = -end, .high = end, .standing = standing}};
         HoldingFactors some = held;
         some.friction = 0.45;
+        some.load_case = "wind";
         some.total = 2;
         some.intervals = {{.low = -1, .high = 2, .standing = standing}};
         all.insert(all.end(), {none, held});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -316,6 +317,28 @@ TEST(HoldingWords, SayAfterReadingThatTheRangeIsNotProved) {
   const Verdict verdict{.answer = HoldingFactors{.friction = 0.4, .grip = grip}};
   EXPECT_EQ(all_words(read_back(verdict)), all_words(verdict));
   EXPECT_NE(all_words(verdict), all_words({.answer = HoldingFactors{.friction = 0.4}}));
+}
+
+TEST(HoldingWords, ExcludeNoFactorOfABracket) {
+  const auto bound = [](double value) { return Bound{value, Standing::proved}; };
+  HoldingFactors found{
+      .friction = 3, .intervals = {{.low = -1.0999999992, .high = 0.9}}, .load_case = "wind"};
+  found.intervals[0].below = {bound(-1.1000000001), bound(-1.0999999992)};
+  found.intervals[0].above = {bound(0.9), bound(0.9000000004)};
+  EXPECT_EQ(headline(read_back({.answer = found})),
+            "It can hold these factors of the reference load at friction coefficient 3 in load "
+            "case \"wind\": from -1.0999 to 0.9, and none below -1.1001 or above 0.90001.");
+  found.intervals.push_back({.low = 2, .high = std::numeric_limits<double>::infinity()});
+  found.intervals[1].below = {bound(1.9999999), bound(2)};
+  EXPECT_THAT(headline({.answer = found}),
+              HasSubstr("and from 2 on, and none below -1.1001 or between 0.90001 and 1.9999."));
+}
+
+TEST(HoldingWords, NameTheLoadsThatAWedgedPatternHolds) {
+  HoldingFactors found{.friction = 0.4, .reason = HoldReason::wedging};
+  EXPECT_THAT(headline({.answer = found}), HasSubstr("hold the reference load at any factor"));
+  found.of_reference = false;
+  EXPECT_THAT(headline({.answer = found}), HasSubstr("hold the dead load at"));
 }
 
 TEST(LossWords, OfVerifyNameTheLoadCase) {
