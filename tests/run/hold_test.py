@@ -229,7 +229,7 @@ class Hold(KusabiCase):
     def test_one_factor_of_equilibrium_is_between_doubles_that_are_not_held(self):
         # A seesaw, whose loads are in equilibrium at 3/7, which is no double.
         text = TRIANGLE.replace("[1, 0]", "[0.3, 0.1]").replace("[0.5, 1]", "[-0.7, 0.1]").replace('nodes = ["a", "b"]', 'nodes = ["a"]')
-        text += DEAD.format('"b"', "[0, -1]") + DEAD.format('"c"', "[0, -1]").replace("dead", "reference")
+        text += LOAD.format('"b"', "[0, -1]") + LOAD.format('"c"', "[0, -1]").replace("dead", "reference")
         result = self.solve("hold", self.problem(text), "--mu", 0.5)
         (held,) = result["result"]["intervals"]
         self.assertEqual((held["low"], held["proved"], held["state"]["factor"]), (held["high"], False, held["low"]))
@@ -239,7 +239,7 @@ class Hold(KusabiCase):
 
     def test_parts_that_may_hold_one_factor_are_undecided(self):
         # Each holds a range of pushes; they have the end -0.6 in common.
-        part = TRIANGLE + DEAD.format('"c"', "[0, -2]") + DEAD.format('"c"', "[1, 0]").replace("dead", "reference")
+        part = TRIANGLE + LOAD.format('"c"', "[0, -2]") + LOAD.format('"c"', "[1, 0]").replace("dead", "reference")
         nodes, rest = part[:part.index("[[members]]")], part[part.index("[[members]]"):]
         second = rest.replace('"a"', '"d"').replace('"b"', '"e"').replace('"c"', '"f"').replace("[0, -2]", "[1.2, -2]")
         place = self.problem(nodes + "d = [10, 0]\ne = [11, 0]\nf = [10.5, 1]\n" + rest + second)
