@@ -125,6 +125,13 @@ class Warnings(Problems):
             self.assertIn(f"kusabi {words[0]} ignores 1 load of the file", message)
             self.assertIn("problem.toml:21:", message)
 
+    def test_the_reference_load_of_patterns_is_not_ignored(self):
+        load = '\n[[loads]]\nkind = "{}"\nnodes = ["w.20"]\nforce = [0, -100]\n'
+        self.assertNotIn("ignores", self.said("patterns", self.groove(load.format("reference")), "--mu", 0.1).stderr)
+        both = self.groove(load.format("reference") + load.format("dead"))
+        self.assertIn("problem.toml:26:", self.said("patterns", both, "--mu", 0.1).stderr)
+        self.assertIn("ignores 1 load", self.said("patterns", both, "--mu", 0.1).stderr)
+
     def test_candidates_off_the_cone_have_a_warning(self):
         message = self.said("critical", self.plug(CONE.format(6)), "--time-limit", 20).stderr
         self.assertIn("candidates are not on one cone with this axis and half_angle", message)
