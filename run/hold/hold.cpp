@@ -19,9 +19,9 @@
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
 #include "run/verdict/words.hpp"
-#include "run/wedged/agreement.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/problem_comparison.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -195,7 +195,7 @@ void Hold::prepare(CommandRun& run) {
   for (const double mu : options_.points) friction_at(loaded_.problem, mu, options_.input.file);
   refuse_without_loads();
   refuse_total();
-  agree(run.session(), loaded_.problem);
+  require_equal_on_all_ranks(run.session(), loaded_.problem);
   run.keep_state(options_.checkpoint,
                  {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
                   {"the loads", hexadecimal(fingerprint_of_loads(structure_))}});

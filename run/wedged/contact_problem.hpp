@@ -22,7 +22,7 @@ struct ContactProblem {
 /// Parses the input, with warnings on its faults and on what the subcommand ignores, and prepares
 /// the problem on every rank.
 /// @param friction coefficient for warnings on normals of faceted surfaces; none: without them
-/// @throws WrongInput, support::InputError, support::Stopped, engine::Disagreement on every rank
+/// @throws WrongInput, support::InputError, support::Stopped, engine::RankMismatch on every rank
 ContactProblem contact_problem(CommandRun& run, const ProblemInput& input,
                                std::optional<double> friction = {});
 

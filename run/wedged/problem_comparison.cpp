@@ -1,12 +1,12 @@
 // Hash of the input and of the computed problem.
-#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_comparison.hpp"
 
 #include "engine/collectives.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 
-void agree(Session& session, const problems::WedgedProblem& problem) {
+void require_equal_on_all_ranks(Session& session, const problems::WedgedProblem& problem) {
   support::Fingerprint computed;
   computed.add(problem.provenance.fingerprint);
   for (const auto* matrix : {&problem.compliance.stiffness, &problem.compliance.matrix}) {

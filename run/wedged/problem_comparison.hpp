@@ -8,8 +8,8 @@
 
 namespace kusabi::run {
 
-/// @throws engine::Disagreement on every rank unless stiffness, compliance and all other parts of
+/// @throws engine::RankMismatch on every rank unless stiffness, compliance and all other parts of
 /// the problem are the same on all of them
-void agree(Session& session, const problems::WedgedProblem& problem);
+void require_equal_on_all_ranks(Session& session, const problems::WedgedProblem& problem);
 
 }  // namespace kusabi::run
