@@ -8,7 +8,7 @@
 namespace kusabi::support {
 namespace {
 
-/// Maximum length of quoted input, in bytes, such that two names and the advice fit on one line of
+/// Maximum length of quoted input, in bytes, so that two names and the advice fit on one line of
 /// a terminal.
 constexpr std::size_t longest_quotation = 40;
 

@@ -103,7 +103,7 @@ void print_table(const BenchScalingOptions& options, const Subject<Tree>& subjec
 
 benchmark::RecordedTree recorded(const std::string& file) {
   std::ifstream stream(file);
-  if (!stream) throw WrongInput(file + ": cannot be read; expected a recorded tree");
+  if (!stream) throw WrongInput(file + ": the file cannot be read; expected a recorded tree");
   try {
     return benchmark::RecordedTree::read(stream, file);
   } catch (const std::invalid_argument& wrong) {

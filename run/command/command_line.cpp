@@ -195,8 +195,8 @@ void check_whole(const CommandList::Entry& entry) {
                                   row.role == Role::plain ? ", " + row.expected : "",
                                   entry.name()));
     }
-    if (row.given && !row.needs.empty() && !entry.table.find(row.needs)->given)
-      throw WrongCall(fmt::format("{} requires {} (try --help)", row.name, row.needs));
+    if (row.given && !row.needs.empty() && !row.is_met_by(entry.table.find(row.needs)->given))
+      throw WrongCall(fmt::format("{} requires {} (try --help)", row.name, row.requirement()));
   }
 }
 

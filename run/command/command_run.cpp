@@ -16,13 +16,11 @@
 #include "engine/signals.hpp"
 #include "engine/transport/mpi.hpp"
 #include "run/output/last_steps.hpp"
-#include "run/output/outputs.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
-#include "run/session/time_limit.hpp"
 #include "run/verdict/conclusion_text.hpp"
 #include "run/verdict/ending.hpp"
 #include "run/verdict/verdict_json.hpp"
@@ -32,14 +30,7 @@
 namespace kusabi::run {
 namespace {
 
-constexpr const char* standard_output = "-";  // name of standard output in a call
 constexpr const char* status_ending = ".status";
-
-// Destination of an output; empty: none.
-std::string place_of(const OptionRow& row) {
-  if (row.role == Role::output && row.given == standard_output) return standard_output_file;
-  return row.given.value_or(std::string{});
-}
 
 }  // namespace
 
@@ -48,7 +39,8 @@ CommandRun::CommandRun(Session& session, const CommandList::Entry& entry, const 
       name_(entry.name()),
       command_(*entry.subcommand),
       table_(entry.table),
-      defaults_(defaults) {
+      defaults_(defaults),
+      outputs_(entry.table) {
   const auto* const quiet = table_.find("--quiet");
   quiet_ = quiet != nullptr && quiet->given;
   if (quiet_) session_.silence_warnings();
@@ -62,9 +54,9 @@ int CommandRun::execute() {
   if (session_.is_first() && !session_.silent()) {
     for (const auto& line : table_.warnings()) warn(line);
   }
-  settle_time_limit();
+  if (auto* const limits = table_.ends_with_the_job()) limits->seconds = job_end_.read(session_);
   command_.read(*this);
-  open_outputs();
+  outputs_.open(session_, input());
   if (table_.limits() != nullptr) engine::install_signal_handlers();
   try {
     command_.prepare(*this);
@@ -79,11 +71,11 @@ int CommandRun::execute() {
     if (journal_options_) steps.insert(steps.begin(), [this] { write_status(); });
     do_all(steps);
     if (!quiet_) {
-      for (const auto& name : written_) print_message("wrote {}\n", name);
+      for (const auto& name : outputs_.written()) print_message("wrote {}\n", name);
     }
     const auto reached = verdict();
     const auto exit = exit_code(reached);
-    print_open(reached);
+    print_open_reservations(reached);
     auto remarks = command_.remarks(*this);
     if (journal_options_ && reached.ended != engine::Status::solved)
       remarks.insert(remarks.begin(), how_to_go_on(reached.ended));
@@ -117,8 +109,9 @@ Verdict CommandRun::verdict() const {
   return reached;
 }
 
-// Beneath the table on a terminal that shows both streams.
-void CommandRun::print_open(const Verdict& verdict) const {
+// Prints open reservations on standard error, unless a terminal shows both streams: the table has
+// them there.
+void CommandRun::print_open_reservations(const Verdict& verdict) const {
   const auto is_terminal = [](const Page& page) { return page.width != Page::endless; };
   if (!quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO))) return;
   for (const auto& [sentence, open] : reservations(verdict)) {
@@ -202,50 +195,12 @@ nlohmann::ordered_json CommandRun::defaults_json() const {
   return all;
 }
 
-// The end of the job is requested once, by rank 0: squeue serves others, too.
-void CommandRun::settle_time_limit() {
-  auto* const limits = table_.ends_with_the_job();
-  if (limits == nullptr) return;
-  limits->seconds = session_.from_first_rank([] { return seconds_of_slurm_job(); });
-  ends_with_the_job_at_ = std::chrono::steady_clock::now() +
-                          std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                              std::chrono::duration<double>(limits->seconds));
-}
-
 // The first input file, which messages name.
 std::string CommandRun::input() const {
   for (const auto& row : table_.rows()) {
     if (row.role == Role::input && !row.named() && row.given) return *row.given;
   }
   return {};
-}
-
-void CommandRun::open_outputs() {
-  std::vector<NamedFile> outputs;
-  std::vector<NamedFile> others;
-  std::vector<NamedFile> read_too;
-  for (const auto& row : table_.rows()) {
-    if (!row.given || row.given->empty()) continue;
-    if (row.role == Role::output || row.role == Role::evidence || row.role == Role::folder) {
-      for (const auto& ending : row.endings) outputs.push_back({row.name, place_of(row) + ending});
-    } else if (row.role == Role::input && row.named()) {
-      read_too.push_back({row.name, *row.given});
-    } else if (row.role == Role::state) {
-      others.push_back({row.name, *row.given});
-    }
-  }
-  others.insert(others.end(), read_too.begin(), read_too.end());
-  session_.from_first_rank([&] {
-    for (const auto& row : table_.rows()) {
-      if (row.role == Role::folder)
-        folders_.try_emplace(row.name, row.name, row.given.value_or(std::string{}), input());
-    }
-    check_outputs(input(), outputs, others);
-    for (const auto& row : table_.rows()) {
-      if (row.role != Role::output) continue;
-      outputs_.try_emplace(row.name, row.name, place_of(row), input());
-    }
-  });
 }
 
 void CommandRun::announce() {
@@ -293,53 +248,16 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
 engine::AnalysisOptions CommandRun::analysis_options(const engine::Limits& limits) {
   engine::Limits left = limits;
   left.seconds = std::max(0.0, limits.seconds - seconds());
-  if (ends_with_the_job_at_) {
-    const std::chrono::duration<double> until =
-        *ends_with_the_job_at_ - std::chrono::steady_clock::now();
-    left.seconds = std::max(0.0, until.count());
-  }
+  if (job_end_.is_known()) left.seconds = std::max(0.0, job_end_.remaining_seconds());
   auto result = run::analysis_options(kept_.finished ? engine::Limits{} : left, quiet_);
-  if (ends_with_the_job_at_ && session_.is_first()) reserve_time_to_write(result);
+  if (job_end_.is_known() && session_.is_first()) {
+    job_end_.reserve_time_to_write(
+        [this](std::uint64_t found) { return command_.seconds_to_write(found); }, result);
+  }
   if (kept_.finished) result.interrupt = {};  // too short to be stopped
   result.warn = warn;
   result.journal_options = journal_options_;
   return result;
-}
-
-// A search ends the earlier before the end of the job the more results it has to write.
-void CommandRun::reserve_time_to_write(engine::AnalysisOptions& analysis_options) const {
-  const auto found = std::make_shared<std::uint64_t>(0);
-  analysis_options.watch = [found, watch = analysis_options.watch](
-                               engine::Goal goal, const engine::ShownObjective& shown) {
-    const auto show = watch ? watch(goal, shown) : std::function<void(const engine::Progress&)>();
-    return [found, show](const engine::Progress& progress) {
-      *found = progress.found;
-      if (show) show(progress);
-    };
-  };
-  analysis_options.interrupt = [this, found, asked = analysis_options.interrupt,
-                                end = *ends_with_the_job_at_] {
-    const std::chrono::duration<double> left = end - std::chrono::steady_clock::now();
-    if (*found != 0 && left.count() <= command_.seconds_to_write(*found))
-      return engine::Interrupt::stop;
-    return asked();
-  };
-}
-
-bool CommandRun::wants(const std::string& option) const {
-  const auto file = outputs_.find(option);
-  const auto folder = folders_.find(option);
-  return (file != outputs_.end() && file->second.wanted()) ||
-         (folder != folders_.end() && folder->second.wanted());
-}
-
-std::ostream& CommandRun::stream(const std::string& option) {
-  return outputs_.at(option).stream();
-}
-
-void CommandRun::put_in_place(const std::string& option) {
-  outputs_.at(option).put_in_place();
-  written_.push_back(*table_.find(option)->given);
 }
 
 Step CommandRun::result(std::function<nlohmann::ordered_json()> make) {
@@ -357,30 +275,13 @@ Step CommandRun::result(std::function<void(JsonWriter&)> write) {
 Step CommandRun::result_lines(std::function<bool(std::ostream&)> write,
                               std::function<void()> done) {
   return [this, write = std::move(write), done = std::move(done)] {
-    auto& out = stream("--output");
+    auto& out = outputs_.stream("--output");
     if (write(out)) {
       constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
       out << last_members().dump(-1, ' ', false, replace) << '\n';
-      put_in_place("--output");
+      outputs_.put_in_place("--output");
     }
     done();
-  };
-}
-
-Step CommandRun::file(const std::string& option, std::function<void(std::ostream&)> write) {
-  return [this, option, write = std::move(write)] {
-    if (!wants(option)) return;
-    if (write) write(stream(option));
-    put_in_place(option);
-  };
-}
-
-Step CommandRun::folder(const std::string& option, std::function<void(OutputFolder&)> fill) {
-  return [this, option, fill = std::move(fill)] {
-    auto& folder = folders_.at(option);
-    if (!folder.wanted()) return;
-    fill(folder);
-    written_.push_back(folder.last());
   };
 }
 

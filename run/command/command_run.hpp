@@ -6,7 +6,6 @@
 #include <exception>
 #include <functional>
 #include <iosfwd>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,11 +24,11 @@
 #include "run/command/command_list.hpp"
 #include "run/command/config_file.hpp"
 #include "run/command/option_table.hpp"
+#include "run/command/output_set.hpp"
 #include "run/command/subcommand.hpp"
 #include "run/output/json_writer.hpp"
-#include "run/output/output_file.hpp"
-#include "run/output/output_folder.hpp"
 #include "run/output/terminal_page.hpp"
+#include "run/session/job_end.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/session/session.hpp"
 #include "support/stop.hpp"
@@ -43,7 +42,7 @@ class CommandRun {
 
   /// Runs all stages.
   /// @return the exit code, the same on every rank
-  /// @throws WrongInput, support::InputError, engine::Disagreement on every rank; any other error
+  /// @throws WrongInput, support::InputError, engine::RankMismatch on every rank; any other error
   /// on one rank
   int execute();
 
@@ -94,9 +93,9 @@ class CommandRun {
   // Outputs and Steps of Subcommand::results, on rank 0. A step makes its content when its turn
   // comes, and only if the output is requested, so an error in one step does not affect the others.
 
-  [[nodiscard]] bool wants(const std::string& option) const;
+  [[nodiscard]] bool wants(const std::string& option) const { return outputs_.wants(option); }
   /// @pre wants(option)
-  [[nodiscard]] std::ostream& stream(const std::string& option);
+  [[nodiscard]] std::ostream& stream(const std::string& option) { return outputs_.stream(option); }
 
   /// Writes the file of --output, if requested.
   Step result(std::function<nlohmann::ordered_json()> make);
@@ -107,9 +106,13 @@ class CommandRun {
   Step result_lines(std::function<bool(std::ostream&)> write, std::function<void()> done);
   /// Writes another output, if requested.
   /// @param write may be empty if `stream` has received everything
-  Step file(const std::string& option, std::function<void(std::ostream&)> write);
+  Step file(const std::string& option, std::function<void(std::ostream&)> write) {
+    return outputs_.file(option, std::move(write));
+  }
   /// Fills a folder, if requested.
-  Step folder(const std::string& option, std::function<void(OutputFolder&)> fill);
+  Step folder(const std::string& option, std::function<void(OutputFolder&)> fill) {
+    return outputs_.folder(option, std::move(fill));
+  }
   /// Page of the answer. The standard output of an MPI job belongs to the launcher, so it is
   /// treated as a file: no folding, no colours.
   [[nodiscard]] static Page page();
@@ -123,18 +126,14 @@ class CommandRun {
   [[nodiscard]] double seconds() const;
   int stopped_before_the_search();
   void write_status() const;
-  void settle_time_limit();
-  void reserve_time_to_write(engine::AnalysisOptions& analysis_options) const;
-  void open_outputs();
   void announce();
-  void put_in_place(const std::string& option);
   [[nodiscard]] std::string input() const;
   void check() const;
   [[nodiscard]] std::string defaults_text() const;
   [[nodiscard]] nlohmann::ordered_json defaults_json() const;
   [[nodiscard]] Verdict verdict() const;
   [[nodiscard]] nlohmann::ordered_json last_members() const;
-  void print_open(const Verdict& verdict) const;
+  void print_open_reservations(const Verdict& verdict) const;
   [[nodiscard]] std::string how_to_go_on(engine::Status why) const;
 
   Session& session_;
@@ -143,15 +142,13 @@ class CommandRun {
   const OptionTable& table_;
   const Defaults& defaults_;
   bool quiet_ = false;
-  std::map<std::string, OutputFile> outputs_;    // by option; on rank 0
-  std::map<std::string, OutputFolder> folders_;  // by option; on rank 0
-  std::vector<std::string> written_;
+  OutputSet outputs_;
   std::unique_ptr<engine::Journal> journal_;               // on rank 0, if --resume is given
   std::optional<engine::JournalOptions> journal_options_;  // with --resume, on every rank
   KeptState kept_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_line_ = started_;
-  std::optional<std::chrono::steady_clock::time_point> ends_with_the_job_at_;
+  JobEnd job_end_;
 };
 
 }  // namespace kusabi::run

@@ -158,18 +158,18 @@ class ConfigReader {
     for (const auto& [option, value] : table_of(node, name)) {
       check_key(reader_, option, entry->table);
       if (entry != &entry_) continue;
-      auto& row = *std::ranges::find(entry_.table.rows(), "--" + std::string(option.str()),
-                                     &OptionRow::name);
+      auto& row = entry_.table.current("--" + std::string(option.str()));
       auto text = value_of(reader_, option, value, row);
       if (text && !row.given) wanted_.push_back({&row, *std::move(text), &value, option.str()});
     }
   }
 
-  // False if the option requires another one that is absent.
+  // False if the option requires another one that is absent or has another value.
   [[nodiscard]] bool makes_sense(const OptionRow& row) const {
-    return row.needs.empty() || entry_.table.find(row.needs)->given ||
-           std::ranges::any_of(wanted_,
-                               [&](const auto& other) { return other.row->name == row.needs; });
+    return row.needs.empty() || row.is_met_by(entry_.table.find(row.needs)->given) ||
+           std::ranges::any_of(wanted_, [&](const auto& other) {
+             return other.row->name == row.needs && row.is_met_by(other.text);
+           });
   }
 
   TomlReader reader_;

@@ -35,7 +35,7 @@ std::string head_of(const OptionRow& row, const std::string& name) {
 
 std::string entry_of(const OptionRow& row) {
   const auto rules = option_rules(row);
-  const auto names = fmt::format("{}", fmt::join(row.names(), ", "));
+  const auto names = fmt::format("{}", fmt::join(shown_names(row), ", "));
   return entry_of(head_of(row, names), rules.empty() ? row.help : row.help + ". " + rules);
 }
 
@@ -77,8 +77,12 @@ std::string cut_tables(const std::string& text) {
   return cut;
 }
 
+char capital_letter(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
 std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
+  if (!text.empty()) text[0] = capital_letter(text[0]);
   return text;
 }
 
@@ -88,25 +92,32 @@ std::string value_name(const OptionRow& row) {
   return row.words.empty() ? row.value : "WORD";
 }
 
+std::vector<std::string> shown_names(const OptionRow& row) {
+  auto names = row.names();
+  if (row.named()) return names;
+  for (auto& name : names) std::ranges::transform(name, name.begin(), capital_letter);
+  return names;
+}
+
 std::string option_rules(const OptionRow& row) {
   std::string text;
   const auto out = std::back_inserter(text);
   const bool says_what = !row.expected.empty() || !row.unit.empty();
-  if (says_what && (!row.words.empty() || !row.range.empty())) {
+  if (says_what && (!row.words.empty() || row.shows_range)) {
     fmt::format_to(out, "{}{}{}.", capitalised(row.expected), row.unit.empty() ? "" : ", ",
                    row.unit.starts_with("in ") || row.unit.empty() ? row.unit : "in " + row.unit);
   } else if (!row.unit.empty()) {
     fmt::format_to(out, "In {}.", row.unit.starts_with("in ") ? row.unit.substr(3) : row.unit);
   }
   if (!row.usual.empty()) fmt::format_to(out, " Default: {}.", row.usual);
-  if (!row.needs.empty()) fmt::format_to(out, " Requires {}.", row.needs);
+  if (!row.needs.empty()) fmt::format_to(out, " Requires {}.", row.requirement());
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
 std::string usage(const OptionTable& table) {
   std::string text;
   for (const auto& row : table.rows()) {
-    if (!row.named()) text += ' ' + row.name;
+    if (!row.named()) text += ' ' + shown_names(row).front();
   }
   for (const auto& row : table.rows()) {
     if (row.named() && row.required) text += ' ' + head_of(row, row.name);

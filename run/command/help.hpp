@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "run/command/command_list.hpp"
 
@@ -21,6 +22,9 @@ std::string option_rules(const OptionRow& row);
 
 /// Synopsis after the name of the subcommand: " file --mu NUMBER [options]".
 std::string usage(const OptionTable& table);
+
+/// All spellings of an option; the placeholder of a positional argument: "FILE".
+std::vector<std::string> shown_names(const OptionRow& row);
 
 /// Placeholder of the value of an option: "NUMBER", "FILE", "WORD"; empty: a switch.
 std::string value_name(const OptionRow& row);

@@ -94,7 +94,7 @@ std::string roff(std::string_view text) {
 }
 
 std::string paragraph(const OptionRow& row) {
-  auto names = row.names();
+  auto names = shown_names(row);
   for (auto& name : names) name = fmt::format("\\fB{}\\fR", roff(name));
   auto text = fmt::format(".TP\n{}", fmt::join(names, ", "));
   if (row.named() && !row.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(value_name(row)));

@@ -31,13 +31,6 @@ std::string expected(const Range& range) {
   return fmt::format("{} from {:g} to {:.10g}", kind, range.minimum, range.maximum);
 }
 
-std::string as_help_shows_it(const Range& range) {
-  if (range.min_is_excluded) return fmt::format("> {:g}", range.minimum);
-  if (!std::isfinite(range.minimum)) return {};
-  if (!std::isfinite(range.maximum)) return fmt::format(">= {:g}", range.minimum);
-  return fmt::format("{:g} - {:.10g}{}", range.minimum, range.maximum, range.even ? ", even" : "");
-}
-
 template <class Number>
 bool is_in(const Range& range, Number number) {
   const auto value = static_cast<double>(number);
@@ -114,7 +107,7 @@ RowBuilder OptionTable::number(std::string name, NumberOption variable, Range ra
             std::conditional_t<std::is_same_v<Variable, std::optional<double>>, double, Variable>;
         return add({.name = std::move(name),
                     .value = whole<Number> ? "COUNT" : "NUMBER",
-                    .range = as_help_shows_it(range),
+                    .shows_range = true,
                     .expected = expected<Number>(range),
                     .usual = usual_of(range, *its),
                     .help = std::move(help),
@@ -123,6 +116,24 @@ RowBuilder OptionTable::number(std::string name, NumberOption variable, Range ra
                     }});
       },
       variable);
+}
+
+RowBuilder OptionTable::duration(std::string name, double& seconds, Range range, std::string help) {
+  auto expected_text = expected<double>(range) + ", in seconds, or 90s, 1h30m";
+  return add({.name = std::move(name),
+              .value = "TIME",
+              .shows_range = true,
+              .expected = expected_text,
+              .usual = fmt::format("{}s", seconds),
+              .help = std::move(help),
+              .take = [&seconds, range, expected_text](const std::string& text) -> std::string {
+                if (take_number<double>(text, range, seconds).empty()) return {};
+                const auto given = seconds_in(text);
+                if (!given || !is_in(range, *given))
+                  return fmt::format("'{}', expected {}", text, expected_text);
+                seconds = *given;
+                return {};
+              }});
 }
 
 RowBuilder OptionTable::word(std::string name, std::vector<std::string> words, std::string usual,
@@ -266,7 +277,6 @@ void OptionTable::time_limit(engine::Limits& limits) {
   limits_ = &limits;
   add({.name = "--time-limit",
        .value = "TIME",
-       .range = "seconds, 90s, 1h30m or slurm",
        .help =
            "time limit, such as 5400 (seconds), 90s or 1h30m; slurm: until shortly before the end "
            "of the Slurm job",
@@ -300,14 +310,12 @@ void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
       fmt::format("state file of the run, with further files beside it. The first call creates it; "
                   "the same call resumes the run, or repeats its result, on any number of ranks{}",
                   help));
-  number("--resume-wait", &choice.patience, at_least(0),
-         "maximum waiting time for another run that uses this file")
-      .unit("s")
+  duration("--resume-wait", choice.patience, at_least(0),
+           "maximum waiting time for another run that uses this file")
       .needs("--resume")
       .varies();
-  number("--checkpoint-interval", &choice.interval, above(0),
-         "time between two saved states of a search")
-      .unit("s")
+  duration("--checkpoint-interval", choice.interval, above(0),
+           "time between two saved states of a search")
       .varies();
 }
 
@@ -324,28 +332,30 @@ void OptionTable::former_names_of_resume() {
   former_name("--restart", "--resume");
 }
 
-void OptionTable::former_name(std::string name, std::string option) {
-  auto help = fmt::format("former name of {}", option);
-  const auto role = find(option)->role;
+void OptionTable::former_name(std::string name, const std::string& option, FormerName kind) {
+  const auto& present = *find(option);
   add({.name = std::move(name),
-       .value = "FILE",
-       .expected = "the name of a file",
-       .help = std::move(help),
-       .replaced_by = std::move(option),
-       .role = role,
-       .take = [](const std::string&) { return std::string(); }});
+       .value = present.value,
+       .shows_range = present.shows_range,
+       .expected = present.expected,
+       .help = fmt::format("former name of {}", option),
+       .replaced_by = option,
+       .warns = kind == FormerName::warned,
+       .role = present.role,
+       .take = present.take});
 }
 
 std::string OptionTable::replace_former_names() {
   for (auto& row : rows_) {
     if (row.shown() || !row.given) continue;
-    auto& present = *std::ranges::find(rows_, row.replaced_by, &OptionRow::name);
+    auto& present = current(row.replaced_by);
     if (present.given && present.given != row.given) {
       return fmt::format("{} is a {}, which is given as {}, too; expected {} alone", row.name,
                          row.help, run::quoted(*present.given), present.name);
     }
     present.take(*row.given);
     present.given = std::exchange(row.given, std::nullopt);
+    if (!row.warns) continue;
     warnings_.push_back(fmt::format("{} is a former name of {}; expected {}", row.name,
                                     present.name, present.name));
   }
@@ -360,6 +370,11 @@ void OptionTable::config(ConfigChoice& choice) {
 const OptionRow* OptionTable::find(std::string_view name) const {
   const auto found = std::ranges::find(rows_, name, &OptionRow::name);
   return found == rows_.end() ? nullptr : &*found;
+}
+
+OptionRow& OptionTable::current(std::string_view name) {
+  auto& row = *std::ranges::find(rows_, name, &OptionRow::name);
+  return row.shown() ? row : current(row.replaced_by);
 }
 
 std::vector<std::pair<std::string, std::string>> OptionTable::facts() const {

@@ -19,6 +19,7 @@
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
 #include "run/command/config_choice.hpp"
+#include "run/command/option_words.hpp"
 
 namespace kusabi::run {
 
@@ -56,7 +57,7 @@ struct OptionRow {
   std::string name;                  ///< "--mu"; "file" for a positional argument
   std::string letter{};              ///< the short form, "-o"; empty: none
   std::string value{};               ///< "NUMBER", "FILE", "a|b|c"; empty: a switch
-  std::string range{};               ///< range, as help shows it: "> 0"
+  bool shows_range = false;          ///< help shows `expected`
   std::string expected{};            ///< range, as errors show it: "a number above 0"
   std::vector<std::string> words{};  ///< the choices, if there are any
   std::string unit{};                ///< unit of a number
@@ -64,7 +65,9 @@ struct OptionRow {
   std::string help{};
   bool required = false;
   std::string needs{};        ///< an option that this one requires
+  std::string needs_value{};  ///< its required value; empty: any
   std::string replaced_by{};  ///< the option of which this is a former name, not shown; empty: none
+  bool warns = true;          ///< of a former name: its use is answered with a warning
   Role role = Role::plain;
   std::vector<std::string> endings{""};  ///< permitted endings of file names
   /// Status of a search that this option stops; a resumed call leaves the option out.
@@ -77,6 +80,14 @@ struct OptionRow {
   std::optional<std::string> given{};  ///< value in the call
 
   [[nodiscard]] bool named() const { return name.starts_with('-'); }
+  /// True if this option may be used beside a value of the one that it requires; nothing: absent.
+  [[nodiscard]] bool is_met_by(const std::optional<std::string>& other) const {
+    return other && (needs_value.empty() || *other == needs_value);
+  }
+  /// The required option with its value: "--method polyhedral".
+  [[nodiscard]] std::string requirement() const {
+    return needs_value.empty() ? needs : needs + ' ' + needs_value;
+  }
   /// True if help, manual pages and completion show it.
   [[nodiscard]] bool shown() const { return replaced_by.empty(); }
   /// All spellings in a call: {"-o", "--output"}.
@@ -91,7 +102,9 @@ class RowBuilder {
   explicit RowBuilder(OptionRow& row) : row_(row) {}
   RowBuilder& letter(std::string letter) { return row_.letter = std::move(letter), *this; }
   RowBuilder& required() { return row_.required = true, *this; }
-  RowBuilder& needs(std::string option) { return row_.needs = std::move(option), *this; }
+  RowBuilder& needs(std::string option, std::string value = "") {
+    return row_.needs = std::move(option), row_.needs_value = std::move(value), *this;
+  }
   RowBuilder& unit(std::string unit) { return row_.unit = std::move(unit), *this; }
   RowBuilder& stops(engine::Status how) { return row_.stops = how, *this; }
   /// Runs that resume each other may differ in it.
@@ -108,6 +121,9 @@ class RowBuilder {
  private:
   OptionRow& row_;
 };
+
+/// Use of a former name of an option.
+enum class FormerName { warned, silent };
 
 /// Variable of a number. If it is empty, the greatest value of its type or out of range before the
 /// call is read, the option has no default.
@@ -129,10 +145,13 @@ class OptionTable {
   /// A number. @param name with its dashes
   RowBuilder number(std::string name, NumberOption variable, Range range, std::string help);
 
+  /// A duration: seconds, 90s or 1h30m. @param seconds its default, then its value
+  RowBuilder duration(std::string name, double& seconds, Range range, std::string help);
+
   /// A choice among words, each of which stands for a value.
   template <std::copyable T>
-  RowBuilder choice(const std::string& name, T& variable,
-                    const std::vector<std::pair<std::string, T>>& words, const std::string& help) {
+  RowBuilder choice(const std::string& name, T& variable, const OptionWords<T>& words,
+                    const std::string& help) {
     std::vector<std::string> names;
     std::vector<T> values;
     std::string usual;
@@ -188,6 +207,9 @@ class OptionTable {
   void resume(CheckpointChoice& choice, const std::string& help = "");
   /// --checkpoint and --restart, former names of --resume: accepted with a warning, not shown.
   void former_names_of_resume();
+  /// A former name of an option of the table, not shown.
+  void former_name(std::string name, const std::string& option,
+                   FormerName kind = FormerName::warned);
   void save_on(CheckpointChoice& choice);  ///< for searches for an optimum
   void config(ConfigChoice& choice);
 
@@ -195,6 +217,9 @@ class OptionTable {
   [[nodiscard]] std::deque<OptionRow>& rows() { return rows_; }
   /// The row of that name; null if there is none.
   [[nodiscard]] const OptionRow* find(std::string_view name) const;
+
+  /// The row of that name, or the present one of a former name. @pre there is one
+  [[nodiscard]] OptionRow& current(std::string_view name);
 
   /// Moves values given by former names to the options of today.
   /// @return an error message, if two of them differ; empty: none
@@ -217,7 +242,6 @@ class OptionTable {
  private:
   RowBuilder add(OptionRow row);
   void time_limit(engine::Limits& limits);
-  void former_name(std::string name, std::string option);
   RowBuilder word(std::string name, std::vector<std::string> words, std::string usual,
                   std::function<void(std::size_t)> take, std::string help);
 

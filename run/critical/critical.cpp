@@ -49,12 +49,7 @@ class Critical final : public Subcommand {
 void Critical::describe(OptionTable& table) {
   table.problem(options_.input.file);
   table.choice(
-      "--method", options_.parameters.strategy,
-      {{"auto", wedged::CriticalStrategy::automatic},
-       {"descent", wedged::CriticalStrategy::descent},
-       {"global", wedged::CriticalStrategy::global},
-       {"newton", wedged::CriticalStrategy::newton},
-       {"bisection", wedged::CriticalStrategy::bisection}},
+      "--method", options_.parameters.strategy, strategy_words(),
       "for the smallest coefficient: search from --mu-max downwards (descent), one search over all "
       "coefficients from zero (global), or both in turn (auto). For the coefficients of all "
       "patterns "
@@ -72,9 +67,10 @@ void Critical::describe(OptionTable& table) {
       "--list", options_.parameters.list,
       "list all patterns that stick at the upper bound, in addition to the one that proves it");
   table
-      .number("--list-limit", &options_.parameters.list_nodes, above(0),
+      .number("--list-nodes", &options_.parameters.list_nodes, above(0),
               "maximum number of nodes that are opened for --list")
       .needs("--list");
+  table.former_name("--list-limit", "--list-nodes");
   table.top(options_.top, ", smallest coefficients first");
   table.output();
   table.csv_of("patterns");

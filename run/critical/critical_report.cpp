@@ -20,22 +20,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* strategy_name(wedged::CriticalStrategy strategy) {
-  switch (strategy) {
-    case wedged::CriticalStrategy::automatic:
-      return "auto";
-    case wedged::CriticalStrategy::descent:
-      return "descent";
-    case wedged::CriticalStrategy::global:
-      return "global";
-    case wedged::CriticalStrategy::newton:
-      return "newton";
-    case wedged::CriticalStrategy::bisection:
-      break;
-  }
-  return "bisection";
-}
-
 /// @param whole nothing: signs, brackets and reactions only
 ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::CriticalEntry& entry,
                         const WholeStateJson* whole) {
@@ -156,6 +140,16 @@ std::vector<std::string> open_sentences(const CriticalOptions& options,
 
 }  // namespace
 
+const OptionWords<wedged::CriticalStrategy>& strategy_words() {
+  using wedged::CriticalStrategy;
+  static const OptionWords<CriticalStrategy> words{{"auto", CriticalStrategy::automatic},
+                                                   {"descent", CriticalStrategy::descent},
+                                                   {"global", CriticalStrategy::global},
+                                                   {"newton", CriticalStrategy::newton},
+                                                   {"bisection", CriticalStrategy::bisection}};
+  return words;
+}
+
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const Page& page) {
   std::string text;
@@ -190,8 +184,8 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
     const bool all = options.whole || i < whole_unless_requested;
     patterns.push_back(entry_json(problem, findings.patterns[i], all ? &whole : nullptr));
   }
-  ordered_json chosen = {{"method", strategy_name(options.parameters.strategy)},
-                         {"cuts", name_of(options.parameters.tightening)},
+  ordered_json chosen = {{"method", word_of(strategy_words(), options.parameters.strategy)},
+                         {"cuts", word_of(cuts_words(), options.parameters.tightening)},
                          {"width", wedged::grid_of(problem, options.parameters).width}};
   chosen["mu_max"] = number_or_null(options.parameters.maximum);
   chosen["list"] = options.parameters.list;

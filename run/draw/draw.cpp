@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
+#include "run/results/result_reader.hpp"
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
@@ -24,16 +24,14 @@ class Draw final : public Subcommand {
  public:
   void describe(OptionTable& table) override {
     table.result(file_);
-    table.further_output("--svg", "SVG file; default: standard output");
+    table.output("SVG file. Default: standard output");
+    table.former_name("--svg", "--output", FormerName::silent);
     table.number("--pattern", &pattern_, above(0),
                  "number of the pattern or ray to draw in detail; for a result of kusabi limit, 1 "
                  "is the nominal load and 2 the worst case");
     table.quiet_and_serial();
   }
-  void read(CommandRun& run) override {
-    text_ = run.session().from_first_rank(
-        [&] { return problems::file_text(file_, "a result file in JSON", largest_result); });
-  }
+  void read(CommandRun& run) override { text_ = result_text(run.session(), file_); }
   void prepare(CommandRun& /*run*/) override {
     const ResultReader reader(text_, file_);
     if (is_sweep(reader) || is_charted_hold(reader)) {
@@ -44,7 +42,8 @@ class Draw final : public Subcommand {
   }
   void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) override {
-    if (run.wants("--svg")) return {run.file("--svg", [this](std::ostream& out) { write(out); })};
+    if (run.wants("--output"))
+      return {run.file("--output", [this](std::ostream& out) { write(out); })};
     std::ostringstream text;
     write(text);
     return {CommandRun::print(text.str())};
@@ -103,7 +102,7 @@ constexpr Registration draw_subcommand{
      .chapter = "Summaries, pictures and reports",
      .purpose = "picture of the results in a file, as SVG",
      .description = "A picture of one result in detail, or of all results in a file, as SVG.",
-     .example = "result.json --svg answers.svg"},
+     .example = "result.json --output answers.svg"},
     make<Draw>};
 
 }  // namespace kusabi::run

@@ -39,7 +39,7 @@ class Example : public Subcommand {
   [[nodiscard]] virtual problems::Structure structure() const = 0;
 
   static void describe_output(OptionTable& table) {
-    table.output("problem file to write; default: standard output");
+    table.output("problem file to write. Default: standard output");
     table.quiet();
   }
 

@@ -13,7 +13,7 @@ void ExportedFile::describe_input(OptionTable& table) {
 }
 
 void ExportedFile::describe_output(OptionTable& table) {
-  table.output("file to write; default: standard output");
+  table.output("file to write. Default: standard output");
   table.serial();
 }
 

@@ -21,10 +21,10 @@
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
 #include "run/verdict/words.hpp"
-#include "run/wedged/agreement.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/ignored_loads.hpp"
+#include "run/wedged/problem_comparison.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -200,7 +200,7 @@ void Hold::prepare(CommandRun& run) {
   for (const double mu : trials) friction_at(loaded_.problem, mu, options_.input.file);
   refuse_without_loads();
   refuse_total();
-  agree(run.session(), loaded_.problem);
+  make_equal_on_all_ranks(run.session(), loaded_.problem);
   run.keep_state(options_.checkpoint,
                  {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
                   {"the loads", hexadecimal(fingerprint_of_loads(structure_))}});

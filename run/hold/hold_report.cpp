@@ -254,7 +254,7 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
   if (options.grip) given["grip"] = true;
   if (options.diagram) given["diagram"] = true;
   if (options.parameters.tightening != wedged::Tightening::automatic)
-    given["cuts"] = name_of(options.parameters.tightening);
+    given["cuts"] = word_of(cuts_words(), options.parameters.tightening);
   return {{"command", "hold"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(structure, loaded.problem, options.input.file)},

@@ -31,13 +31,13 @@ class Import final : public Subcommand {
   void describe(OptionTable& table) override {
     table_ = &table;
     table.file("file", file_, Role::input, "input deck (.inp)").required();
-    table.output("problem file to write; default: standard output");
+    table.output("problem file to write. Default: standard output");
     table.text("--units", units_, "LENGTH,FORCE",
                "units of length and force of the deck, such as "
                "mm,N; the deck does not contain them");
     table.number("--gap", &gap_, at_least(0),
                  "distance up to which a node of a contact pair or a tie touches the other "
-                 "surface; default: ADJUST and POSITION TOLERANCE of the deck");
+                 "surface. Default: ADJUST and POSITION TOLERANCE of the deck");
     table.quiet_and_serial();
   }
   void check() const override {

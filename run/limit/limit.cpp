@@ -71,12 +71,7 @@ void Limit::describe(OptionTable& table) {
   table.alpha(options_.asked.alpha, ", unless the file gives it another one").swept();
   table.load_case(options_.load_case, ". Default: all load cases of the file");
   table.group_alpha(group_alpha_);
-  table.choice("--cuts", options_.parameters.method,
-               {{"none", limit::LimitMethod::fixed},
-                {"disjunctive", limit::LimitMethod::disjunctive},
-                {"tighten", limit::LimitMethod::tightened},
-                {"static", limit::LimitMethod::static_cuts},
-                {"all", limit::LimitMethod::all}},
+  table.choice("--cuts", options_.parameters.method, limit_method_words(),
                "method for the worst case: static cuts (static), or the 0-1 program (29) of the "
                "paper without cuts (none), with the paper's disjunctive cuts (disjunctive), with a "
                "tightened M (tighten), or with all of these (all). With --big-m, none and "
@@ -97,14 +92,14 @@ void Limit::describe(OptionTable& table) {
   table.file("--curve-csv", curve_csv_, Role::output,
              "CSV file of the curves, one row per breakpoint");
   options_.loss.describe(table);
-  table.search_limits(options_.limits);
-  table.resume(options_.checkpoint);
-  table.save_on(options_.checkpoint);
   table.output();
   table.further_output("--csv", "CSV file of the members: forces, utilisation, yielding");
   table.pictures(vtu_, "collapse, nominal and worst case", "limit.pvd");
   table.file("--certificate", certificate_, Role::output, "certificate file, for kusabi verify")
       .matters();
+  table.search_limits(options_.limits);
+  table.resume(options_.checkpoint);
+  table.save_on(options_.checkpoint);
   table.quiet_and_serial();
 }
 

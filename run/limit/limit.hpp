@@ -13,6 +13,9 @@
 
 namespace kusabi::run {
 
+/// Words of --cuts.
+const OptionWords<limit::LimitMethod>& limit_method_words();
+
 struct LimitOptions {
   ProblemInput input;
   std::string load_case;   ///< requested load case; empty: all

@@ -84,22 +84,6 @@ ordered_json support_reactions_json(const LimitReport& report, const limit::Limi
   return supports;
 }
 
-const char* method_name(limit::LimitMethod method) {
-  switch (method) {
-    case limit::LimitMethod::fixed:
-      return "none";
-    case limit::LimitMethod::disjunctive:
-      return "disjunctive";
-    case limit::LimitMethod::tightened:
-      return "tighten";
-    case limit::LimitMethod::all:
-      return "all";
-    case limit::LimitMethod::static_cuts:
-      break;
-  }
-  return "static";
-}
-
 // Load factors that are carried.
 ordered_json carried_between(const limit::LimitCollapse& collapse) {
   return {number_or_null(collapse.minimum), collapse.factor};
@@ -108,7 +92,7 @@ ordered_json carried_between(const limit::LimitCollapse& collapse) {
 ordered_json options_json(const LimitOptions& options) {
   const auto& parameters = options.parameters;
   ordered_json chosen{{"alpha", number_or_null(options.asked.alpha)},
-                      {"cuts", method_name(parameters.method)},
+                      {"cuts", word_of(limit_method_words(), parameters.method)},
                       {"big_m", number_or_null(parameters.big_m)},
                       {"samples", parameters.samples},
                       {"seed", parameters.seed},
@@ -221,6 +205,16 @@ ordered_json statistics_json(const LimitReport& report) {
 }
 
 }  // namespace
+
+const OptionWords<limit::LimitMethod>& limit_method_words() {
+  using limit::LimitMethod;
+  static const OptionWords<LimitMethod> words{{"none", LimitMethod::fixed},
+                                              {"disjunctive", LimitMethod::disjunctive},
+                                              {"tighten", LimitMethod::tightened},
+                                              {"static", LimitMethod::static_cuts},
+                                              {"all", LimitMethod::all}};
+  return words;
+}
 
 // Meaning of zeta, parameter by parameter.
 ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {

@@ -11,14 +11,14 @@
 namespace kusabi::run {
 
 struct LossOptions {
-  int maximum = 0;  ///< 0: the loss of members is not in question
+  int maximum = 0;  ///< 0: the loss of members is not requested
   std::optional<double> at_least{};
   double sudden = 1;
   std::string kept{};  ///< names separated by blanks: a node, or a member as "a-b"
 
   void describe(OptionTable& table);
 
-  /// Nothing if the loss of members is not in question.
+  /// Nothing if the loss of members is not requested.
   /// @throws WrongInput if a name in `kept` is neither a node nor a member
   [[nodiscard]] std::optional<limit::LossParameters> parameters(
       const problems::LimitProblem& problem) const;

@@ -2,7 +2,6 @@
 #include "run/mip/mip.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "engine/analysis/analysis.hpp"
-#include "engine/signals.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
@@ -59,7 +57,6 @@ class Mip final : public Subcommand {
 
  private:
   MipOptions options_;
-  std::chrono::steady_clock::time_point began_;  // the clock includes reading the file
   std::optional<engine::Analysis> analysis_;
   ProgramFile program_;
   std::uint64_t fingerprint_ = 0;
@@ -69,15 +66,10 @@ class Mip final : public Subcommand {
 
 void Mip::describe(OptionTable& table) {
   using engine::Order;
-  using zero_one::ZeroOneBranching;
-  using zero_one::ZeroOneCuts;
   table.file("file", options_.file, Role::input, "program file, MPS (.mps) or CPLEX LP (.lp)")
       .required();
-  table.choice("--cuts", options_.cuts,
-               {{"none", ZeroOneCuts::none}, {"disjunctive", ZeroOneCuts::disjunctive}},
-               "kind of cuts at the root");
-  table.choice("--branching", options_.branching,
-               {{"paper", ZeroOneBranching::paper}, {"look-ahead", ZeroOneBranching::look_ahead}},
+  table.choice("--cuts", options_.cuts, root_cuts_words(), "kind of cuts at the root");
+  table.choice("--branching", options_.branching, zero_one_branching_words(),
                "branching rule: largest tau (1 - tau), as in the paper, or largest gain of the "
                "children's bounds (fewer nodes, each of higher cost); the optimum is the same");
   table.choice("--order", options_.order,
@@ -103,8 +95,6 @@ void Mip::describe(OptionTable& table) {
 }
 
 void Mip::read(CommandRun& run) {
-  engine::install_signal_handlers();
-  began_ = std::chrono::steady_clock::now();
   program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
 }
 
@@ -112,19 +102,17 @@ void Mip::prepare(CommandRun& run) {
   fingerprint_ = program_fingerprint(program_);
   search_options_.order = options_.order;
   run.keep_state(options_.checkpoint, {{"the program", hexadecimal(fingerprint_)}});
-  auto limits = options_.limits;
-  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - began_;
-  limits.seconds = std::max(0.0, limits.seconds - reading.count());
-  analysis_.emplace(run.session().transport(), run.analysis_options(limits));
+  analysis_.emplace(run.session().transport(), run.analysis_options(options_.limits));
   search_options_.warn = warn;
   warn_all(run.session(), program_.warnings);
 }
 
 std::string Mip::announcement(const std::string& ranks) const {
   const auto& [name, constant, columns, rows, entries] = program_.mixed.program;
-  return fmt::format("{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}",
-                     name.empty() ? "unnamed program" : name, rows.size(), columns.size(),
-                     program_.mixed.binaries.size(), entries.size(),
+  return fmt::format("{}: {}, {}, {} of them binary, {}; {}; {}",
+                     name.empty() ? "unnamed program" : name, counted(rows.size(), "row"),
+                     counted(columns.size(), "column"), program_.mixed.binaries.size(),
+                     entries.size() == 1 ? "1 entry" : fmt::format("{} entries", entries.size()),
                      program_.maximise ? "maximise" : "minimise", ranks);
 }
 

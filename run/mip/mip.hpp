@@ -11,6 +11,10 @@
 
 namespace kusabi::run {
 
+/// Words of --cuts and --branching.
+const OptionWords<zero_one::ZeroOneCuts>& root_cuts_words();
+const OptionWords<zero_one::ZeroOneBranching>& zero_one_branching_words();
+
 struct MipOptions {
   std::string file;                                          ///< the program, MPS or CPLEX LP
   zero_one::ZeroOneCuts cuts = zero_one::ZeroOneCuts::none;  ///< cuts at the root

@@ -43,6 +43,20 @@ const char* answer_name(MixedStatus answer) {
 
 }  // namespace
 
+const OptionWords<zero_one::ZeroOneCuts>& root_cuts_words() {
+  using zero_one::ZeroOneCuts;
+  static const OptionWords<ZeroOneCuts> words{{"none", ZeroOneCuts::none},
+                                              {"disjunctive", ZeroOneCuts::disjunctive}};
+  return words;
+}
+
+const OptionWords<zero_one::ZeroOneBranching>& zero_one_branching_words() {
+  using zero_one::ZeroOneBranching;
+  static const OptionWords<ZeroOneBranching> words{{"paper", ZeroOneBranching::paper},
+                                                   {"look-ahead", ZeroOneBranching::look_ahead}};
+  return words;
+}
+
 double MipReport::in_the_files_sense(double objective) const {
   return program.maximise ? -objective : objective;
 }
@@ -180,9 +194,8 @@ ordered_json MipReport::json() const {
             {"entries", given.entries.size()},
             {"fingerprint", hexadecimal(fingerprint)}}},
           {"options",
-           {{"cuts", options.cuts == zero_one::ZeroOneCuts::none ? "none" : "disjunctive"},
-            {"branching",
-             options.branching == zero_one::ZeroOneBranching::paper ? "paper" : "look-ahead"},
+           {{"cuts", word_of(root_cuts_words(), options.cuts)},
+            {"branching", word_of(zero_one_branching_words(), options.branching)},
             {"tighten", options.tighten},
             {"dive", options.dive}}},
           {"status", status_text(verdict())},

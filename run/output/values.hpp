@@ -29,6 +29,12 @@ std::string hexadecimal(std::uint64_t fingerprint);
 std::string counted(std::uint64_t count, std::string_view thing);
 std::string counted(const support::ExactCount& count, std::string_view thing);
 
+/// Suffix of a friction coefficient. @param factor true if it multiplies the coefficient of each
+/// candidate; otherwise the suffix is empty
+constexpr const char* of_each_candidate(bool factor) {
+  return factor ? " times that of each candidate" : "";
+}
+
 /// A number if every JSON reader has it exactly, otherwise a string of decimal digits, with its
 /// logarithm in KEY_log10.
 void add_count(nlohmann::ordered_json& json, const std::string& key,

@@ -14,6 +14,9 @@
 
 namespace kusabi::run {
 
+/// Words of --branching.
+const OptionWords<wedged::Branching>& branching_words();
+
 /// Order of the table. A pattern keeps its number, which result files and pictures use.
 enum class PatternSort {
   number,    ///< order of the tree

@@ -13,6 +13,16 @@
 
 namespace kusabi::run {
 
+const OptionWords<wedged::Branching>& branching_words() {
+  using wedged::Branching;
+  static const OptionWords<Branching> words{{"auto", Branching::automatic},
+                                            {"paper", Branching::product},
+                                            {"relative", Branching::relative},
+                                            {"deepest", Branching::deepest},
+                                            {"weighed", Branching::weighed}};
+  return words;
+}
+
 void PatternsOptions::describe(OptionTable& table) {
   table.problem(input.file);
   table.friction(friction).swept();
@@ -44,19 +54,13 @@ void PatternsOptions::describe(OptionTable& table) {
 }
 
 void PatternsOptions::describe_tree(OptionTable& table) {
-  using wedged::Branching;
   using wedged::FacetBound;
   // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
   // to find.
   table.number("--tolerance", &tolerance, between(1e-12, 1e-3),
                "tolerance of margins: a node with |t*| up to this value is degenerate");
   table.choice(
-      "--branching", branching,
-      {{"auto", Branching::automatic},
-       {"paper", Branching::product},
-       {"relative", Branching::relative},
-       {"deepest", Branching::deepest},
-       {"weighed", Branching::weighed}},
+      "--branching", branching, branching_words(),
       "branching rule: largest u_n r_n (paper), largest u_n r_n relative to the "
       "compliance (relative), largest decrease of the margins of both children (deepest), "
       "a weighted mean of relative and deepest (weighed), or the rule whose sampled tree is "
@@ -76,14 +80,12 @@ void PatternsOptions::describe_tree(OptionTable& table) {
                "with second-order cones");
   Range even_facets = between(FacetBound::minimum, FacetBound::maximum);
   even_facets.even = true;
-  table
-      .number("--facets", &facets, even_facets,
-              "number of facets of each cone, with --method polyhedral")
-      .needs("--method");
+  table.number("--facets", &facets, even_facets, "number of facets of each cone")
+      .needs("--method", "polyhedral");
   table
       .flag("--candidates", list_candidates,
             "list all patterns found with polyhedral cones, each with the result of its test")
-      .needs("--method")
+      .needs("--method", "polyhedral")
       .varies();
 }
 
@@ -130,12 +132,6 @@ void PatternsOptions::describe_limits(OptionTable& table) {
 
 void PatternsOptions::check(const OptionTable& table) const {
   if (lines) check_lines(table);
-  if (facets != PatternsOptions{}.facets && !polyhedral) {
-    throw WrongInput("--facets: requires --method polyhedral");
-  }
-  if (list_candidates && !polyhedral) {
-    throw WrongInput("--candidates: requires --method polyhedral");
-  }
   if (exists && !certificate.empty()) {
     throw WrongInput(
         "--certificate: --exists writes no certificate; expected --certificate without --exists, "

@@ -36,22 +36,6 @@ support::ExactCount max_patterns(const wedged::PatternFindings& findings) {
   return wedged::combinations(of_blocks);
 }
 
-const char* name_of(wedged::Branching branching) {
-  switch (branching) {
-    case wedged::Branching::automatic:
-      return "auto";
-    case wedged::Branching::product:
-      return "paper";
-    case wedged::Branching::relative:
-      return "relative";
-    case wedged::Branching::deepest:
-      return "deepest";
-    case wedged::Branching::weighed:
-      return "weighed";
-  }
-  return "";
-}
-
 void add_firmness(CsvWriter& csv, const std::optional<wedged::Firmness>& firmness) {
   for (const auto end : {&wedged::Firmness::low, &wedged::Firmness::low_out,
                          &wedged::Firmness::high, &wedged::Firmness::high_out}) {
@@ -166,10 +150,9 @@ std::string PatternsReport::details() const {
   std::string text;
   auto out = std::back_inserter(text);
   fmt::format_to(out,
-                 "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
+                 "\n{} of wedged configurations at friction coefficient {}; {} marginal "
                  "(|t*| <= {})\n",
-                 patterns(findings_.count()), options_.friction,
-                 problems::uniform_friction(problem_) ? "" : " times that of each candidate",
+                 patterns(findings_.count()), friction_text(problem_, options_.friction),
                  findings_.marginal, options_.tolerance);
   if (findings_.flat != 0) {
     fmt::format_to(out,
@@ -199,8 +182,11 @@ std::string PatternsReport::details() const {
     }
   }
   if (options_.polyhedral) {
-    fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
-                   findings_.outcome.tally().polyhedral_leaves, options_.facets);
+    fmt::format_to(out,
+                   "{} found with polyhedral friction cones of {} facets; each was then tested "
+                   "with second-order cones\n",
+                   counted(findings_.outcome.tally().polyhedral_leaves, "sign pattern"),
+                   options_.facets);
   }
   if (findings_.undecided != 0) {
     fmt::format_to(out, "{} undecided: the bracket of t* could not be made narrow enough\n",
@@ -289,7 +275,7 @@ ordered_json PatternsReport::result_json() const {
   for (const auto& block : findings_.blocks) {
     blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
                       {"count", block.cones},
-                      {"branching", name_of(block.branching)},
+                      {"branching", word_of(branching_words(), block.branching)},
                       {"bound_programs", block.bound_programs}});
   }
   ordered_json tree = counts_json(findings_.outcome.tally());
@@ -324,8 +310,8 @@ ordered_json PatternsReport::chosen_json() const {
       {"tolerance", options_.tolerance},
       {"method", options_.polyhedral ? "polyhedral" : "cones"},
       {"facets", options_.facets_in_use()},
-      {"branching", name_of(options_.branching)},
-      {"cuts", name_of(options_.tightening)},
+      {"branching", word_of(branching_words(), options_.branching)},
+      {"cuts", word_of(cuts_words(), options_.tightening)},
       {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
   if (options_.probes > 0) chosen["probe"] = options_.probes;
   if (options_.prove) chosen["prove"] = true;

@@ -148,14 +148,13 @@ std::string RaysReport::summary() const {
     fmt::format_to(out, "        and {} more (--output)\n", found_.cones.size() - longest_table);
   }
   fmt::format_to(
-      out, "\n{}{} in {} at friction coefficient {}{}, by {}\n",
+      out, "\n{}{} in {} at friction coefficient {}, by {}\n",
       counted(found_.rays.size(), "extremal ray"),
       problem_.modes.bodies.empty()
           ? ""
           : fmt::format(" and {} without reactions",
                         counted(found_.motions.size(), "extremal motion")),
-      counted(found_.cones.size(), "maximal cone"), options_.friction,
-      problems::uniform_friction(problem_) ? "" : " times that of each candidate",
+      counted(found_.cones.size(), "maximal cone"), friction_text(problem_, options_.friction),
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
   fmt::format_to(out,
                  "relative displacements up to {:.1e} are regarded as zero; the smallest other is "

@@ -36,7 +36,6 @@ std::string meaning(const AnswerList& list, std::string_view key) {
   return loaded ? "can be held at μ" : "sticks at μ";
 }
 
-// Largest distance of lower and upper bound that are displayed as one number.
 int digits_of(std::string_view key) {
   return key == "margin" || key == "margin_upper" ? few_digits : many_digits;
 }

@@ -14,7 +14,7 @@ namespace kusabi::run {
 std::string title_of(const AnswerList& list, const Answer& answer);
 
 /// Opens an element with data attributes for the script that sorts and filters.
-/// @param rank, from 0
+/// @param rank place in the order, from 0
 void open_answer(pictures::Markup& page, std::string_view tag, std::string_view kind,
                  const Answer& answer, std::size_t rank);
 

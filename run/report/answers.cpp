@@ -52,7 +52,7 @@ void take_needs(const std::vector<std::pair<std::string, double>>& needs, Answer
   }
 }
 
-// From the rows of all candidates.
+// Friction coefficient that a configuration needs, from the reactions of all candidates.
 void read_need(const ResultReader& reader, const ResultJson& candidates, Answer& answer) {
   const auto d = static_cast<int>(reader.number(reader.at(reader.all(), "problem"), "d"));
   std::vector<std::pair<std::string, double>> needs;

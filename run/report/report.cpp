@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/report/page/page.hpp"
+#include "run/results/result_reader.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -15,13 +15,10 @@ class Report final : public Subcommand {
  public:
   void describe(OptionTable& table) override {
     table.result(file_);
-    table.output("HTML file; default: standard output");
+    table.output("HTML file. Default: standard output");
     table.quiet_and_serial();
   }
-  void read(CommandRun& run) override {
-    text_ = run.session().from_first_rank(
-        [&] { return problems::file_text(file_, "a result file in JSON", largest_result); });
-  }
+  void read(CommandRun& run) override { text_ = result_text(run.session(), file_); }
   void prepare(CommandRun& /*run*/) override { page_ = report_page(ResultReader(text_, file_)); }
   void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) override {

@@ -2,14 +2,19 @@
 #include "run/results/result_reader.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "problems/files/structure_file.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
 namespace {
+
+/// Maximum size of a result file in bytes: ten thousand patterns of a hundred nodes take 70 MB.
+constexpr std::uintmax_t largest_result = std::uintmax_t{1} << 30U;
 
 /// Larger numbers do not occur in results; squares and their sums stay finite up to here.
 constexpr double largest_number = 1e100;
@@ -19,6 +24,11 @@ bool is_drawable(const ResultJson& value) {
 }
 
 }  // namespace
+
+std::string result_text(Session& session, const std::string& file) {
+  return session.from_first_rank(
+      [&] { return problems::file_text(file, "a result file in JSON", largest_result); });
+}
 
 ResultReader::ResultReader(const std::string& text, std::string file) : file_(std::move(file)) {
   auto [json, too_deep] = parse_result(text);

@@ -2,7 +2,6 @@
 // range are errors with a message.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,12 +10,13 @@
 #include <Eigen/Core>
 
 #include "run/results/result_parser.hpp"
+#include "run/session/session.hpp"
 #include "support/exact_count.hpp"
 
 namespace kusabi::run {
 
-/// Maximum size of a result file in bytes: ten thousand patterns of a hundred nodes take 70 MB.
-inline constexpr std::uintmax_t largest_result = std::uintmax_t{1} << 30U;
+/// The text of a result file, which rank 0 reads for all. @throws support::InputError on every rank
+std::string result_text(Session& session, const std::string& file);
 
 class ResultReader {
  public:

@@ -190,7 +190,7 @@ class SceneReader {
     }
   }
 
-  // Friction coefficient of a state: that of the question, or the one found.
+  // Friction coefficient of a state: that of the call, or the one found.
   [[nodiscard]] double friction_of(const ResultJson& entry) const {
     const auto& options = reader_.at(reader_.all(), "options");
     return ResultReader::find(options, "mu") != nullptr ? reader_.number(options, "mu")

@@ -136,7 +136,7 @@ class SweptFriction : public SweepPage {
     const bool uniform = std::ranges::all_of(
         reader_.list(problem_, "contact"),
         [this](const ResultJson& each) { return number(each, "friction") == 1; });
-    return uniform ? "" : " times that of each candidate";
+    return of_each_candidate(!uniform);
   }
 
   const bool could_not_wrap_ =

@@ -51,10 +51,14 @@ class Show final : public Subcommand {
 
 }  // namespace
 
-constexpr Registration show_subcommand{{.name = "show",
-                                        .chapter = "Summaries, pictures and reports",
-                                        .purpose = "summary of a problem file, without an analysis",
-                                        .example = "examples/space-truss.toml"},
-                                       make<Show>};
+constexpr Registration show_subcommand{
+    {.name = "show",
+     .chapter = "Summaries, pictures and reports",
+     .purpose = "summary of a problem file, without an analysis",
+     .description = "Summary of a problem file: sizes, bodies, surfaces "
+                    "that touch, coincident nodes, loads, and the expected "
+                    "cost of an analysis.",
+     .example = "examples/space-truss.toml"},
+    make<Show>};
 
 }  // namespace kusabi::run

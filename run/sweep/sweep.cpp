@@ -136,7 +136,8 @@ constexpr Registration sweep_subcommand{
      .purpose = "patterns over friction, or limit load over uncertainty",
      .description =
          "The number of sign patterns as a function of the friction coefficient, or the "
-         "worst-case limit load as a function of the load uncertainty, also between the points.",
+         "worst-case limit load as a function of the load uncertainty, also between the points. "
+         "Give --mu or --mu-max for friction, or --alpha for loads.",
      .example = "examples/two-bars.toml --mu 1.25:2.75:0.5"},
     make<Sweep>};
 

@@ -8,7 +8,7 @@
 
 namespace kusabi::run {
 
-/// Last lines of a table; empty if there is neither a question nor a warning.
+/// Last lines of a table; empty if there is neither an answer nor a warning.
 std::string conclusion_text(const Verdict& verdict, const Page& page);
 
 }  // namespace kusabi::run

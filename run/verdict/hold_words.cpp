@@ -12,10 +12,6 @@
 namespace kusabi::run {
 namespace {
 
-const char* of_each(bool factor) {
-  return factor ? " times that of each candidate" : "";
-}
-
 constexpr const char* by_supports =
     "It can hold any load: the supports constrain every body, which then has a state of "
     "equilibrium under every load at any friction coefficient.";
@@ -99,7 +95,7 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
                        load);
   if (!upper) {
     return fmt::format("It cannot hold {} up to friction coefficient {}{}{}{}.", load,
-                       rounded_down(lower->value), of_each(found.factor),
+                       rounded_down(lower->value), of_each_candidate(found.factor),
                        unless_proved(lower->standing),
                        lower->value < found.maximum ? "; above it, this is not known" : "");
   }
@@ -108,11 +104,11 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
   if (!lower) {
     return fmt::format(
         "It can hold {} at friction coefficient {}{}{}; below it, this is not known.", load,
-        rounded_up(upper->value), of_each(found.factor), unless_proved(upper->standing));
+        rounded_up(upper->value), of_each_candidate(found.factor), unless_proved(upper->standing));
   }
   const auto shown = in_sentence(lower->value, upper->value);
   return fmt::format("It cannot hold {} below friction coefficient {}{}{}; at {} it can{}.", load,
-                     shown.lower, of_each(found.factor), unless_proved(lower->standing),
+                     shown.lower, of_each_candidate(found.factor), unless_proved(lower->standing),
                      shown.upper, unless_proved(upper->standing));
 }
 
@@ -144,8 +140,8 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
 
 std::string headline_of(const HoldingFactors& found, engine::Status ended) {
   if (found.reason == HoldReason::supports) return by_supports;
-  auto where = fmt::format("at friction coefficient {}{}{}", found.friction, of_each(found.factor),
-                           in_case(found.load_case));
+  auto where = fmt::format("at friction coefficient {}{}{}", found.friction,
+                           of_each_candidate(found.factor), in_case(found.load_case));
   if (found.total) where += fmt::format(" with normal reactions that add up to {}", *found.total);
   if (found.reason == HoldReason::wedging) {
     return fmt::format(
@@ -179,7 +175,8 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
   if (found.points.front().reason == HoldReason::supports) return by_supports;
   if (found.points.front().reason == HoldReason::unbalanced) return by_no_friction;
   const auto at = [](const HoldingFactors& point) {
-    return fmt::format("at {}{} {}", point.friction, of_each(point.factor), factors_at(point));
+    return fmt::format("at {}{} {}", point.friction, of_each_candidate(point.factor),
+                       factors_at(point));
   };
   const auto& points = found.points;
   const auto where =
@@ -202,7 +199,7 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
 
 std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
   const auto where =
-      fmt::format("at friction coefficient {}{}", found.friction, of_each(found.factor));
+      fmt::format("at friction coefficient {}{}", found.friction, of_each_candidate(found.factor));
   const auto pairs = fmt::format("pairs of factors of the reference loads \"{}\" and \"{}\"",
                                  found.cases.front(), found.cases.back());
   const bool partial = found.open || ended != engine::Status::solved;

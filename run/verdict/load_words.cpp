@@ -116,7 +116,7 @@ std::string factors_headline(const LoadInterval& found) {
 // True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.
 std::optional<bool> passed(const LoadInterval& found) {
   const auto proved = [&](const std::optional<Bound>& bound) {
-    return bound && bound->standing == Standing::proved && !found.if_big_m;
+    return is_proved(bound) && !found.if_big_m;
   };
   if (found.carried_at_none == Standing::proved || empty(found) == Standing::proved) return false;
   if (proved(found.minimum.lower) && found.minimum.lower->value > 0) return false;
@@ -174,15 +174,12 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
   }
   if (found.carried_at_none == Standing::computed)
     all.push_back({"Computed, not proved: a load is carried at no factor.", true});
-  const auto proved = [](const std::optional<Bound>& bound) {
-    return bound && bound->standing == Standing::proved;
-  };
   if (found.uncertain && !found.carried_at_none && ended == engine::Status::solved) {
-    if (!proved(found.maximum.lower))
+    if (!is_proved(found.maximum.lower))
       all.push_back({"A lower bound of the largest factor is not proved.", true});
-    if (!proved(found.maximum.upper))
+    if (!is_proved(found.maximum.upper))
       all.push_back({"An upper bound of the largest factor is not proved.", true});
-    if (!found.if_big_m && !proved(found.minimum.upper) && empty(found) != Standing::proved)
+    if (!found.if_big_m && !is_proved(found.minimum.upper) && empty(found) != Standing::proved)
       all.push_back({"The least factor from which every load is carried is not proved.", true});
     if (is_undecided(found)) {
       all.push_back({fmt::format("No factor below {} and none above {} is carried.",

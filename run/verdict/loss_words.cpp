@@ -92,9 +92,6 @@ std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
 }
 
 void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservation>& all) {
-  const auto proved = [](const std::optional<Bound>& bound) {
-    return bound && bound->standing == Standing::proved;
-  };
   if (found.fatal) {
     if (*found.fatal == Standing::computed)
       all.push_back({"Computed, not proved: no factor remains.", true});
@@ -105,9 +102,9 @@ void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservat
       all.push_back({"It is neither proved nor refuted that the factor remains.", true});
     return;
   }
-  if (!proved(found.factor.lower))
+  if (!is_proved(found.factor.lower))
     all.push_back({"A lower bound of the factor that remains is not proved.", true});
-  if (!proved(found.factor.upper) && ended == engine::Status::solved)
+  if (!is_proved(found.factor.upper) && ended == engine::Status::solved)
     all.push_back({"An upper bound of the factor that remains is not proved.", true});
 }
 

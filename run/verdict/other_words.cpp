@@ -163,21 +163,21 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
   switch (found.state) {
     case MixedOptimum::State::infeasible:
-      return "infeasible: no point satisfies all rows, bounds and binaries";
+      return "No point satisfies all rows, bounds and binaries.";
     case MixedOptimum::State::unbounded:
-      return fmt::format("unbounded: there are points, and the objective has no {} bound",
-                         found.maximise ? "upper" : "lower");
+      return fmt::format("The objective has no {} bound.", found.maximise ? "upper" : "lower");
     case MixedOptimum::State::unknown:
-      return fmt::format("no point was found; it is not known whether one exists; {}",
+      return fmt::format("No point was found, and it is not known whether one exists; {}.",
                          bound_text(found));
     case MixedOptimum::State::optimal:
     case MixedOptimum::State::feasible:
       break;
   }
-  return fmt::format(
-      "{} objective {}; {}, gap {:.2g} %",
-      found.state == MixedOptimum::State::optimal ? "optimal:" : "best point so far:",
-      found.objective.value_or(0), bound_text(found), 100 * found.gap);
+  return fmt::format("{} {}; {}, gap {:.2g} %.",
+                     found.state == MixedOptimum::State::optimal
+                         ? "The optimum is"
+                         : "The best point so far has the objective",
+                     found.objective.value_or(0), bound_text(found), 100 * found.gap);
 }
 
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all) {

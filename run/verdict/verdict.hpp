@@ -34,6 +34,10 @@ struct Bound {
   Standing standing = Standing::computed;
 };
 
+inline bool is_proved(const std::optional<Bound>& bound) {
+  return bound && bound->standing == Standing::proved;
+}
+
 /// A number between two bounds; an absent one is open.
 struct Bracket {
   std::optional<Bound> lower{}, upper{};
@@ -58,7 +62,7 @@ struct Sticking {
   std::uint64_t degenerate = 0;       ///< closed nodes with a margin of zero that are not proved
   bool ambiguous = false;             ///< numbers that cannot be distinguished from zero
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
-  /// The question was existence: one pattern answers it, and the list is not complete.
+  /// `--exists`: one pattern is the answer, and the list is not complete.
   bool example = false;
 };
 
@@ -186,7 +190,7 @@ struct MemberLoss {
   /// After the worst loss known the dead load is carried at no factor of either sign.
   std::optional<Standing> fatal{};
   std::vector<std::string> lost{};  ///< members of the worst loss known; empty: it lowers nothing
-  std::optional<double> target{};   ///< the factor in question; absent: the least one
+  std::optional<double> target{};   ///< the required factor; absent: the least one
   std::optional<bool> reached{};    ///< true if the target remains after each loss; absent: open
   std::uint64_t cases = 1;          ///< load cases
   bool uncertain = false;           ///< over all admissible loads
@@ -292,7 +296,7 @@ struct Measurement {
   bool agrees = true;
 };
 
-/// Absent: the command answers no question.
+/// Absent: the command has no answer.
 using AnyAnswer =
     std::variant<std::monostate, Sticking, CriticalBracket, HoldingBracket, HoldingFactors,
                  HoldingSweep, HoldingDiagram, FrictionSteps, LoadInterval, MemberLoss, LoadSteps,

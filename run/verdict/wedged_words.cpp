@@ -15,10 +15,6 @@ constexpr const char* coefficient = "friction coefficient";
 constexpr const char* proved_by_bounds =
     "Proved by the bounds of the solver, which allow for rounding";
 
-const char* times(bool factor) {
-  return factor ? " times that of each candidate" : "";
-}
-
 bool is_refuted(const std::optional<ExactDoubt>& doubt) {
   return doubt && !doubt->why.empty();
 }
@@ -39,14 +35,11 @@ void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
   }
 }
 
-bool is_proved(const std::optional<Bound>& bound) {
-  return bound && bound->standing == Standing::proved;
-}
-
 }  // namespace
 
 std::string headline_of(const Sticking& found, engine::Status ended) {
-  const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
+  const auto where =
+      fmt::format("{} {}{}", coefficient, found.friction, of_each_candidate(found.factor));
   const bool complete =
       ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous && !found.doubt;
   if (found.example && !is_refuted(found.doubt)) {
@@ -104,18 +97,18 @@ std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) 
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   if (!upper) {
     return fmt::format("It cannot stick up to {} {}{}{}{}.", coefficient,
-                       rounded_down(lower->value), times(found.factor),
+                       rounded_down(lower->value), of_each_candidate(found.factor),
                        unless_proved(lower->standing),
                        lower->value < found.maximum ? "; above it, this is not known" : "");
   }
   if (!lower) {
     return fmt::format("It can stick at {} {}{}{}; below it, this is not known.", coefficient,
-                       rounded_up(upper->value), times(found.factor),
+                       rounded_up(upper->value), of_each_candidate(found.factor),
                        unless_proved(upper->standing));
   }
   const auto shown = in_sentence(lower->value, upper->value);
   return fmt::format("It cannot stick below {} {}{}{}; at {} it can{}.", coefficient, shown.lower,
-                     times(found.factor), unless_proved(lower->standing), shown.upper,
+                     of_each_candidate(found.factor), unless_proved(lower->standing), shown.upper,
                      unless_proved(upper->standing));
 }
 
@@ -165,7 +158,7 @@ std::string bracket_line(const CriticalBracket& found) {
   const auto standing = [](const Bound& bound) {
     return bound.standing == Standing::proved ? "proved" : "computed, not proved";
   };
-  const auto name = fmt::format("critical {}{}", coefficient, times(found.factor));
+  const auto name = fmt::format("critical {}{}", coefficient, of_each_candidate(found.factor));
   if (lower && upper) {
     const auto shown = in_table(lower->value, upper->value);
     if (lower->standing == upper->standing) {
@@ -187,7 +180,7 @@ std::string bracket_line(const CriticalBracket& found) {
 }
 
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
-  const auto maximum = fmt::format("{}{}", found.maximum, times(found.factor));
+  const auto maximum = fmt::format("{}{}", found.maximum, of_each_candidate(found.factor));
   if (!found.infeasible || is_refuted(found.doubt))
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   const auto& [value, standing] = *found.infeasible;
@@ -197,7 +190,7 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
   }
   return fmt::format(
       "It cannot stick up to {} {}{}; at {} there {} {}{}{}.", coefficient,
-      rounded_down(value, digits_of_sweep), times(found.factor), found.maximum,
+      rounded_down(value, digits_of_sweep), of_each_candidate(found.factor), found.maximum,
       found.count == 1U ? "is" : "are", counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
       unless_proved(standing));

@@ -9,14 +9,14 @@
 
 namespace kusabi::run {
 
-/// The answer as a sentence: "It can stick in 27 ways at friction coefficient 0.65." Empty if there
-/// is no question.
+/// The answer as a sentence: "It can stick in 27 ways at friction coefficient 0.65." Empty if the
+/// command has no answer.
 std::string headline(const Verdict& verdict);
 
 /// A limitation of the headline.
 struct Reservation {
   std::string sentence;
-  bool open = false;  ///< the question is not answered completely
+  bool open = false;  ///< the answer is not complete
 };
 
 /// Open parts, then results that are computed only.

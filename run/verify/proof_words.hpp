@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "problems/structure/checks/checked_structure.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/verify/verify.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::run {
 
@@ -23,6 +25,16 @@ inline constexpr std::string_view truss_of_certificate =
 /// Strengths of the claims after buckling. @param of_file as compared with a problem file
 constexpr std::string_view residual_strength(bool of_file) {
   return of_file ? "their residual strength" : "the residual strengths of the certificate";
+}
+
+/// The certificate that `read` returns. @throws WrongInput for errors of its text
+template <class Read>
+auto read_certificate_text(Read read) {
+  try {
+    return read();
+  } catch (const verify::CertificateError& error) {
+    throw WrongInput(error.what());
+  }
 }
 
 /// The certificate as a whole is refused.

@@ -85,14 +85,6 @@ class HoldVerification {
   Tally tally_;
 };
 
-verify::HoldCertificate hold_certificate_in(const std::string& text, const std::string& file) {
-  try {
-    return verify::read_hold_certificate(text, file);
-  } catch (const verify::CertificateError& error) {
-    throw WrongInput(error.what());
-  }
-}
-
 std::string refusal_line(const VerifyOptions& options, const verify::HoldCertificate& certificate,
                          const HoldVerification::Solution& refusal) {
   const auto nodes = certificate.nodes.size();
@@ -189,7 +181,8 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
         "{}: a certificate of loads is proved for a problem file; expected --problem FILE",
         options.certificate));
   }
-  const auto certificate = hold_certificate_in(text, options.certificate);
+  const auto certificate = read_certificate_text(
+      [&] { return verify::read_hold_certificate(text, options.certificate); });
   const auto loaded = in_case_of_certificate(*structure, certificate.load_case);
   if (!loaded) return refusal_of_certificate(options, no_such_case(options, certificate.load_case));
   problems::check_certain(*loaded);

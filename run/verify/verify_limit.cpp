@@ -15,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include "run/output/values.hpp"
-#include "run/output/wrong_input.hpp"
 #include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
@@ -28,15 +27,6 @@ namespace kusabi::run {
 namespace {
 
 using verify::LimitClaim;
-
-std::vector<verify::LimitStatement> statements_in(const std::string& text,
-                                                  const std::string& file) {
-  try {
-    return verify::read_limit_certificate(text, file);
-  } catch (const verify::CertificateError& error) {
-    throw WrongInput(error.what());
-  }
-}
 
 // Half-width of all uncertain loads; nothing if they differ.
 std::optional<double> common_half_width(const CheckedStatement& statement) {
@@ -201,7 +191,8 @@ std::vector<std::string> covered_cases(const std::vector<CheckedStatement>& stat
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::CheckedStructure>& structure,
                             const Eigen::VectorXd& residual, const std::string& text) {
-  const auto recorded = statements_in(text, options.certificate);
+  const auto recorded = read_certificate_text(
+      [&] { return verify::read_limit_certificate(text, options.certificate); });
   auto [statements, status] = check_statements(run, options, structure, residual, recorded);
   if (status != engine::Status::solved) return {.status = status};
   VerifyFindings findings;

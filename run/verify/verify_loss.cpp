@@ -17,7 +17,6 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
-#include "run/output/wrong_input.hpp"
 #include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
@@ -31,14 +30,6 @@ namespace kusabi::run {
 namespace {
 
 using verify::LossStatement;
-
-std::vector<LossStatement> losses_in(const std::string& text, const std::string& file) {
-  try {
-    return verify::read_loss_certificate(text, file);
-  } catch (const verify::CertificateError& error) {
-    throw WrongInput(error.what());
-  }
-}
 
 // @pre the members of the statement are those of the structure
 std::vector<std::string> names_of(const LossStatement& statement,
@@ -164,7 +155,8 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
                            const Eigen::VectorXd& residual, const std::string& text) {
-  auto statements = losses_in(text, options.certificate);
+  auto statements = read_certificate_text(
+      [&] { return verify::read_loss_certificate(text, options.certificate); });
   for (auto& statement : statements) {
     if (structure) name_case(*structure, residual, statement);
   }

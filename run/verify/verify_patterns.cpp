@@ -14,7 +14,6 @@
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
-#include "run/output/wrong_input.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verify/proof_words.hpp"
 #include "run/verify/verification.hpp"
@@ -25,14 +24,6 @@
 
 namespace kusabi::run {
 namespace {
-
-verify::Certificate certificate_in(const std::string& text, const std::string& file) {
-  try {
-    return verify::read_certificate(text, file);
-  } catch (const verify::CertificateError& error) {
-    throw WrongInput(error.what());
-  }
-}
 
 std::string all_patterns(int candidates) {
   constexpr int easily_read = 20;
@@ -150,7 +141,8 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                                const std::optional<problems::CheckedStructure>& structure,
                                const std::string& text) {
   // Every rank reads the certificate and proves the parts that all nodes depend on.
-  const auto certificate = certificate_in(text, options.certificate);
+  const auto certificate =
+      read_certificate_text([&] { return verify::read_certificate(text, options.certificate); });
   std::optional<verify::ConsistentStructure> consistent;
   if (structure) {
     auto found = verify::consistency(certificate, evidence::verified_structure(*structure));

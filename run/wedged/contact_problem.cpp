@@ -3,8 +3,8 @@
 
 #include "run/output/values.hpp"
 #include "run/session/kept_state.hpp"
-#include "run/wedged/agreement.hpp"
 #include "run/wedged/ignored_loads.hpp"
+#include "run/wedged/problem_comparison.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -22,7 +22,7 @@ problems::WedgedProblem agreed_problem(CommandRun& run,
                                        const problems::CheckedStructure& structure) {
   auto problem = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure, work); });
-  agree(run.session(), problem);
+  make_equal_on_all_ranks(run.session(), problem);
   return problem;
 }
 

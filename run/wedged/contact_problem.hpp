@@ -1,4 +1,4 @@
-// ContactProblem: problem of a subcommand on wedged configurations, from its file to the agreement
+// ContactProblem: problem of a subcommand on wedged configurations, from its file to its comparison on all ranks
 // of all ranks.
 #pragma once
 
@@ -22,7 +22,7 @@ struct ContactProblem {
 /// Parses the input, with warnings on its faults and on what the subcommand ignores, and prepares
 /// the problem on every rank.
 /// @param friction coefficient for warnings on normals of faceted surfaces; none: without them
-/// @throws WrongInput, support::InputError, support::Stopped, engine::Disagreement on every rank
+/// @throws WrongInput, support::InputError, support::Stopped, engine::RankMismatch on every rank
 ContactProblem contact_problem(CommandRun& run, const ProblemInput& input,
                                std::optional<double> friction = {});
 

@@ -68,8 +68,7 @@ std::string problem_line(const problems::WedgedProblem& problem) {
 }
 
 std::string friction_text(const problems::WedgedProblem& problem, double coefficient) {
-  return fmt::format("{}{}", coefficient,
-                     problems::uniform_friction(problem) ? "" : " times that of each candidate");
+  return fmt::format("{}{}", coefficient, of_each_candidate(!problems::uniform_friction(problem)));
 }
 
 ordered_json problem_json(const problems::Structure& structure,

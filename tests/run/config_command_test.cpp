@@ -115,9 +115,10 @@ TEST_F(Config, OmitsOptionsWhoseRequiredOptionIsMissing) {
   const auto file = config("[limit]\nsamples = 3\n[patterns]\nmu = 0.65\nfacets = 8\n");
   const auto rest = " --config " + quoted(file);
   EXPECT_EQ(shell(call("patterns " + truss + rest)).exit_code, 0);
-  const auto run = shell(call("patterns " + truss + " --method cones" + rest));
+  EXPECT_EQ(shell(call("patterns " + truss + " --method cones" + rest)).exit_code, 0);
+  const auto run = shell(call("patterns " + truss + " --method polyhedral --probe 4" + rest));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("--facets: requires --method polyhedral"));
+  EXPECT_THAT(run.output, HasSubstr("--probe: requires --method cones"));
   EXPECT_THAT(run.output, HasSubstr("(defaults of " + file + ": --facets 8 --mu 0.65)\n"));
 }
 

@@ -35,7 +35,7 @@ It can stick …
 kusabi patterns nowhere.toml --mu 2
 ```
 
-    kusabi draw two.json --svg two.svg
+    kusabi draw two.json --output two.svg
 
 ![two bars](two.svg)
 

@@ -64,9 +64,47 @@ TEST(OptionTable, HasTheDefaultValuesOfOptions) {
   EXPECT_EQ(table.find("--no-limit")->usual, "");
   EXPECT_EQ(table.find("--required")->usual, "");
   EXPECT_EQ(table.find("--usual")->usual, "1e-08");
-  EXPECT_EQ(table.find("--usual")->range, "> 0");
   EXPECT_EQ(table.find("--none")->usual, "");
   EXPECT_EQ(table.find("--nothing"), nullptr);
+}
+
+TEST(OptionTable, ReadsADurationInSecondsOrWithItsUnits) {
+  double interval = 600;
+  double wait = 30;
+  OptionTable table;
+  table.duration("--interval", interval, above(0), "");
+  table.duration("--wait", wait, at_least(0), "");
+  EXPECT_EQ(table.find("--interval")->usual, "600s");
+  EXPECT_EQ(taken(table, "--interval", "1e-6"), "");
+  EXPECT_EQ(interval, 1e-6);
+  EXPECT_EQ(taken(table, "--interval", "1h30m"), "");
+  EXPECT_EQ(interval, 5400);
+  const std::string expected = "expected a number above 0, in seconds, or 90s, 1h30m";
+  for (const std::string wrong : {"0", "-1", "90x", ""})
+    EXPECT_EQ(taken(table, "--interval", wrong), "'" + wrong + "', " + expected);
+  EXPECT_EQ(interval, 5400);
+  EXPECT_EQ(taken(table, "--wait", "0"), "");
+  EXPECT_EQ(wait, 0);
+}
+
+TEST(OptionTable, TakesAFormerNameForTheCurrentOne) {
+  std::uint64_t nodes = 0;
+  const auto given = [&](const std::string& name, FormerName kind, const std::string& text) {
+    OptionTable table;
+    table.number("--list-nodes", &nodes, above(0), "");
+    table.former_name("--list-limit", "--list-nodes", kind);
+    EXPECT_EQ(taken(table, "--list-limit", "none"), "'none', expected a whole number above 0");
+    EXPECT_EQ(taken(table, name, text), "");
+    EXPECT_EQ(table.replace_former_names(), "");
+    EXPECT_EQ(table.find("--list-nodes")->given, text);
+    EXPECT_FALSE(table.find("--list-limit")->given);
+    return table.warnings();
+  };
+  EXPECT_EQ(given("--list-nodes", FormerName::warned, "3").size(), 0U);
+  EXPECT_EQ(given("--list-limit", FormerName::silent, "4").size(), 0U);
+  EXPECT_EQ(nodes, 4U);
+  EXPECT_EQ(given("--list-limit", FormerName::warned, "5").size(), 1U);
+  EXPECT_EQ(nodes, 5U);
 }
 
 TEST(OptionTable, ReadsAChoiceByItsName) {

@@ -85,10 +85,8 @@ TEST(Verdicts, MarkEveryBoundThatIsNotProved) {
   }
 }
 
-// Except those of programs, which are in the form of the table.
 TEST(Verdicts, BeginWithACapital) {
   for (const auto& verdict : all_verdicts()) {
-    if (std::holds_alternative<MixedOptimum>(verdict.answer)) continue;
     const auto sentence = headline(verdict);
     EXPECT_TRUE(sentence.empty() || std::isupper(static_cast<unsigned char>(sentence.front())) != 0)
         << sentence;

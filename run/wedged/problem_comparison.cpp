@@ -1,5 +1,5 @@
 // Hash of the input and of the computed problem; the numbers of rank 0 where it differs.
-#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_comparison.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -78,7 +78,7 @@ class Numbers {
 
 }  // namespace
 
-void agree(Session& session, problems::WedgedProblem& problem) {
+void make_equal_on_all_ranks(Session& session, problems::WedgedProblem& problem) {
   auto& transport = session.transport();
   engine::require_equal_on_all_ranks(transport, problem.provenance.fingerprint);
   if (transport.size() == 1) return;

@@ -10,6 +10,6 @@ namespace kusabi::run {
 /// Replaces stiffness and compliance by those of rank 0 if they differ in a single bit. (The
 /// displacements under unit reactions are used on rank 0 only.)
 /// @throws engine::RankMismatch on every rank unless all have the same input
-void agree(Session& session, problems::WedgedProblem& problem);
+void make_equal_on_all_ranks(Session& session, problems::WedgedProblem& problem);
 
 }  // namespace kusabi::run
