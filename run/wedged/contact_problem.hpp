@@ -1,5 +1,5 @@
-// ContactProblem: problem of a subcommand on wedged configurations, from its file to its comparison on all ranks
-// of all ranks.
+// ContactProblem: problem of a subcommand on wedged configurations, from its file to its comparison
+// on all ranks.
 #pragma once
 
 #include <optional>
