@@ -2,6 +2,7 @@
 #include "run/command/help.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -44,6 +45,15 @@ TEST(Help, FitsIntoEightyColumns) {
   for (const auto& entry : list.entries()) expect_readable(help(entry));
 }
 
+// The name of an option, or the placeholder of a positional argument.
+std::string in_help(const OptionRow& row) {
+  auto name = row.name;
+  if (!row.named())
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
 TEST(Help, HasAllOptionsAndTheirChoices) {
   const auto list = command_list();
   for (const auto& entry : list.entries()) {
@@ -52,7 +62,7 @@ TEST(Help, HasAllOptionsAndTheirChoices) {
     for (const auto& row : entry.table.rows()) {
       if (!row.shown()) continue;
       const auto letter = row.letter.empty() ? row.letter : row.letter + ", ";
-      EXPECT_THAT(text, HasSubstr("\n  " + letter + row.name));
+      EXPECT_THAT(text, HasSubstr("\n  " + letter + in_help(row)));
     }
     // Choices may take several lines.
     std::ranges::replace(text, '\n', ' ');
@@ -113,7 +123,7 @@ TEST(Manual, HasAllOptionsOfAllSubcommands) {
     EXPECT_THAT(whole, HasSubstr(example));
     for (const auto& row : entry.table.rows()) {
       if (!row.shown()) continue;
-      EXPECT_THAT(page, HasSubstr("\\fB" + roff(row.name) + "\\fR"));
+      EXPECT_THAT(page, HasSubstr("\\fB" + roff(in_help(row)) + "\\fR"));
     }
   }
   for (const auto* const section : {"EXIT STATUS", "EXAMPLES", "SIGNALS", "FILES", "SEE ALSO"})
