@@ -341,6 +341,17 @@ force = [-0.01, 0]
         certificate.write_text(sealed(body[:body.index("digest")].replace("\ntrees ", "\ntotal 0x1p-3\ntrees ")))
         self.assertIn("expected no total, since it is that of one block", self.refused("verify", certificate, "--problem", place))
 
+    def test_a_total_without_a_state_proves_nothing(self):
+        # Also in a file without loads.
+        place = self.folder / "bare.toml"
+        place.write_text(LADDER.read_text().split("[[loads]]")[0])
+        body = self.written(LADDER, "--mu", 0.4)
+        certificate = self.folder / "cert"
+        certificate.write_text(sealed(body[:body.index("\ntrees ")] + "\ntotal 0x1p-3\ntrees 0\nnodes\nend 0\n"))
+        run, said = self.verified(certificate, place)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("NOTHING PROVED", said)
+
     def test_totals_and_grips_are_not_combined(self):
         self.assertIn("expected one of them", self.refused("hold", LADDER, "--mu", 0.4, "--total", 1, "--grip"))
         self.assertIn("--mu", self.refused("hold", LADDER, "--grip"))

@@ -49,10 +49,10 @@ HoldProof::HoldProof(const HoldCertificate& certificate, const LoadedEnclosure& 
     if (!minimum_ || *minimum < *minimum_) minimum_ = minimum;
   }
   if (!certificate.total) return;
-  // The only block; the dead share has the total, also without a load.
+  // The only block: the dead share has the total, also without a load, and a state requires a
+  // proof.
   auto& part = parts_.front();
-  const bool loaded = part.dead || part.reference;
-  part = {.unconstrained = loaded, .dead = loaded, .reference = part.reference};
+  part = {.unconstrained = true, .dead = true, .reference = part.reference};
 }
 
 ProofResult HoldProof::proof_result(const HoldNode& node) const {
