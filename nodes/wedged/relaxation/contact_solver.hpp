@@ -92,6 +92,8 @@ class ContactSolver {
   /// y, m, and for an unconstrained body beta of its p modes: w = sum_i y_i (row (n, i) of F) + G
   /// beta.
   [[nodiscard]] const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  /// Those of the rigid-body modes: the last p of these.
+  [[nodiscard]] auto motion_multipliers() const { return multipliers_.tail(motions_.count()); }
   /// alpha, p numbers: displacement() is F r + G alpha.
   [[nodiscard]] Eigen::VectorXd motion() const;
 
