@@ -122,6 +122,8 @@ void BlockGrip::follow(GripEnd& end, Kind kind) const {
   end.out = out;
 }
 
+const GripEnd unknown_end{.held_proved = false, .out_proved = false, .known = false};
+
 GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   const double away = kind == Kind::above ? 1 : -1;
   const LoadedPattern apart{{}, problems::all_candidates(block_.problem)};
@@ -138,6 +140,7 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
       return end;
     }
     bool again = false;
+    bool may_be_beyond = false;  // states at a limit, or undecided leaves, at the last step
     for (const double step : steps_beyond) {
       const double out = end.out * (1 + away * step);
       const auto outcome = search(std::array{dead_load}, GripRestriction{kind, out});
@@ -156,14 +159,16 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
         end.out = out;
         return end;
       }
+      may_be_beyond = outcome.is_unresolved() || !outcome.tally.limits.empty();
     }
-    if (!again) return end;
+    if (again) continue;
+    if (may_be_beyond && kind == Kind::above) return unknown_end;
+    if (may_be_beyond) end.out = 0;
+    return end;
   }
   end.out_proved = false;
   return end;
 }
-
-const GripEnd unknown_end{.held_proved = false, .out_proved = false, .known = false};
 
 std::optional<GripOfBlock> BlockGrip::range() {
   GripOfBlock own;
