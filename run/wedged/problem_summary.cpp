@@ -99,7 +99,7 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
     if (friction[i] >= wedged::min_friction && friction[i] <= wedged::max_friction) continue;
     throw WrongInput(fmt::format(
         "{}: the friction coefficient at {} is {:g}; expected 0, or {:g} to {:g}, by "
-        "another --mu or another relative friction",
+        "another coefficient or another relative friction",
         file, problem.contact_names[i], friction[i], wedged::min_friction, wedged::max_friction));
   }
   return friction;
