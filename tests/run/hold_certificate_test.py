@@ -83,17 +83,21 @@ units = { length = "m", force = "N" }
 [nodes]
 a = [0, 0]
 b = [1, 0]
-c = [0.5, 1]
+c = [0, 1]
 [[members]]
 EA = 100
 between = [["a", "b"], ["b", "c"], ["a", "c"]]
 [[contact]]
 nodes = ["a", "b"]
 normal = [0, 1]
+[[contact]]
+nodes = ["c"]
+normal = [0, -1]
+friction_factor = 0
 [[loads]]
 kind = "dead"
-nodes = ["c"]
-force = [1, -2]
+nodes = ["a", "b"]
+force = [0.3, -1]
 """)
         missing = "No certificate of the upper bound was written"
         self.written(place)

@@ -214,12 +214,13 @@ class Hold(KusabiCase):
         self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
 
     def test_states_at_a_limit_bound_the_coefficient_from_above(self):
-        # The resultant passes through b, so that a has no reaction under any friction coefficient.
+        # The resultant passes through b, so that a has no reaction under any friction coefficient: proved, since the
+        # load acts at neither.
         result = self.solve("hold", self.problem(TRIANGLE + LOAD.format('"c"', "[1, -2]")))
         found = result["result"]["holding_friction"]
         self.check_end(found["upper"], found["lower"], 0.5)
-        self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))
-        self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.49999; at 0\.50001 it can \(computed")
+        self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, True))
+        self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.49999; at 0\.50001 it can\.")
         # A corner right above a foot, without gap below a ceiling that carries nothing.
         text = TRIANGLE.replace("[0.5, 1]", "[0, 1]") + CEILING + LOAD.format('"a", "b"', "[0.3, -1]")
         found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
