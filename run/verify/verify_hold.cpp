@@ -161,7 +161,9 @@ std::string summary_of(const VerifyOptions& options, const problems::CheckedStru
   const auto& [enclosure, friction] = consistent;
   return fmt::format(
       "contact candidates: {}\n{}{}{}{}"
-      "K and the loads were recomputed from the structure with errors up to {:.1e}\n"
+      "K was recomputed from the structure, and the loads from the forces on its nodes, with "
+      "errors "
+      "up to {:.1e}\n"
       "nodes without a state: {} of {}{}\nstates: {}\n",
       fmt::join(certificate.header.names, " "), verified_problem(options, structure),
       verified_friction(structure, friction), covered_cases_text({certificate.load_case}),
