@@ -182,6 +182,7 @@ std::string cases_at_residual_text(std::span<const CheckedStatement> at_strength
 
 std::vector<std::string> covered_cases(const std::vector<CheckedStatement>& statements) {
   std::vector<std::string> covered;
+  covered.reserve(statements.size());
   for (const auto& each : statements) covered.push_back(verify::on_one_line(each.load_case));
   return covered;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -48,10 +49,14 @@ ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
 }  // namespace
 
 std::string problem_line(const problems::WedgedProblem& problem) {
-  auto sizes = counted(problem.provenance.nodes, "node");
-  if (problem.provenance.members > 0) sizes += ", " + counted(problem.provenance.members, "member");
+  const auto number_of = [](int number, const char* noun) {
+    return counted(static_cast<std::uint64_t>(number), noun);
+  };
+  auto sizes = number_of(problem.provenance.nodes, "node");
+  if (problem.provenance.members > 0)
+    sizes += ", " + number_of(problem.provenance.members, "member");
   if (problem.provenance.elements > 0)
-    sizes += ", " + counted(problem.provenance.elements, "element");
+    sizes += ", " + number_of(problem.provenance.elements, "element");
   auto line = fmt::format("{}: {}, {}, {}", problem.provenance.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
                           counted(problem.contact_names.size(), "contact candidate"));
