@@ -108,6 +108,11 @@ force = [0.3, -1]
         self.assertEqual((run.returncode, (self.folder / "new").exists()), (3, False))
         self.assertIn("since the search ended early", " ".join(json.loads(self.result.read_text())["verdict"]["missing"]))
 
+    def test_a_load_is_excluded_beside_wedged_parts(self):
+        place = SOURCES / "tests" / "cases" / "load_beside_wedged_parts.toml"
+        self.written(place)
+        self.assertIn("it cannot hold the dead load", self.proved(self.folder / "cert.lower", place)[2])
+
     def test_factors_and_their_complement_are_proved(self):
         self.written(LADDER, "--mu", "0.4")
         held, none, _ = self.proved(self.folder / "cert", LADDER)

@@ -27,6 +27,7 @@ std::optional<MotionsOfForm> motions_of_form(const BlockModel& model,
   const auto d = block.dimension;
   const auto& springs = regularised.springs();
   std::vector<Rationals> rows;
+  rows.reserve(springs.size());
   for (const auto spring : springs) rows.push_back(block.motions.rows[spring]);
   MotionsOfForm result;
   for (std::size_t j = 0; j < springs.size(); ++j) {

@@ -21,8 +21,10 @@ constexpr double small_multiplier = 1e-6;
 // last digits of directions; larger shares are tried if necessary.
 constexpr double spare = 0x1p-40;
 
-// Displacement by the recorded motion, relative to the largest, below which a candidate is to be at
-// rest: the recorded numbers have sixteen digits.
+// Displacements by the recorded motion, relative to the largest, below which a candidate is to be
+// at rest: by the sixteen digits of the recorded numbers, and more, where other candidates do not
+// move as little.
+constexpr double at_rest_by_rounding = 1e-13;
 constexpr double nearly_at_rest = 1e-9;
 
 constexpr auto not_in_equilibrium =
@@ -80,7 +82,8 @@ ProofResult InfeasibilityProof::prove_unconstrained() const {
     if (!why) return {};
     if (!first) first = std::move(why);
   }
-  if (!refusal_of_rigid_motion(mean)) return {};
+  for (const double small : {at_rest_by_rounding, nearly_at_rest})
+    if (!refusal_of_rigid_motion(mean, small)) return {};
   for (const double small : {0.0, small_multiplier}) {
     if (!refusal(equilibrium.nearly(small))) return {{}, true};
   }
@@ -90,7 +93,7 @@ ProofResult InfeasibilityProof::prove_unconstrained() const {
 // The candidates hardly displaced by the recorded motion are those of wedged configurations: w is
 // zero there in rational numbers, and their reactions, of any size, do no work on it.
 std::optional<std::string> InfeasibilityProof::refusal_of_rigid_motion(
-    const std::vector<double>& mean) const {
+    const std::vector<double>& mean, double small) const {
   if (combination_.loads.empty()) return "a rigid motion alone excludes loads only";
   if (combination_.grip && combination_.grip->multiplier != 0)
     return "the sum of the reactions has a multiplier";
@@ -105,14 +108,14 @@ std::optional<std::string> InfeasibilityProof::refusal_of_rigid_motion(
   const double largest = *std::ranges::max_element(sizes);
   Elimination at_rest(model_.motions());
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (contains(rest.separated, i) || sizes[i] > nearly_at_rest * largest) continue;
+    if (contains(rest.separated, i) || sizes[i] > small * largest) continue;
     for (std::size_t row = d * i; row < d * i + directions(i); ++row)
       at_rest.add_equation(block_.motions.rows[row]);
     rest.separated.insert(static_cast<int>(i));  // nothing is left to be ruled out there
   }
   // Loads without the dead one may have any amount, if they do no work.
   const auto may_act = [&](const ActingLoad& load) {
-    return load.dead.sign() == 0 && work_size(load, mean) <= nearly_at_rest;
+    return load.dead.sign() == 0 && work_size(load, mean) <= small;
   };
   for (const auto& load : rest.loads)
     if (may_act(load)) at_rest.add_equation(load.work);
