@@ -31,6 +31,12 @@ class KusabiCase(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.result = self.folder / "result.json"
 
+    def problem(self, text):
+        """The path of a problem file with this text."""
+        place = self.folder / "problem.toml"
+        place.write_text(text)
+        return place
+
     def kusabi(self, *words, **how):
         return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False, **how)
 

@@ -138,6 +138,15 @@ def _motions(bodies):
     return result, springs
 
 
+def _strain_vector(factor, parts, between, grad):
+    """A share of the strains of an element, by node and axis. @param parts axis, slope and sign of each term"""
+    strain = {}
+    for corner, node in enumerate(between):
+        for axis, slope, share in parts:
+            strain[node, axis] = strain.get((node, axis), Decimal(0)) + share * factor * grad[corner][slope]
+    return strain
+
+
 def _triangle_strain(bodies, element):
     """Strain vectors of a triangle, in the format of structure._quad_strain."""
     modulus, ratio, thickness, plane, between = element
@@ -152,11 +161,7 @@ def _triangle_strain(bodies, element):
     vectors = []
     for factor, parts in (((area * bulk).sqrt(), ((0, 0, 1), (1, 1, 1))), ((area * shear).sqrt(), ((0, 0, 1), (1, 1, -1))),
                           ((area * shear).sqrt(), ((0, 1, 1), (1, 0, 1)))):
-        strain = {}
-        for corner, node in enumerate(between):
-            for axis, slope, sign in parts:
-                strain[node, axis] = strain.get((node, axis), Decimal(0)) + sign * factor * grad[corner][slope]
-        vectors.append(strain)
+        vectors.append(_strain_vector(factor, parts, between, grad))
     return vectors
 
 
@@ -182,11 +187,7 @@ def _tetrahedron_strain(bodies, element):
     for square, parts in ((bulk, ((0, 0, 1), (1, 1, 1), (2, 2, 1))), (shear, ((0, 0, 1), (1, 1, -1))),
                           (shear / 3, ((0, 0, 1), (1, 1, 1), (2, 2, -2))),
                           *((shear, ((k, (k + 1) % 3, 1), ((k + 1) % 3, k, 1))) for k in range(3))):
-        factor, strain = (volume * square).sqrt(), {}
-        for corner, node in enumerate(between):
-            for axis, slope, share in parts:
-                strain[node, axis] = strain.get((node, axis), Decimal(0)) + share * factor * grad[corner][slope]
-        vectors.append(strain)
+        vectors.append(_strain_vector((volume * square).sqrt(), parts, between, grad))
     return vectors
 
 

@@ -268,7 +268,7 @@ def compare_intervals(what, result, code, truth):
             for each in result["result"]["intervals"]]
     if answer["reason"] in ("supports", "wedging"):
         held = [(-math.inf, math.inf)]
-    proved = all(each["low_proved"] and each["high_proved"] for each in result["result"]["intervals"])
+    proved = all(each["proved"] for each in result["result"]["intervals"])
     room = NEAR if proved else NEAR_COMPUTED
     if not proved:  # inequalities hold within the rounding of the numbers, times such factors
         truth = [(-math.inf if low < -LARGE_COMPUTED else low, math.inf if high > LARGE_COMPUTED else high) for low, high in truth]

@@ -82,11 +82,6 @@ SHAPES = [
 
 
 class BodyLoads(KusabiCase):
-    def problem(self, text):
-        place = self.folder / "problem.toml"
-        place.write_text(text)
-        return place
-
     def grip(self, text, mu=0.3):
         """Both ends of the sum of the normal reactions; proved."""
         grip = self.solve("hold", self.problem(text), "--mu", mu, "--grip", "--certificate", self.folder / "cert")["result"]["grip"]

@@ -13,7 +13,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
-from hold_test import BOX, LOAD  # noqa: E402: beside this file
+from hold_test import BELOW_CEILING, BOX, LOAD  # noqa: E402: beside this file
 
 LADDER = EXAMPLES / "ladder.toml"
 PEG = EXAMPLES / "peg-under-load.toml"
@@ -74,31 +74,7 @@ class HoldCertificate(KusabiCase):
             self.assertEqual(mu < 1 / 3, end == "lower")
 
     def test_certificates_without_a_proof_are_not_written(self):
-        # The resultant passes through b: the upper bound is computed.
-        place = self.folder / "tips.toml"
-        place.write_text("""
-name = "triangle"
-dimension = 2
-units = { length = "m", force = "N" }
-[nodes]
-a = [0, 0]
-b = [1, 0]
-c = [0, 1]
-[[members]]
-EA = 100
-between = [["a", "b"], ["b", "c"], ["a", "c"]]
-[[contact]]
-nodes = ["a", "b"]
-normal = [0, 1]
-[[contact]]
-nodes = ["c"]
-normal = [0, -1]
-friction_factor = 0
-[[loads]]
-kind = "dead"
-nodes = ["a", "b"]
-force = [0.3, -1]
-""")
+        place = self.problem(BELOW_CEILING + LOAD.format('"a", "b"', "[0.3, -1]"))  # its upper bound is computed
         missing = "No certificate of the upper bound was written"
         self.written(place)
         self.assertIn(missing, " ".join(json.loads(self.result.read_text())["verdict"]["missing"]))

@@ -12,6 +12,7 @@ import xml.etree.ElementTree
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import EXAMPLES, KusabiCase, main, moved  # noqa: E402: beside the folder of this file
+from hold_test import BELOW_CEILING  # noqa: E402: beside this file
 
 #: A moment and a side force at the tip.
 PEG = "peg-under-two-loads.toml"
@@ -43,11 +44,6 @@ def contains(piece, x, y, slack):
 
 
 class HoldDiagram(KusabiCase):
-    def problem(self, text):
-        place = self.folder / "problem.toml"
-        place.write_text(text)
-        return place
-
     def diagram(self, text, mu, *words):
         result = self.solve("hold", self.problem(text), "--diagram", "--mu", mu, *words)
         self.assertEqual(result["verdict"]["exit_code"], 0, result["verdict"])
@@ -178,26 +174,8 @@ force = [1, 0.5]
         self.assertTrue(any(end is not None for pair in ends for end in pair))
 
     def test_pieces_at_a_limit_are_not_known(self):
-        # A ceiling without gap and friction carries nothing: each load of a diagram holds a range of the other.
-        text = """
-name = "slot"
-dimension = 2
-units = { length = "m", force = "N" }
-[nodes]
-a = [0, 0]
-b = [1, 0]
-c = [0, 1]
-[[members]]
-EA = 100
-between = [["a", "b"], ["b", "c"], ["a", "c"]]
-[[contact]]
-nodes = ["a", "b"]
-normal = [0, 1]
-[[contact]]
-nodes = ["c"]
-normal = [0, -1]
-friction_factor = 0
-"""
+        # Each load of the diagram holds a range of the other.
+        text = BELOW_CEILING
         for kind, force in (('"dead"', [0.3, -1]), ('"reference"\ncase = "h"', [0.1, 0]), ('"reference"\ncase = "v"', [0, -1])):
             text += f'[[loads]]\nkind = {kind}\nnodes = ["a", "b"]\nforce = {force}\n'
         (held,) = self.solve("hold", self.problem(text), "--mu", 0.5, "--case", "h")["result"]["intervals"]

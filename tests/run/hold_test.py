@@ -52,7 +52,7 @@ nodes = ["a1", "a2"]
 normal = [-0.9659258262890683, 0.25881904510252074]
 against = [{ nodes = ["r0"], weights = [1.0] }, { nodes = ["r1"], weights = [1.0] }]
 """
-#: On a floor, with a dead load; and below a ceiling without friction.
+#: On a floor.
 TRIANGLE = """
 name = "triangle"
 dimension = 2
@@ -68,7 +68,8 @@ between = [["a", "b"], ["b", "c"], ["a", "c"]]
 nodes = ["a", "b"]
 normal = [0, 1]
 """
-CEILING = """
+#: The same with c right above a, and without gap below a ceiling without friction, which carries nothing.
+BELOW_CEILING = TRIANGLE.replace("[0.5, 1]", "[0, 1]") + """
 [[contact]]
 nodes = ["c"]
 normal = [0, -1]
@@ -83,11 +84,6 @@ def heaviest(mu):
 
 
 class Hold(KusabiCase):
-    def problem(self, text):
-        place = self.folder / "problem.toml"
-        place.write_text(text)
-        return place
-
     def check_end(self, held, out, wanted):
         """The closed form is between a factor that is held and one that is not, both near."""
         self.assertAlmostEqual(held, wanted, delta=1e-8 * max(1, abs(wanted)))
@@ -221,8 +217,7 @@ class Hold(KusabiCase):
         self.check_end(found["upper"], found["lower"], 0.5)
         self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, True))
         self.assertRegex(result["verdict"]["sentence"], r"below friction coefficient 0\.49999; at 0\.50001 it can\.")
-        # A corner right above a foot, without gap below a ceiling that carries nothing.
-        text = TRIANGLE.replace("[0.5, 1]", "[0, 1]") + CEILING + LOAD.format('"a", "b"', "[0.3, -1]")
+        text = BELOW_CEILING + LOAD.format('"a", "b"', "[0.3, -1]")
         found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
         self.check_end(found["upper"], found["lower"], 0.3)
         self.assertEqual((found["lower_proved"], found["upper_proved"]), (True, False))

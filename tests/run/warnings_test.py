@@ -21,9 +21,7 @@ CONE = "{{ point = [0, 0, -190.8113668772821], axis = [0, 0, 1], half_angle = {}
 class Problems(KusabiCase):
     def problem(self, text, mesh):
         shutil.copy(CASES / mesh, self.folder)
-        file = self.folder / "problem.toml"
-        file.write_text(text)
-        return file
+        return super().problem(text)
 
     def groove(self, more="", material='[[material]]\ngroups = ["w.steel"]\n' + STEEL):
         head = HEAD.format(name="groove", dimension=2, mesh="vg_o1_msh22.msh")
