@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace kusabi::limit {
 namespace {
@@ -34,6 +35,28 @@ FactorBracket negative(const FactorBracket& bracket) {
 void raise_by_collapse(FactorBracket& minimum, const std::optional<LimitCollapse>& collapse) {
   if (collapse && collapse->minimum)
     raise(minimum.lower, minimum.lower_proved, *collapse->minimum, false);
+}
+
+GuaranteedInterval of_nominal_load(const LimitAnswer& answer) {
+  GuaranteedInterval interval;
+  interval.at_none = answer.status == LoadStatus::not_carried;
+  interval.at_none_proved = answer.no_factor_proved;
+  if (!answer.nominal) return interval;
+  const auto& [factor, minimum] = std::tie(answer.nominal->factor, answer.nominal->minimum);
+  interval.largest = {factor, factor};
+  // The two ends of a single factor differ by rounding.
+  if (minimum) interval.minimum = {std::min(*minimum, factor), std::min(*minimum, factor)};
+  return interval;
+}
+
+// From the intervals at both strengths.
+GuaranteedInterval with_struts(GuaranteedInterval full, const GuaranteedInterval& residual) {
+  const auto carried = residual.has_factors() ? residual : GuaranteedInterval{};
+  full.minimum.upper = carried.minimum.upper;
+  full.minimum.upper_proved = carried.minimum.upper_proved;
+  full.largest.lower = carried.largest.lower;
+  full.largest.lower_proved = carried.largest.lower_proved;
+  return full;
 }
 
 }  // namespace
@@ -80,15 +103,14 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
 
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer,
                                        const std::optional<LimitAnswer>& residual) {
-  auto interval = guaranteed_interval(answer);
-  if (!residual) return interval;
-  const auto found = guaranteed_interval(*residual);
-  const auto carried = found.has_factors() ? found : GuaranteedInterval{};
-  interval.minimum.upper = carried.minimum.upper;
-  interval.minimum.upper_proved = carried.minimum.upper_proved;
-  interval.largest.lower = carried.largest.lower;
-  interval.largest.lower_proved = carried.largest.lower_proved;
-  return interval;
+  const auto full = guaranteed_interval(answer);
+  return residual ? with_struts(full, guaranteed_interval(*residual)) : full;
+}
+
+GuaranteedInterval nominal_interval(const LimitAnswer& answer,
+                                    const std::optional<LimitAnswer>& residual) {
+  const auto full = of_nominal_load(answer);
+  return residual ? with_struts(full, of_nominal_load(*residual)) : full;
 }
 
 GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases) {

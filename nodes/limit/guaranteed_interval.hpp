@@ -44,6 +44,10 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer,
                                        const std::optional<LimitAnswer>& residual);
 
+/// The factors that are carried under the nominal dead load, computed. @param residual as above
+GuaranteedInterval nominal_interval(const LimitAnswer& answer,
+                                    const std::optional<LimitAnswer>& residual);
+
 /// The factors that are carried in all load cases. @param cases at least one
 GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases);
 

@@ -68,6 +68,11 @@ bool all_whole(std::span<const LimitCase> cases) {
   return std::ranges::all_of(cases, [](const auto& each) { return each.found.whole(); });
 }
 
+bool with_worst_case(std::span<const LimitCase> cases) {
+  return std::ranges::any_of(cases,
+                             [](const auto& each) { return each.found.answer.worst.has_value(); });
+}
+
 bool with_struts(std::span<const LimitCase> cases) {
   return std::ranges::any_of(cases,
                              [](const auto& each) { return each.found.residual.has_value(); });
@@ -117,10 +122,13 @@ std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase
 }
 
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
+  const bool worst = with_worst_case(cases);
   std::vector<limit::GuaranteedInterval> intervals;
+  intervals.reserve(cases.size());
   for (const auto& each : cases) {
     const auto& [answer, residual] = std::tie(each.found.answer, each.found.residual);
-    intervals.push_back(guaranteed_interval(answer, residual));
+    intervals.push_back(worst ? guaranteed_interval(answer, residual)
+                              : nominal_interval(answer, residual));
   }
   return intersection(intervals);
 }
@@ -131,9 +139,12 @@ std::string cases_text(std::span<const LimitCase> cases) {
   const auto out = std::back_inserter(text);
   for (const auto& each : cases)
     fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found));
-  if (cases.front().found.answer.worst)
-    fmt::format_to(out, "in all cases: {}\n  {}\n", interval_text(interval_of_all(cases)),
-                   passed_text(interval_of_all(cases)));
+  const auto interval = interval_of_all(cases);
+  if (with_worst_case(cases)) {
+    fmt::format_to(out, "in all cases: {}\n  {}\n", interval_text(interval), passed_text(interval));
+  } else {
+    fmt::format_to(out, "in all cases: {}\n", interval_text(interval, " under the dead load"));
+  }
   fmt::format_to(
       out, "{} {}\n\nload case {}\n",
       all_whole(cases) ? "the least factor is that of" : "the least known factor is that of",

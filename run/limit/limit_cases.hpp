@@ -34,6 +34,9 @@ bool all_whole(std::span<const LimitCase> cases);
 /// Addition to the title of a table of factors of a truss with struts.
 inline constexpr const char* upper_values = ", all struts at their strength: upper values";
 
+/// True if some case has a worst case.
+bool with_worst_case(std::span<const LimitCase> cases);
+
 /// True if some members are struts: their results at residual strength are lower values.
 bool with_struts(std::span<const LimitCase> cases);
 
@@ -50,7 +53,8 @@ bool have_loss_statements(std::span<const LimitCase> cases);
 /// @pre have_loss_statements()
 std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases);
 
-/// Load factors carried in all cases, under every admissible load. @pre a worst case was requested
+/// Load factors carried in all cases: under every admissible load if some case has a worst case,
+/// otherwise under the nominal ones.
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases);
 
 /// One row per case, and the governing case.

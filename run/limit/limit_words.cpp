@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,7 +25,6 @@
 namespace kusabi::run {
 namespace {
 
-using limit::LimitAnswer;
 using limit::LimitCollapse;
 using problems::LimitProblem;
 
@@ -136,53 +134,21 @@ Bracket bracket(const limit::FactorBracket& found) {
   return {bound(found.lower, found.lower_proved), bound(found.upper, found.upper_proved)};
 }
 
-// For a dead load exactly as given.
-LoadInterval nominal_interval(const LimitAnswer& answer) {
-  LoadInterval interval;
-  if (answer.nominal) {
-    interval.maximum.lower = interval.maximum.upper =
-        Bound{answer.nominal->factor, Standing::computed};
-    if (const auto& minimum = answer.nominal->minimum) {
-      interval.minimum.lower = interval.minimum.upper = Bound{*minimum, Standing::computed};
-    }
-  } else if (answer.status == limit::LoadStatus::not_carried) {
-    interval.carried_at_none = standing(answer.no_factor_proved);
-  }
-  return interval;
-}
-
-// The factor that is carried is the least at residual strength; the largest one is that at full
-// strength.
-LoadInterval nominal_interval(std::span<const LimitCase> cases) {
-  auto interval = nominal_interval(governing(cases).found.answer);
-  interval.struts = with_struts(cases);
-  if (!interval.struts || interval.carried_at_none) return interval;
-  interval.minimum.upper = interval.maximum.lower = std::nullopt;
-  double from = -std::numeric_limits<double>::infinity();
-  double to = std::numeric_limits<double>::infinity();
-  for (const auto& each : cases) {
-    if (!each.found.residual || !each.found.residual->nominal) return interval;
-    const auto& carried = *each.found.residual->nominal;
-    from = std::max(from, carried.minimum.value_or(from));
-    to = std::min(to, carried.factor);
-  }
-  if (from > to) return interval;
-  interval.maximum.lower = Bound{to, Standing::computed};
-  if (std::isfinite(from)) interval.minimum.upper = Bound{from, Standing::computed};
-  return interval;
-}
-
-// For all admissible loads in all cases.
-LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> cases) {
-  const auto found = interval_of_all(cases);
-  LoadInterval interval{
-      .uncertain = LoadRange{}, .cases = cases.size(), .struts = with_struts(cases)};
+// Bounds of the uncertain loads in all cases.
+LoadRange load_range(const LimitOptions& options, std::span<const LimitCase> cases) {
+  LoadRange loads;
   std::set<std::optional<double>> half_widths;
   for (const auto& each : cases)
     half_widths.insert(problems::common_half_width(each.problem, *options.parameters.alpha));
-  if (half_widths.size() == 1) interval.uncertain->half_width = *half_widths.begin();
-  if (const auto unit = unit_of_alpha(cases.front().problem))
-    interval.uncertain->force = std::string(*unit);
+  if (half_widths.size() == 1) loads.half_width = *half_widths.begin();
+  if (const auto unit = unit_of_alpha(cases.front().problem)) loads.force = std::string(*unit);
+  return loads;
+}
+
+LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases) {
+  const auto found = interval_of_all(cases);
+  LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
+  if (with_worst_case(cases)) interval.uncertain = load_range(options, cases);
   if (found.at_none) {
     interval.carried_at_none = standing(found.at_none_proved);
     return interval;
@@ -212,15 +178,13 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
     if (auto text = yielding_sentence(governs.problem, collapse, when, lost); !text.empty())
       verdict.details.push_back(std::move(text));
   };
-  const bool of_worst = std::ranges::any_of(
-      cases, [](const auto& each) { return each.found.answer.worst.has_value(); });
-  auto interval = of_worst ? guaranteed(options, cases) : nominal_interval(cases);
+  auto interval = load_interval(options, cases);
   if (answer.worst) {
     const auto& worst = *answer.worst;
     if (worst.collapse && worst.status != limit::RootStatus::not_carried)
       yields(*worst.collapse, worst.proved ? "In the worst case" : "Under the worst load known");
   } else if (answer.nominal) {
-    yields(*answer.nominal, "Then");
+    yields(*answer.nominal, cases.size() > 1 ? "At the least of the largest factors" : "Then");
   }
   interval.incomplete = !all_whole(cases);
   verdict.answer = interval;

@@ -31,20 +31,17 @@ std::string bound_text(double bound) {
 
 }  // namespace
 
-std::string interval_text(const GuaranteedInterval& interval) {
+std::string interval_text(const GuaranteedInterval& interval, std::string_view loads) {
   if (interval.is_empty()) {
-    return fmt::format("no factor is carried under all admissible loads, {}",
-                       proved_word(interval.decided()));
+    return fmt::format("no factor is carried{}, {}", loads, proved_word(interval.decided()));
   }
   const auto& [minimum, largest, at_none, at_none_proved] = interval;
   if (interval.has_factors()) {
-    return fmt::format("factors {:.10g} ... {:.10g} are carried under all admissible loads, {}",
-                       minimum.upper, largest.lower, proved_word(interval.decided()));
+    return fmt::format("factors {:.10g} ... {:.10g} are carried{}, {}", minimum.upper,
+                       largest.lower, loads, proved_word(interval.decided()));
   }
-  return fmt::format(
-      "open: factors carried under all admissible loads lie between {} and {}; their existence is "
-      "undecided",
-      bound_text(minimum.lower), bound_text(largest.upper));
+  return fmt::format("open: factors carried{} lie between {} and {}; their existence is undecided",
+                     loads, bound_text(minimum.lower), bound_text(largest.upper));
 }
 
 std::string passed_text(const GuaranteedInterval& interval) {

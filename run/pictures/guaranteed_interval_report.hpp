@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -9,8 +10,10 @@
 
 namespace kusabi::run {
 
-/// "-2.634577 ... 1.882777, proved": the known bounds, without a line end.
-std::string interval_text(const limit::GuaranteedInterval& interval);
+/// "factors -2.634577 ... 1.882777 are carried under all admissible loads, proved": the known
+/// bounds, without a line end. @param loads those of the interval
+std::string interval_text(const limit::GuaranteedInterval& interval,
+                          std::string_view loads = " under all admissible loads");
 
 /// Statement on the design load at every stage of loading, without a line end.
 std::string passed_text(const limit::GuaranteedInterval& interval);

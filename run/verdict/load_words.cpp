@@ -1,4 +1,7 @@
 // Sentences about load factors.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "run/verdict/answer_words.hpp"
@@ -6,6 +9,9 @@
 
 namespace kusabi::run {
 namespace {
+
+/// Relative difference of two computed load factors that rounding explains.
+constexpr double tie_of_factors = 1e-9;
 
 std::string within(const LoadInterval& found) {
   const auto& loads = *found.uncertain;
@@ -32,31 +38,6 @@ std::string of_struts(const LoadInterval& found) {
   return text;
 }
 
-std::string nominal(const LoadInterval& found) {
-  if (found.carried_at_none) {
-    return fmt::format("It does not carry its dead load at any load factor{}.",
-                       unless_proved(*found.carried_at_none));
-  }
-  if (!found.maximum.lower) {
-    return fmt::format("No load factor was found at which it carries its dead load{}.",
-                       of_struts(found));
-  }
-  const auto& [value, standing] = *found.maximum.lower;
-  const char* const only = found.struts ? "" : "only ";
-  if (const auto& from = found.minimum.upper; from && from->value > 0) {
-    const auto [low, high] = inside(from->value, value);
-    return fmt::format("It carries its dead load {}at load factors from {} to {}{}{}.", only, low,
-                       high, unless_proved(standing), of_struts(found));
-  }
-  if (value < 0) {
-    return fmt::format("It carries its dead load {}at load factors up to {}{}{}.", only,
-                       rounded_down(value), unless_proved(standing), of_struts(found));
-  }
-  return fmt::format("It carries {} times the reference load{}{}{}.", rounded_down(value),
-                     found.struts ? "" : ", and no more", unless_proved(standing),
-                     of_struts(found));
-}
-
 // Standing of a statement that follows from two bounds.
 Standing of_both(const Bound& one, const Bound& other) {
   return one.standing == Standing::proved ? other.standing : one.standing;
@@ -75,6 +56,52 @@ bool is_undecided(const LoadInterval& found) {
   const auto& from = found.minimum.upper;
   const auto& to = found.maximum.lower;
   return from && to && from->value > to->value && !empty(found);
+}
+
+std::string in_cases(const LoadInterval& found) {
+  return found.cases > 1 ? fmt::format(" in each of {} load cases", found.cases) : std::string();
+}
+
+// In several cases two ends that rounding may have exchanged decide nothing.
+std::optional<std::string> nominal_without_factor(const LoadInterval& found) {
+  if (found.carried_at_none) {
+    return fmt::format("It does not carry its dead load{} at any load factor{}.",
+                       found.cases > 1 ? " of some load case" : "",
+                       unless_proved(*found.carried_at_none));
+  }
+  if (const auto standing = empty(found)) {
+    const double from = found.minimum.lower->value;
+    const double to = found.maximum.upper->value;
+    if (from - to <= tie_of_factors * std::max({1.0, std::abs(from), std::abs(to)}))
+      return fmt::format("It is numerically undecided whether any load factor is carried{}.",
+                         in_cases(found));
+    return fmt::format("No load factor is carried{}{}.", in_cases(found), unless_proved(*standing));
+  }
+  // The largest factor of a case need not be carried in the other cases.
+  if (!found.maximum.lower || (found.cases > 1 && !found.minimum.upper)) {
+    return fmt::format("No load factor was found at which it carries its dead load{}{}.",
+                       in_cases(found), of_struts(found));
+  }
+  return std::nullopt;
+}
+
+std::string nominal(const LoadInterval& found) {
+  if (auto text = nominal_without_factor(found)) return *text;
+  const auto& [value, standing] = *found.maximum.lower;
+  const auto cases = in_cases(found);
+  const char* const only = found.struts ? "" : "only ";
+  if (const auto& from = found.minimum.upper; from && from->value > 0) {
+    const auto [low, high] = inside(from->value, value);
+    return fmt::format("It carries its dead load{} {}at load factors from {} to {}{}{}.", cases,
+                       only, low, high, unless_proved(standing), of_struts(found));
+  }
+  if (value < 0) {
+    return fmt::format("It carries its dead load{} {}at load factors up to {}{}{}.", cases, only,
+                       rounded_down(value), unless_proved(standing), of_struts(found));
+  }
+  return fmt::format("It carries {} times the reference load{}{}{}{}.", rounded_down(value), cases,
+                     found.struts ? "" : ", and no more", unless_proved(standing),
+                     of_struts(found));
 }
 
 std::string proved_or(const Bracket& bracket) {

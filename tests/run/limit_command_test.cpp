@@ -171,6 +171,24 @@ TEST_F(LoadCases, HaveAResultForEachCase) {
   EXPECT_EQ(alone, together);
 }
 
+// By hand: -2 to 3 without a dead load; 3.5 to 5 with the tip pushed by 5.5.
+TEST_F(LoadCases, WithoutUncertaintyAreCarriedTogetherAtNoFactorIfTheirIntervalsAreDisjoint) {
+  std::ofstream(in_folder("disjoint.toml")) << limit::two_bars(R"([[loads]]
+kind = "dead"
+case = "none"
+nodes = ["tip"]
+force = [0, 0]
+[[loads]]
+kind = "dead"
+case = "push"
+nodes = ["tip"]
+force = [-5.5, 0]
+)");
+  const auto run = shell(command + " limit " + argument("disjoint.toml"));
+  EXPECT_THAT(run.output, HasSubstr("No load factor is carried in each of 2 load cases"));
+  EXPECT_THAT(run.output, HasSubstr("in all cases: no factor is carried under the dead load, not proved"));
+}
+
 // Minimum of (5) over all vertices of the uncertain loads, by another program (HiGHS in SciPy).
 TEST_F(LimitCommand, AnswersBothCasesOfTheSteelMast) {
   const auto json = result_of(example("steel-mast.toml"));

@@ -85,28 +85,44 @@ TEST(Consistency, ProofsUseTheKOfTheStructure) {
   EXPECT_EQ(one.friction, 1.0);
 }
 
-TEST(Consistency, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
-  auto problem = example("plane-truss.toml");
-  auto structure = structure_of("plane-truss.toml");
-  auto draft = searched(problem, 1.0);
-  const std::vector<double> relative{1, 0.1, 3, 0.7, 0};
+// The certificate `draft` with mu times the given relative frictions.
+Certificate with_frictions(Draft draft, double mu, const std::vector<double>& relative) {
   for (auto& line : draft.header) {
     if (!line.starts_with("friction")) continue;
     line = "friction";
-    for (std::size_t i = 0; i < relative.size(); ++i) {
-      structure.contact[i].friction = relative[i];
+    for (const double factor : relative) {
       char number[64];
-      std::snprintf(number, sizeof number, " %a", 0.3 * relative[i]);
+      std::snprintf(number, sizeof number, " %a", mu * factor);
       line += number;
     }
     line += "\n";
   }
-  const auto found = consistency(read_certificate(draft.text(), "c"), structure);
+  return read_certificate(draft.text(), "c");
+}
+
+TEST(Consistency, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
+  auto structure = structure_of("plane-truss.toml");
+  const auto draft = searched(example("plane-truss.toml"), 1.0);
+  const std::vector<double> relative{1, 0.1, 3, 0.7, 0};
+  for (std::size_t i = 0; i < relative.size(); ++i) structure.contact[i].friction = relative[i];
+  const auto certificate = with_frictions(draft, 0.3, relative);
+  const auto found = consistency(certificate, structure);
   ASSERT_TRUE(std::holds_alternative<ConsistentStructure>(found)) << std::get<std::string>(found);
   EXPECT_EQ(std::get<ConsistentStructure>(found).friction, 0.3);
   structure.contact[4].friction = 1e-3;
-  EXPECT_THAT(std::get<std::string>(consistency(read_certificate(draft.text(), "c"), structure)),
+  EXPECT_THAT(std::get<std::string>(consistency(certificate, structure)),
               HasSubstr("the friction at r5 is 0"));
+}
+
+TEST(Consistency, FirstCandidatesWithoutFrictionFixTheCoefficientAtZero) {
+  const auto structure = structure_of("plane-truss.toml");
+  const auto draft = searched(example("plane-truss.toml"), 1.0);
+  EXPECT_THAT(
+      std::get<std::string>(consistency(with_frictions(draft, 0.5, {0, 1, 1, 1, 1}), structure)),
+      HasSubstr("the friction at r2 is 0.5"));
+  EXPECT_THAT(
+      std::get<std::string>(consistency(with_frictions(draft, 0.5, {0, 0, 0, 0, 1}), structure)),
+      HasSubstr("the friction at r5 is 0.5"));
 }
 
 // Two disconnected towers may be two blocks or one; connected ones may not be two.

@@ -48,18 +48,19 @@ std::optional<std::string> other_candidates(const Certificate& certificate,
 std::variant<double, std::string> common_friction(const Certificate& certificate,
                                                   const Structure& structure) {
   constexpr double roundings = 0x1p-50;
-  double mu = 0;
+  std::optional<double> mu;
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const double relative = structure.contact[i].friction;
     const double own = certificate.friction[i];
-    if (mu == 0 && relative != 0) mu = own / relative;
-    if (!(std::abs(own - mu * relative) <= roundings * own)) {
+    if (!mu && relative != 0) mu = own / relative;
+    const double expected = mu.value_or(0) * relative;
+    if (!(std::abs(own - expected) <= roundings * expected)) {
       return "the friction at " + certificate.names[i] + " is " + text_of(own) +
              ", but with the relative frictions of the structure expected to be " +
-             text_of(mu * relative) + ", as at the candidates before";
+             text_of(expected) + ", as at the candidates before";
     }
   }
-  return mu;
+  return mu.value_or(0);
 }
 
 std::optional<std::string> other_blocks(const Certificate& certificate,

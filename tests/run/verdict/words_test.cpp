@@ -50,7 +50,7 @@ bool names_what_is_not_proved(const Verdict& verdict) {
     return is_computed(found->infeasible) && !is_refuted(found->doubt);
   if (const auto* const found = std::get_if<LoadInterval>(&verdict.answer)) {
     if (found->carried_at_none) return found->carried_at_none == Standing::computed;
-    const bool empty = found->uncertain && found->minimum.lower && found->maximum.upper &&
+    const bool empty = found->minimum.lower && found->maximum.upper &&
                        found->minimum.lower->value > found->maximum.upper->value;
     return empty ? is_computed(found->minimum.lower) || is_computed(found->maximum.upper)
                  : is_computed(found->maximum.lower);
@@ -289,6 +289,27 @@ TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
   const MemberLoss loss{.factor = {{}, Bound{-0.5, Standing::proved}}, .lost = {"a-b"}};
   EXPECT_EQ(headline({.answer = loss}),
             "After the loss of a-b it carries its dead load only at load factors up to -0.5.");
+}
+
+TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
+  const auto both = [](double value) {
+    const Bound bound{value, Standing::computed};
+    return Bracket{bound, bound};
+  };
+  const auto sentence = [&](const Bracket& minimum, const Bracket& maximum) {
+    return headline(
+        read_back({.answer = LoadInterval{.minimum = minimum, .maximum = maximum, .cases = 2}}));
+  };
+  EXPECT_EQ(sentence(both(-1), both(3)),
+            "It carries 3 times the reference load in each of 2 load cases, and no more "
+            "(computed, not proved).");
+  EXPECT_EQ(sentence(both(4), both(3)),
+            "No load factor is carried in each of 2 load cases (computed, not proved).");
+  EXPECT_EQ(sentence(both(3 + 1e-15), both(3)),
+            "It is numerically undecided whether any load factor is carried in each of 2 load "
+            "cases.");
+  EXPECT_EQ(sentence({}, both(3)),
+            "No load factor was found at which it carries its dead load in each of 2 load cases.");
 }
 
 TEST(LoadWords, CallADeadLoadWithoutUncertaintyByItsName) {
