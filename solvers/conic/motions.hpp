@@ -66,18 +66,18 @@ struct EliminationResult {
 };
 
 /// Combines columns by elimination with complete pivoting in every stride-th row, until the
-/// remainder of these rows is negligible relative to the largest pivot.
+/// remainder of these rows is negligible relative to the largest pivot or to `largest`.
 /// @param columns E, replaced by E T  @param combination T, initially the identity
+/// @param largest largest component of the columns, also in rows that are not in E
 /// @param without number of last rows without pivots
 template <class Matrix>
 EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
-                            double negligible, Eigen::Index without = 0) {
+                            double negligible, double largest = 0, Eigen::Index without = 0) {
   const Eigen::Index height = columns.rows() - without;
   EliminationResult result;
   const auto size = [&](Eigen::Index row, Eigen::Index column) {
     return std::abs(numbers::rounded(columns(row, column)));
   };
-  double largest = 0;
   for (Eigen::Index& done = result.pivots; done < columns.cols(); ++done) {
     Eigen::Index row = 0, column = done;
     for (Eigen::Index j = done; j < columns.cols(); ++j)
@@ -97,6 +97,15 @@ EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index s
     }
   }
   return result;
+}
+
+/// Size of the largest displacement of a candidate by the columns of G.
+/// @param loads number of last rows that are none
+template <class Matrix>
+double largest_displacement(const Matrix& motions, Eigen::Index loads) {
+  const auto own = motions.topRows(motions.rows() - loads);
+  if (own.size() == 0) return 0;
+  return numbers::rounded(typename Matrix::Scalar(own.cwiseAbs().maxCoeff()));
 }
 
 /// Combines modes such that those without a normal part come last.
@@ -123,12 +132,12 @@ Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double err
   const Eigen::Index p = motions.cols();
   Motions<Real> result;
   result.combination = Matrix::Identity(p, p);
-  const auto [lifting, growth] =
-      eliminate(motions, result.combination, D, sliding, Eigen::Index{D} * loads);
+  const Eigen::Index without = Eigen::Index{D} * loads;
+  const auto [lifting, growth] = eliminate(motions, result.combination, D, sliding,
+                                           largest_displacement(motions, without), without);
   result.lifting = static_cast<int>(lifting);
   for (Eigen::Index j = result.lifting; j < p; ++j)
-    for (Eigen::Index i = 0; i < motions.rows() - Eigen::Index{D} * loads; i += D)
-      motions(i, j) = Real(0);
+    for (Eigen::Index i = 0; i < motions.rows() - without; i += D) motions(i, j) = Real(0);
   result.at_cones = std::move(motions);
   result.error = growth * (error + 8 * static_cast<double>(p) * numbers::unit_roundoff<Real>);
   return result;

@@ -196,12 +196,14 @@ std::vector<int> NodeProgram<D, Real>::candidates_with_row() const {
 }
 
 // Modes invisible in the rows would give zero columns, and redundant equations, which on few cones
-// read 0 = 0, multipliers that drift.
+// read 0 = 0, multipliers that drift. A mode that is tangential at all of these candidates, up to
+// rounding, is invisible even if it separates others.
 template <int D, class Real>
 void NodeProgram<D, Real>::reduce_modes() {
   Matrix seen = normal_motions_(candidates_with_row(), Eigen::all);
   motion_basis_ = Matrix::Identity(seen.cols(), seen.cols());
-  const Eigen::Index visible = eliminate(seen, motion_basis_, 1, negligible_mode).pivots;
+  const double largest = largest_displacement(motions_.at_cones, Eigen::Index{D} * loads_);
+  const Eigen::Index visible = eliminate(seen, motion_basis_, 1, negligible_mode, largest).pivots;
   motion_basis_.conservativeResize(Eigen::NoChange, visible);
 
   const Eigen::Index p = motions_.count();

@@ -269,7 +269,8 @@ bool NodeSolver<D, Real>::lift_off() {
   }
   Matrix seen = program_.normal_motions()(held, Eigen::all);
   Matrix combination = Matrix::Identity(seen.cols(), seen.cols());
-  const Eigen::Index fixed = eliminate(seen, combination, 1, negligible_mode).pivots;
+  const double largest_lift = largest_displacement(program_.normal_motions(), 0);
+  const Eigen::Index fixed = eliminate(seen, combination, 1, negligible_mode, largest_lift).pivots;
   const Matrix unseen = combination.rightCols(combination.cols() - fixed);
   if (lifted.empty() || unseen.cols() == 0) return false;
   const Matrix squares = unseen.transpose() * unseen;

@@ -10,7 +10,7 @@ namespace kusabi::rays {
 PivotedModes combined(LongMatrix motions) {
   const Eigen::Index count = motions.cols();
   PivotedModes result;
-  long double largest = 0;
+  long double largest = motions.size() == 0 ? 0 : motions.cwiseAbs().maxCoeff();
   for (Eigen::Index done = 0; done < count; ++done) {
     const auto normals = motions(Eigen::seq(0, Eigen::last, 2), Eigen::seq(done, Eigen::last));
     Eigen::Index pivot = 0;

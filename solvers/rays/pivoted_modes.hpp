@@ -12,7 +12,7 @@
 
 namespace kusabi::rays {
 
-/// Threshold of the normal part, relative to the largest tangential part, below which a mode slides
+/// Threshold of the normal part, relative to the largest component, below which a mode slides
 /// along all surfaces, and so at each candidate: directions are written with sixteen digits.
 inline constexpr double sliding = 1e-12;
 

@@ -12,6 +12,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "wheel.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -86,6 +87,16 @@ TEST(UnconstrainedBodies, PlugStaysInAConeFromTheTangentOfItsHalfAngle) {
   const std::string file = std::string(KUSABI_SOURCE_DIR) + "/examples/morse-taper.toml";
   const auto structure = problems::read_structure(problems::problem_text(file), file);
   expect_from(critical(structure), std::tan(1.5 * degree));
+}
+
+// Two neighbours p, q of a wheel with three spokes in contact: with tangential displacements that
+// differ by d, bar p-q has the force -d / (2 sqrt 3), and both other rim bars (2 - sqrt 3) times its
+// opposite, so |r_t| = r_n. All three can have no reaction, since rim forces sum to zero.
+TEST(UnconstrainedBodies, WheelOnAPinWedgesFromOneInAnyDirectionOfTheAxes) {
+  for (const double turn : {0.0, 0.1, 0.7, 1.234}) {
+    SCOPED_TRACE(turn);
+    expect_from(critical(testing::wheel(3, turn)), 1);
+  }
 }
 
 // Bodies supported from one side only are not wedged, however far they can move.

@@ -15,6 +15,7 @@
 #include "nodes/wedged/rays/ray_search.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
 #include "random_truss.hpp"
+#include "wheel.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -101,6 +102,17 @@ TEST(UnconstrainedRays, OfABarInAGrooveBeginAtTheTangentOfItsHalfAngle) {
     EXPECT_EQ(above.cones.front().reaction, 0b11U);
     EXPECT_FALSE(above.rays.empty());
     EXPECT_FALSE(above.motions.empty());
+  }
+}
+
+// The two methods, each with the count of wedged patterns at 2 of WheelOnAPinWedgesFromOne...
+TEST(UnconstrainedRays, OfAWheelOnAPinDoNotDependOnTheDirectionOfTheAxes) {
+  for (const double turn : {0.0, 0.1, 0.7, 1.234}) {
+    for (const auto method : {RayMethod::double_description, RayMethod::tree}) {
+      SCOPED_TRACE(turn);
+      EXPECT_TRUE(rays_of(testing::wheel(3, turn), 0.5, method).rays.empty());
+      EXPECT_EQ(rays_of(testing::wheel(3, turn), 2, method).cones.size(), 3U);
+    }
   }
 }
 
