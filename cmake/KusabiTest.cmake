@@ -5,6 +5,13 @@ if(KUSABI_SANITIZE)
   set(KUSABI_TEST_OPTIONS -O0)
 endif()
 
+# GNU gold, where it is installed, links a test in a third of the time.
+find_program(KUSABI_GOLD ld.gold)
+mark_as_advanced(KUSABI_GOLD)
+if(KUSABI_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_link_options(-fuse-ld=gold)
+endif()
+
 # Precompiled headers for nearly all tests.
 kusabi_precompile(kusabi_test_headers
   OPTIONS ${KUSABI_TEST_OPTIONS}

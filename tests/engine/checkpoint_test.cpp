@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/simulation.hpp"
+#include "support/thorough.hpp"
 #include "tests/engine/knapsack.hpp"
 #include "tests/engine/random_tree.hpp"
 
@@ -117,7 +118,7 @@ void overwrite(const fs::path& name, const std::string& bytes) {
 TEST_F(Checkpoint, OutcomeIsTheSameAfterManyStops) {
   RandomTree tree(2, 16);
   const auto whole = search(tree);
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::thorough ? 20 : 6); ++seed) {
     fs::remove_all(folder_);
     fs::create_directory(folder_);
     int pieces = 0;

@@ -7,6 +7,7 @@
 #include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>
 
+#include "support/thorough.hpp"
 #include "tests/engine/queens.hpp"
 #include "tests/engine/random_tree.hpp"
 
@@ -31,7 +32,7 @@ void expect_the_same(const Outcome<P>& alone, const Simulated<P>& many, const st
   EXPECT_EQ(found, alone.solutions.size());
 }
 
-TEST(Simulation, OutcomeIsThatOfOneRankUnderAThousandSchedules) {
+TEST(Simulation, OutcomeIsThatOfOneRankUnderHundredsOfSchedules) {
   RandomTree tree(11, 10);
   const auto alone = search(tree);
   ASSERT_GT(alone.opened(), 100U);
@@ -41,7 +42,7 @@ TEST(Simulation, OutcomeIsThatOfOneRankUnderAThousandSchedules) {
       {.latency = 1e-6, .stall = 5e-3, .stall_probability = 0.02},  // ranks that stall
       {.latency = 50e-6, .node = 0},                                // nodes that cost nothing
   };
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::thorough ? 1000 : 300); ++seed) {
     const int ranks = 1 + static_cast<int>(seed % 9);
     const auto& machine = machines[seed % machines.size()];
     Options options;

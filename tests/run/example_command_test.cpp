@@ -59,10 +59,10 @@ TEST_F(ExampleCommand, WritesGridsThatCanBeRead) {
   EXPECT_THAT(wrong.output, HasSubstr("a grid of 1 bays; expected 2 to 100"));
 }
 
-TEST_F(BenchCommand, FindsNoFaultInThousandsOfSchedules) {
-  const auto run = shell(command + " bench schedules --seeds 3000");
+TEST_F(BenchCommand, FindsNoFaultInAThousandSchedules) {
+  const auto run = shell(command + " bench schedules --seeds 1000");
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("3000 schedules, 0 failed"));
+  EXPECT_THAT(run.output, HasSubstr("1000 schedules, 0 failed"));
 }
 
 TEST_F(BenchCommand, ReportsTheScalingOfASearch) {

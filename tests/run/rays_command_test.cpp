@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shell.hpp"
+#include "support/thorough.hpp"
 
 namespace kusabi::test {
 namespace {
@@ -93,7 +94,7 @@ TEST_F(RaysCommand, ChoosesTheSameMethodOnAnyNumberOfRanks) {
     const auto alone = in_folder("alone.json");
     ASSERT_EQ(shell(call + quoted(alone)).exit_code, 0);
     EXPECT_EQ(nlohmann::json::parse(content(alone))["options"]["method"], method);
-    for (int count = 2; count <= 3; ++count) {
+    for (int count = 2; count <= (test::thorough ? 3 : 2); ++count) {
       const auto parallel = in_folder("parallel.json");
       const auto run = shell(ranks(count) + call + quoted(parallel));
       ASSERT_EQ(run.exit_code, 0) << run.output;
