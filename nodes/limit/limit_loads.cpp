@@ -55,15 +55,22 @@ void find_nominal(RootSearch& search, const verify::Structure& truss,
   answer.no_factor_proved = !findings.statements.empty();
 }
 
+// The claims of a certificate begin with that on the largest factors, or that no factor is carried.
 void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitClaim claim,
                    LimitFindings& findings) {
   auto& evidence = search.certificate();
+  auto& statements = findings.statements;
   if (!evidence) return;
   if (worst.status == RootStatus::not_carried) {
-    findings.statements.clear();
+    // About the reference load itself, not its opposite.
+    if (claim == LimitClaim::minimum)
+      for (double& force : evidence->reference) force = -force;
+    statements.clear();
     claim = LimitClaim::none;
+  } else if (claim == LimitClaim::minimum && statements.empty()) {
+    return;
   }
-  findings.statements.push_back({{}, claim, std::move(*evidence)});
+  statements.push_back({{}, claim, std::move(*evidence)});
 }
 
 // The worst case with the opposite reference load, for least factors, by static cuts. Large trusses
@@ -204,6 +211,7 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
   auto residual = loads_after_buckling(analysis, structure, problem, parameters);
   findings.residual = std::move(residual.answer);
   findings.residual_loss = std::move(residual.loss);
+  if (findings.statements.empty()) return findings;  // claims at strength come first
   for (auto& statement : residual.statements) {
     statement.residual = true;
     findings.statements.push_back(std::move(statement));

@@ -93,11 +93,11 @@ MixedAnswer solve_mixed(engine::Analysis& analysis, const linear::MixedProgram& 
 }
 
 MixedStatus MixedAnswer::status() const {
-  if (unbounded) return point() != nullptr ? MixedStatus::unbounded : MixedStatus::infeasible;
   const bool whole = outcome.status == engine::Status::solved;
   if (point() == nullptr) {
     return whole && outcome.tally().unproved == 0 ? MixedStatus::infeasible : MixedStatus::unknown;
   }
+  if (unbounded) return MixedStatus::unbounded;
   const double objective = point()->objective;
   const double missing = std::abs(objective - bound());
   const double maximum = optimality_tolerance * tree.prepared().relaxation.steps().size(objective);
@@ -109,6 +109,7 @@ const ZeroOnePoint* MixedAnswer::point() const {
 }
 
 double MixedAnswer::bound() const {
+  if (unbounded) return -linear::infinity;  // the tree is that of the program without costs
   return tree.lower_bound(outcome.bound, outcome.tally());
 }
 

@@ -108,7 +108,7 @@ std::optional<double> set_half_widths(std::span<LimitProblem* const> cases,
 }
 
 std::optional<double> common_half_width(const LimitProblem& problem, double alpha) {
-  if (problem.uncertain.empty()) return alpha;
+  if (problem.uncertain.empty()) return 0;
   const auto [minimum, maximum] =
       std::ranges::minmax(problem.uncertain, {}, &UncertainColumn::half_width);
   if (minimum.half_width != maximum.half_width) return {};

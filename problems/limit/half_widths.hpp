@@ -36,7 +36,7 @@ std::optional<double> set_half_widths(std::span<LimitProblem* const> cases,
 /// @throws HalfWidthError as above
 void fix_half_widths(LimitProblem& problem, std::span<const std::pair<std::string, double>> groups);
 
-/// The common half-width of all columns; nothing if they differ.
+/// The common half-width of all columns, 0 if there are none; nothing if they differ.
 /// @param alpha of the search
 std::optional<double> common_half_width(const LimitProblem& problem, double alpha);
 

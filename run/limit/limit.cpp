@@ -51,9 +51,11 @@ class Limit final : public Subcommand {
  private:
   void take_cases(const problems::CheckedStructure& whole);
   void set_half_widths();
+  void warn_without_uncertain_loads(CommandRun& run) const;
   [[nodiscard]] const char* option_of_worst_case() const;
   void refuse_with_losses() const;
   void refuse_without_worst_case() const;
+  [[nodiscard]] bool claims_losses() const;
   [[nodiscard]] const char* why_no_certificate() const;
 
   LimitOptions options_;
@@ -106,6 +108,8 @@ void Limit::describe(OptionTable& table) {
 void Limit::check() const {
   group_half_widths(group_alpha_);
   if (options_.loss.maximum > 0) refuse_with_losses();
+  if (options_.parameters.big_m && options_.parameters.method == limit::LimitMethod::static_cuts)
+    throw WrongInput("--big-m: requires --cuts none, disjunctive, tighten or all");
   if (options_.parameters.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: requires --curve or --curve-load");
@@ -157,6 +161,13 @@ void Limit::set_half_widths() {
   if (!certificate_.empty()) options_.parameters.alpha = 0;
 }
 
+void Limit::warn_without_uncertain_loads(CommandRun& run) const {
+  const auto has_none = [](const LimitCase& each) { return each.problem.uncertain.empty(); };
+  if (options_.asked.alpha.value_or(0) == 0 || !std::ranges::all_of(cases_, has_none)) return;
+  warn_all(run.session(), {"--alpha has no effect: no load on a free displacement is uncertain; "
+                           "expected [[uncertainty]] in the problem file"});
+}
+
 void Limit::read(CommandRun& run) {
   options_.input.read(run);
   if (options_.curve_load.empty()) return;
@@ -184,10 +195,15 @@ void Limit::prepare(CommandRun& run) {
              {"kusabi limit ignores temperature and displaced supports: a limit load does not "
               "depend on them"});
   }
+  if (!structure->contact.empty()) {
+    warn_all(run.session(),
+             {"kusabi limit ignores [[contact]]: the truss is analysed without obstacles"});
+  }
   options_.parameters.residual =
       problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
   take_cases(structure);
   set_half_widths();
+  warn_without_uncertain_loads(run);
   options_.parameters.loss = options_.loss.parameters(cases_.front().problem);
   engine::Facts facts;
   for (const auto& [name, truss, problem, found] : cases_) {
@@ -251,7 +267,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (options_.loss.maximum > 0 && have_loss_statements(cases_)) {
+  if (claims_losses()) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << loss_certificate_text(all_loss_statements(cases_));
     }));
@@ -264,6 +280,11 @@ std::vector<Step> Limit::results(CommandRun& run) {
   return steps;
 }
 
+// True if the certificate is one of losses; otherwise it has claims without loss, if any.
+bool Limit::claims_losses() const {
+  return options_.loss.maximum > 0 && have_loss_statements(cases_);
+}
+
 const char* Limit::why_no_certificate() const {
   const auto& worst = cases_.front().found.answer.worst;
   if (worst && worst->as_printed) return "the search stopped before both bounds were proved";
@@ -272,9 +293,7 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
-  const bool any =
-      options_.loss.maximum > 0 ? have_loss_statements(cases_) : have_statements(cases_);
-  if (!certificate_.empty() && !any) {
+  if (!certificate_.empty() && !claims_losses() && !have_statements(cases_)) {
     verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
                                           certificate_, why_no_certificate()));
   }

@@ -83,7 +83,8 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   fmt::format_to(out, "  and at most {:.10g}{}\n", worst.ends.upper,
                  without_proof(worst.ends.upper_proved));
   if (worst.search == engine::Status::solved) {
-    text += "  open: the two bounds differ\n";
+    text += worst.status == RootStatus::closed ? "  open: not both bounds are proved\n"
+                                               : "  open: the two bounds differ\n";
   }
 }
 

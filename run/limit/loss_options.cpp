@@ -57,7 +57,7 @@ void LossOptions::describe(OptionTable& table) {
       "uncertain loads, also over these loads");
   table
       .number("--at-least", &at_least, Range{},
-              "decide whether this load factor is carried after every such loss")
+              "decide whether the limit load factor is at least this after every such loss")
       .needs("--lose");
   table
       .text("--keep", kept, "NAMES",

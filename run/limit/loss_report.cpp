@@ -68,8 +68,12 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
       std::ranges::count(singles, LoadStatus::undetermined, &SingleLoss::status));
   if (failed > 0)
     fmt::format_to(out, "    {}: the simplex method failed\n", counted(failed, "member"));
-  fmt::format_to(out, "    {} of {} do not lower the factor\n", singles.size() - shown - failed,
-                 counted(singles.size(), "member"));
+  // A larger upper bound of the worst case does not exclude a smaller factor.
+  const char* const rest = loss.uncertain ? "for {} of {} no lower factor was found"
+                                          : "{} of {} do not lower the factor";
+  fmt::format_to(out, "    {}\n",
+                 fmt::format(fmt::runtime(rest), singles.size() - shown - failed,
+                             counted(singles.size(), "member")));
   return text;
 }
 
@@ -123,8 +127,9 @@ void write_ends(std::string& text, const LossAnswer& loss) {
   } else {
     text += "  no lower bound of the load factor was proved\n";
   }
-  fmt::format_to(out, "  load factor after the worst loss known: {:.10g}{}\n", ends.upper,
-                 mark(ends.upper_proved));
+  if (std::isfinite(ends.upper))
+    fmt::format_to(out, "  load factor after the worst loss known: {:.10g}{}\n", ends.upper,
+                   mark(ends.upper_proved));
 }
 
 }  // namespace
@@ -152,7 +157,9 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
   if (loss.is_fatal()) text += fatal_text(problem, truss, loss);
   if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(problem, loss.zeta);
   if (loss.collapse && loss.collapse->factor < 0)
-    text += "  negative: the dead load alone then collapses the structure\n";
+    fmt::format_to(out, "  negative: {}{} alone then collapses the structure\n",
+                   loss.sudden == 1 ? std::string() : fmt::format("{} times ", loss.sudden),
+                   loss.uncertain ? "an admissible dead load" : "the dead load");
   if (loss.undecided > 0)
     fmt::format_to(out, "  {} numerically undecided\n",
                    counted(loss.undecided, "node") + (loss.undecided == 1 ? " is" : " are"));
@@ -209,11 +216,13 @@ MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>&
   answer.target = worst.target;
   answer.kept = names_of(governs.problem, kept);
   answer.struts = with_struts(cases);
+  answer.sudden = worst.sudden;
   if (worst.is_fatal()) {
     answer.fatal = standing(worst.ends.upper_proved);
     return answer;
   }
-  answer.factor.upper = Bound{worst.ends.upper, standing(worst.ends.upper_proved)};
+  if (std::isfinite(worst.ends.upper))
+    answer.factor.upper = Bound{worst.ends.upper, standing(worst.ends.upper_proved)};
   double lower = std::numeric_limits<double>::infinity();
   bool reached = true;
   bool missed = false;

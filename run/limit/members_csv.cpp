@@ -50,7 +50,8 @@ class Losses {
   void add_member(CsvWriter& csv, int member) const {
     const auto single = std::ranges::find(loss_.singles, member, &limit::SingleLoss::member);
     if (single == loss_.singles.end()) {
-      csv.nothing().word("kept");
+      const bool stopped = loss_.singles.empty() && loss_.eligible > 0;
+      csv.nothing().word(stopped ? "" : "kept");
     } else if (single->status == limit::LoadStatus::collapses) {
       csv.number(single->factor).word("collapses");
     } else {

@@ -30,7 +30,9 @@ std::vector<std::string> struts_at_strength(const LimitReport& report) {
                                                     : report.answer.nominal;
   std::vector<std::string> names;
   if (!collapse) return names;
-  const auto used = problems::utilisation(report.problem, collapse->forces);
+  // After a sudden loss the strengths are divided by the dynamic factor.
+  const double sudden = report.loss && report.loss->collapse ? report.loss->sudden : 1;
+  const Eigen::VectorXd used = problems::utilisation(report.problem, sudden * collapse->forces);
   for (int i = 0; i < report.problem.member_count(); ++i) {
     const bool strut = report.options.parameters.residual(i) < report.problem.compression(i);
     if (strut && collapse->forces(i) < 0 && used(i) >= at_strength)

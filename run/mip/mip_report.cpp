@@ -173,8 +173,12 @@ ordered_json MipReport::json() const {
     result["bound"] = number_or_null(bound());
   }
   result["unproved"] = found.outcome.tally().unproved;
-  result["root"] = {{"first_bound", number_or_null(in_the_files_sense(counts.first_bound))},
-                    {"last_bound", number_or_null(in_the_files_sense(counts.last_bound))},
+  // Those of an unbounded program are of the program without costs.
+  const auto root_bound = [&](double bound) {
+    return found.unbounded ? ordered_json() : number_or_null(in_the_files_sense(bound));
+  };
+  result["root"] = {{"first_bound", root_bound(counts.first_bound)},
+                    {"last_bound", root_bound(counts.last_bound)},
                     {"programs", counts.programs},
                     {"cut_rounds", counts.cut_rounds},
                     {"cut_programs", counts.cut_programs},

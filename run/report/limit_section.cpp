@@ -57,6 +57,7 @@ class LimitSection {
     const auto take = [&](const ResultJson& object, const char* key, const char* name) {
       if (const auto* const value = ResultReader::find(object, key)) facts[name] = *value;
     };
+    take(result_, "case", "load case");
     const auto* const struts = ResultReader::find(result_, "struts");
     const std::string upper = struts == nullptr ? "" : ", struts at full strength: an upper value";
     take(result_, "nominal", ("nominal load factor" + upper).c_str());
@@ -80,19 +81,26 @@ class LimitSection {
         struts == nullptr ? nullptr : ResultReader::find(*struts, "guaranteed_interval");
     if (of_struts != nullptr)
       facts["strength of struts for the carried factors"] = "residual strength";
-    const auto* const interval =
-        of_struts != nullptr ? of_struts : ResultReader::find(result_, "guaranteed_interval");
+    const auto* const of_all = of_struts == nullptr
+                                   ? ResultReader::find(result_, "guaranteed_interval_of_all_cases")
+                                   : nullptr;
+    const auto* const interval = of_struts != nullptr ? of_struts
+                                 : of_all != nullptr
+                                     ? of_all
+                                     : ResultReader::find(result_, "guaranteed_interval");
     if (interval != nullptr) {
+      const std::string cases = of_all == nullptr ? "" : " in every load case";
       const auto* const empty = ResultReader::find(*interval, "empty");
       if (empty != nullptr && *empty == true) {
-        facts["carried under every admissible load"] = "no factor";
+        facts["carried under every admissible load" + cases] = "no factor";
       } else {
         take(reader_.at(*interval, "lower"), "upper",
-             "every admissible load is carried at factors from");
+             ("every admissible load" + cases + " is carried at factors from").c_str());
         take(reader_.at(*interval, "upper"), "lower",
-             "every admissible load is carried at factors up to");
+             ("every admissible load" + cases + " is carried at factors up to").c_str());
       }
-      take(*interval, "proved", "carried under every admissible load: proved");
+      take(*interval, "proved",
+           ("carried under every admissible load" + cases + ": proved").c_str());
     }
     take(result_, "critical_interval",
          ("critical load is carried at factors from, to" + full).c_str());

@@ -233,7 +233,8 @@ class WrittenVerdict {
                      .target = some_number(answer, "target"),
                      .reached = {},
                      .cases = count(answer, "cases"),
-                     .struts = ResultReader::find(answer, "struts") != nullptr};
+                     .struts = ResultReader::find(answer, "struts") != nullptr,
+                     .sudden = some_number(answer, "sudden").value_or(1)};
     if (ResultReader::find(answer, "kept") != nullptr) found.kept = reader_.names(answer, "kept");
     if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
     if (ResultReader::find(answer, "uncertain") != nullptr)

@@ -62,7 +62,12 @@ class LoadSweep final : public Swept {
     problem_ = problems::limit_problem(truss_);
     fix_groups();
     const auto& uncertain = problem_.uncertain;
-    if (!uncertain.empty() && std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
+    if (uncertain.empty()) {
+      throw WrongInput(
+          "--alpha: no load on a free displacement is uncertain; expected [[uncertainty]] in the "
+          "problem file");
+    }
+    if (std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
       throw WrongInput(
           "--alpha: the file gives every uncertain load its own half-width; expected uncertain "
           "loads without alpha");

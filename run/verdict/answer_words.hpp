@@ -47,6 +47,14 @@ const char* unless_proved(Standing standing);
 /// " except a-b c-d (kept)": members that are not lost; empty if there are none.
 std::string except_kept(const std::vector<std::string>& members);
 
+/// "after the loss of any one member", "after the sudden loss of any 2 members with dynamic factor
+/// 2". @param members that are lost @param sudden dynamic factor, 1 for a loss that is not sudden
+std::string after_loss_of(const std::string& members, double sudden);
+
+/// The same of the worst loss; of any loss if `lost` is empty and a loss is sudden, since no loss
+/// raises the factor; otherwise "without any loss".
+std::string after_worst_loss(const std::vector<std::string>& lost, double sudden);
+
 /// "± 0.45 kN": half-width of an uncertain load.
 std::string half_width_text(double half_width, const std::optional<std::string>& force);
 

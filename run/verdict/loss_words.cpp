@@ -20,19 +20,24 @@ std::string except_kept(const std::vector<std::string>& members) {
       members.size() <= max_named ? "" : fmt::format(" and {} more", members.size() - max_named));
 }
 
-namespace {
-
-// "after the loss of a-b and c-d"
-std::string after_worst(const MemberLoss& found) {
-  if (found.lost.empty()) return "without any loss";
-  return fmt::format("after the loss of {}", fmt::join(found.lost, " and "));
+std::string after_loss_of(const std::string& members, double sudden) {
+  if (sudden == 1) return fmt::format("after the loss of {}", members);
+  return fmt::format("after the sudden loss of {} with dynamic factor {}", members, sudden);
 }
+
+std::string after_worst_loss(const std::vector<std::string>& lost, double sudden) {
+  if (!lost.empty()) return after_loss_of(fmt::format("{}", fmt::join(lost, " and ")), sudden);
+  // The dynamic factor applies to losses only, and no loss raises the load factor.
+  return sudden == 1 ? "without any loss" : after_loss_of("any member", sudden);
+}
+
+namespace {
 
 // "after the loss of any 2 members"
 std::string after_any(const MemberLoss& found) {
-  auto text = found.maximum == 1 ? std::string("after the loss of any one member")
-                                 : fmt::format("after the loss of any {} members", found.maximum);
-  text += except_kept(found.kept);
+  const auto members =
+      found.maximum == 1 ? "any one member" : fmt::format("any {} members", found.maximum);
+  auto text = after_loss_of(members + except_kept(found.kept), found.sudden);
   if (found.uncertain) text += " and under every admissible load";
   if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
   if (found.struts) text += ", while no strut falls below its residual strength";
@@ -52,7 +57,7 @@ std::string capital(std::string text) {
 std::string at_most(const MemberLoss& found) {
   if (!found.factor.upper) return {};
   const auto& [value, standing] = *found.factor.upper;
-  return fmt::format("{} {}{}{}", after_worst(found),
+  return fmt::format("{} {}{}{}", after_worst_loss(found.lost, found.sudden),
                      found.uncertain ? "and under the worst load " : "",
                      value < 0 ? "it carries its dead load only at load factors up to "
                                : "the limit load factor is at most ",
@@ -77,7 +82,8 @@ std::string of_target(const MemberLoss& found) {
 std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
   if (found.fatal) {
     return capital(fmt::format("{} it does not carry {} dead load at any load factor{}.",
-                               after_worst(found), found.uncertain ? "some admissible" : "its",
+                               after_worst_loss(found.lost, found.sudden),
+                               found.uncertain ? "some admissible" : "its",
                                unless_proved(*found.fatal)));
   }
   if (found.target) return of_target(found);

@@ -138,23 +138,35 @@ std::string of_held(const CertificateCheck::Held& held) {
 
 }  // namespace
 
+namespace {
+
+// "under every admissible load (alpha = 3)"; empty: the dead load is certain
+std::string loads_text(const CertificateCheck::Loss& loss, const char* quantity) {
+  if (!loss.uncertain) return loss.as_given ? " under the dead load as given" : "";
+  return fmt::format(" under {} admissible load ({})", quantity,
+                     loss.loads.half_width ? fmt::format("alpha = {}", *loss.loads.half_width)
+                                           : "uncertain loads within these half-widths");
+}
+
+}  // namespace
+
 std::string loss_claim(const CertificateCheck::Loss& loss) {
-  const auto lost = loss.lost.empty()
-                        ? std::string("without any loss")
-                        : fmt::format("after the loss of {}", fmt::join(loss.lost, " and "));
+  const auto lost = after_worst_loss(loss.lost, loss.sudden);
   const auto proved = loss.load_case.empty() ? std::string("PROVED: ")
                                              : fmt::format("PROVED: in load case {}, ",
                                                            support::in_quotes(loss.load_case));
   if (loss.fatal)
-    return fmt::format("{}{} {} dead load is carried at no load factor", proved, lost,
-                       loss.uncertain ? "some admissible" : "the");
+    return fmt::format("{}{}{} the dead load is carried at no load factor", proved, lost,
+                       loads_text(loss, "some"));
   if (!loss.lower)
-    return fmt::format("{}{} the load factor is at most {:.17g}", proved, lost, loss.upper);
+    return fmt::format("{}{}{} the load factor is at most {:.17g}", proved, lost,
+                       loads_text(loss, "some"), loss.upper);
+  const auto members =
+      loss.maximum == 1 ? "any member" : fmt::format("any {} members", loss.maximum);
   return fmt::format(
-      "{}after the loss of any {}{}{}{}{} the load factor is at least {:.17g}; {} it is at most "
-      "{:.17g}",
-      proved, loss.maximum == 1 ? std::string("member") : fmt::format("{} members", loss.maximum),
-      except_kept(loss.kept), loss.uncertain ? " and under every admissible load" : "",
+      "{}{}{}{}{} the load factor is at least {:.17g}; {} it is at most {:.17g}", proved,
+      after_loss_of(members + except_kept(loss.kept), loss.sudden),
+      (loss.uncertain || loss.as_given ? " and" : "") + loads_text(loss, "every"),
       loss.cases == 1 ? std::string() : fmt::format(" in each of {} load cases", loss.cases),
       loss.struts ? ", while no strut falls below its residual strength," : "", *loss.lower, lost,
       loss.upper);

@@ -196,6 +196,7 @@ struct MemberLoss {
   bool uncertain = false;           ///< over all admissible loads
   std::vector<std::string> kept{};  ///< members that are not lost
   bool struts = false;              ///< as in LoadInterval
+  double sudden = 1;                ///< dynamic factor; 1: the loss is not sudden
 };
 
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
@@ -280,12 +281,15 @@ struct CertificateCheck {
     std::uint64_t maximum = 1, cases = 1;
     std::string load_case{};          ///< the only one; empty: there are several, or none
     bool uncertain = false;           ///< over all admissible loads
+    LoadRange loads{};                ///< the admissible loads; absent half-width: they differ
+    bool as_given = false;            ///< the dead load as given; in the file it is uncertain
     std::vector<std::string> kept{};  ///< members that are not lost
     std::vector<std::string> lost{};  ///< the worst loss
     bool fatal = false;               ///< no factor remains after it
     std::optional<double> lower{};    ///< absent: only the upper bound is proved
     double upper = 0;
     bool struts = false;  ///< as in LoadInterval
+    double sudden = 1;    ///< as in MemberLoss
   };
   std::uint64_t refusals = 0;
   std::variant<std::monostate, List, Example, Factor, Loss, Held> claim{};

@@ -162,6 +162,7 @@ ordered_json answer_json(const MemberLoss& found) {
                     {"uncertain", found.uncertain}};
   if (!found.kept.empty()) json["kept"] = found.kept;
   if (found.struts) json["struts"] = true;
+  if (found.sudden != 1) json["sudden"] = found.sudden;
   return json;
 }
 

@@ -59,15 +59,17 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
 }
 
 // The first load case that the statement refers to, or the reason why there is none. @throws
-// InputError if it is no truss
+// InputError if limit analysis applies to none
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
                                                 const problems::CheckedStructure& structure,
                                                 const Eigen::VectorXd& residual) {
   std::vector<std::string> whys;
+  std::optional<support::InputError> fault;
   for (const auto& name : cases_for(statement, structure)) {
     const auto of_case =
         name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
-    const auto fingerprint = problems::limit_problem(of_case).fingerprint;
+    const auto fingerprint = limit_fingerprint(of_case, fault);
+    if (!fingerprint) continue;
     auto truss = evidence::verified_structure(of_case);
     if (statement.claim == LimitClaim::minimum) {
       truss = verify::with_reversed_reference(std::move(truss));
@@ -77,11 +79,12 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
     }
     auto found = verify::limit_consistency(statement.evidence, truss);
     if (auto* const agreed = std::get_if<verify::LimitTruss>(&found))
-      return AgreedTruss{std::move(*agreed), name, fingerprint, std::move(truss.load_names)};
+      return AgreedTruss{std::move(*agreed), name, *fingerprint, std::move(truss.load_names)};
     const auto& why = std::get<std::string>(found);
     whys.push_back(name.empty() ? why : fmt::format("case {}: {}", support::in_quotes(name), why));
   }
   if (whys.empty()) {
+    if (fault) throw support::InputError(*fault);
     return fmt::format("no load case {}", support::in_quotes(statement.load_case));
   }
   return fmt::format("{}", fmt::join(whys, "; "));
@@ -199,6 +202,16 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
+                                               std::optional<support::InputError>& fault) {
+  try {
+    return problems::limit_problem(structure).fingerprint;
+  } catch (const support::InputError& error) {
+    fault = error;
+    return {};
+  }
+}
 
 std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual) {
   if (residual.size() == 0)

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,7 +12,9 @@
 #include "engine/outcome.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "run/command/command_run.hpp"
+#include "run/verify/proof_words.hpp"
 #include "run/verify/verify.hpp"
+#include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/limit_consistency.hpp"
 
@@ -25,8 +26,7 @@ struct CheckedStatement {
   bool residual = false;          ///< with all struts at their residual strength
   std::string load_case{};        ///< of the problem file, or of the certificate
   std::uint64_t fingerprint = 0;  ///< of the problem file, if there is one
-  /// Name (or nothing) and half-width of each uncertain load.
-  std::vector<std::pair<std::string, double>> half_widths{};
+  HalfWidths half_widths{};
   double lower = 0, upper = 0;  ///< bounds of the load factor in the claim, rounded outwards
   std::size_t cuts = 0, nodes = 0;
   std::vector<std::string> refusals{};  ///< empty: it is proved
@@ -36,6 +36,11 @@ struct CheckedStatements {
   std::vector<CheckedStatement> statements;
   engine::Status status = engine::Status::solved;  ///< not solved: some were not checked
 };
+
+/// The fingerprint of a problem; nothing, and the reason in `fault`, if limit analysis does not
+/// apply to it, as to a load case without a reference load.
+std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
+                                               std::optional<support::InputError>& fault);
 
 /// Replaces the compression strengths by those after buckling. @return the refusal if there are
 /// none

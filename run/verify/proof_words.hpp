@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "problems/structure/checks/checked_structure.hpp"
@@ -56,6 +57,18 @@ std::string no_such_case(const VerifyOptions& options, const std::string& load_c
 std::string covered_cases_text(const std::vector<std::string>& covered);
 std::string cases_left_text(const std::vector<std::string>& covered,
                             const problems::Structure& structure);
+
+/// Name, or nothing, and half-width of each uncertain load of a claim.
+using HalfWidths = std::vector<std::pair<std::string, double>>;
+
+/// Half-width of all uncertain loads, 0 if there are none; nothing if they differ.
+std::optional<double> common_half_width(const HalfWidths& all);
+
+/// The same of all claims of a certificate; nothing if they differ.
+std::optional<double> half_width_of_all(const std::vector<HalfWidths>& claims);
+
+/// Line "uncertain loads: wind within +- 5, snow within +- 1, 2 unnamed within +- 30"
+std::string half_widths_text(const HalfWidths& all);
 
 /// Problem of a proof about friction: name, file and fingerprint.
 std::string verified_problem(const VerifyOptions& options,

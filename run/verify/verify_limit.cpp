@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -28,35 +27,6 @@ namespace {
 
 using verify::LimitClaim;
 
-// Half-width of all uncertain loads; nothing if they differ.
-std::optional<double> common_half_width(const CheckedStatement& statement) {
-  const auto& all = statement.half_widths;
-  if (all.empty()) return 0;
-  const auto [minimum, maximum] =
-      std::ranges::minmax(all, {}, &std::pair<std::string, double>::second);
-  if (minimum.second != maximum.second) return {};
-  return maximum.second;
-}
-
-// "wind within +- 5, snow within +- 1, 2 others within +- 30"
-std::string half_widths_text(const CheckedStatement& statement) {
-  std::map<std::pair<std::string, double>, std::size_t> loads;
-  for (const auto& each : statement.half_widths) ++loads[each];
-  std::vector<std::string> parts;
-  std::vector<std::string> unnamed;
-  for (const auto& [load, count] : loads) {
-    const auto& [name, half_width] = load;
-    if (name.empty()) {
-      unnamed.push_back(fmt::format("{} unnamed within +- {}", count, half_width));
-    } else {
-      parts.push_back(fmt::format("{}{} within +- {}", support::in_quotes(name),
-                                  count == 1 ? "" : fmt::format(" ({} loads)", count), half_width));
-    }
-  }
-  parts.insert(parts.end(), unnamed.begin(), unnamed.end());
-  return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
-}
-
 // "34 cuts, 1 node covers all loads"
 std::string covering_text(const CheckedStatement& statement) {
   return fmt::format("{}, {} {} all loads\n", counted(statement.cuts, "cut"),
@@ -76,16 +46,23 @@ std::string summary_of(const CheckedStatement& statement) {
   return {};
 }
 
-// Names of the cases, and once the half-widths, if they are not one number.
+std::optional<double> half_width_of(const std::vector<CheckedStatement>& statements) {
+  std::vector<HalfWidths> all;
+  for (const auto& each : statements) all.push_back(each.half_widths);
+  return half_width_of_all(all);
+}
+
+// Names of the cases, and once for each case its half-widths, if those of all are not one number.
 std::string summary_of(const std::vector<CheckedStatement>& statements) {
   std::string text;
+  const bool one_number = half_width_of(statements).has_value();
   const CheckedStatement* before = nullptr;
   for (const auto& statement : statements) {
-    if (before == nullptr || before->load_case != statement.load_case) {
-      if (!statement.load_case.empty())
-        text += "load case " + support::in_quotes(statement.load_case) + "\n";
-      if (!common_half_width(statement)) text += half_widths_text(statement);
-    }
+    const bool other_case = before == nullptr || before->load_case != statement.load_case;
+    if (other_case && !statement.load_case.empty())
+      text += "load case " + support::in_quotes(statement.load_case) + "\n";
+    if (!one_number && (other_case || before->half_widths != statement.half_widths))
+      text += half_widths_text(statement.half_widths);
     text += summary_of(statement);
     before = &statement;
   }
@@ -102,7 +79,7 @@ struct ProvedFactors {
 
 ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
   ProvedFactors all;
-  using Loads = std::pair<std::string, std::vector<std::pair<std::string, double>>>;
+  using Loads = std::pair<std::string, HalfWidths>;
   std::set<Loads> largest;
   std::set<Loads> minimum;
   for (const auto& each : statements) {
@@ -126,13 +103,10 @@ ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
 CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
   const auto all = factors_of(statements);
   std::set<std::string> cases;
-  std::set<std::optional<double>> half_widths;
-  for (const auto& each : statements) {
-    cases.insert(each.load_case);
-    half_widths.insert(common_half_width(each));
-  }
-  CertificateCheck::Factor factor{.loads = {}, .cases = cases.size(), .at_none = all.at_none};
-  if (half_widths.size() == 1) factor.loads.half_width = *half_widths.begin();
+  for (const auto& each : statements) cases.insert(each.load_case);
+  CertificateCheck::Factor factor{.loads = {.half_width = half_width_of(statements)},
+                                  .cases = cases.size(),
+                                  .at_none = all.at_none};
   if (all.at_none) return factor;
   factor.lower = all.largest_lower;
   factor.upper = all.largest_upper;

@@ -20,6 +20,7 @@
 #include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
+#include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
 #include "verify/limit/loss_claim.hpp"
@@ -45,19 +46,23 @@ std::vector<std::string> names_of(const LossStatement& statement,
 }
 
 // A statement without a load case is that of `limit --case`: it gets the name of the first case of
-// the file with its truss and loads. @throws support::InputError if limit analysis does not apply
+// the file with its truss and loads. @throws support::InputError if limit analysis applies to none
 void name_case(const problems::CheckedStructure& structure, const Eigen::VectorXd& residual,
                LossStatement& statement) {
   if (!statement.load_case.empty()) return;
+  std::optional<support::InputError> fault;
+  bool any = false;
   for (const auto& name : problems::load_cases(structure)) {
     const auto of_case = problems::in_chosen_case(structure, name);
-    problems::limit_problem(of_case);
+    if (!limit_fingerprint(of_case, fault)) continue;
+    any = true;
     auto truss = evidence::verified_structure(of_case);
     if (statement.residual && set_residual(truss, residual)) return;
     if (verify::LossClaim(statement, std::move(truss)).difference()) continue;
     statement.load_case = verify::on_one_line(name);
     return;
   }
+  if (fault && !any) throw support::InputError(*fault);
 }
 
 // Checks the states of a statement on all ranks. @return refusals
@@ -77,8 +82,10 @@ std::vector<std::string> check_states(CommandRun& run, const verify::LossClaim& 
 
 /// Result for one statement.
 struct CheckedLoss {
-  std::vector<std::string> refusals;
-  double upper = 0;  ///< of the load factor; without refusals
+  std::vector<std::string> refusals{};
+  double upper = 0;          ///< of the load factor; without refusals
+  HalfWidths half_widths{};  ///< without refusals
+  bool as_given = false;     ///< the file has uncertain loads, the statement has none
 };
 
 CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
@@ -86,19 +93,22 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::CheckedStructure>& structure,
                             const Eigen::VectorXd& residual) {
   std::optional<verify::Structure> truss;
+  CheckedLoss checked;
   if (structure) {
     auto loaded = in_case_of_certificate(*structure, statement.load_case);
     if (!loaded) return {.refusals = {no_such_case(options, statement.load_case)}};
     const auto of_case = problems::checked(*std::move(loaded));
     problems::limit_problem(of_case);
     truss = evidence::verified_structure(of_case);
+    checked.as_given = statement.truss.uncertain->empty() && truss->uncertain.has_value() &&
+                       !truss->uncertain->empty();
     if (statement.residual) {
       if (auto why = set_residual(*truss, residual)) return {.refusals = {*std::move(why)}};
     }
   }
   const verify::LossClaim claim(statement, std::move(truss));
   if (const auto& why = claim.difference()) return {.refusals = {*why}};
-  CheckedLoss checked;
+  checked.half_widths = claim.half_widths();
   checked.refusals = claim.check_loss(checked.upper);
   if (statement.lower) {
     for (auto& why : check_states(run, claim, statement.states.size()))
@@ -115,9 +125,11 @@ std::string difference(const LossStatement& one, const LossStatement& other) {
 }
 
 // Merges a proved statement into that about all load cases.
-void add(const LossStatement& statement, double upper,
+void add(const LossStatement& statement, const CheckedLoss& checked,
          const std::optional<problems::CheckedStructure>& structure, CertificateCheck::Loss& all) {
+  const double upper = checked.upper;
   all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
+  all.as_given = all.as_given || checked.as_given;
   if (!statement.lower || !all.lower)
     all.lower.reset();
   else
@@ -129,6 +141,7 @@ void add(const LossStatement& statement, double upper,
 }
 
 std::string summary_of(const VerifyOptions& options, const std::vector<LossStatement>& statements,
+                       const std::vector<HalfWidths>& half_widths,
                        const std::optional<problems::CheckedStructure>& structure) {
   std::string summary(truss_of_certificate);
   if (structure) {
@@ -139,10 +152,13 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
   if (const double sudden = statements.front().sudden; sudden != 1)
     summary += fmt::format("yield forces divided by {}\n", sudden);
   std::vector<std::string> cases;
-  for (const auto& statement : statements) {
-    if (!statement.residual) cases.push_back(statement.load_case);
+  const bool one_number = half_width_of_all(half_widths).has_value();
+  for (std::size_t k = 0; k < statements.size(); ++k) {
+    if (statements[k].residual) continue;  // of the same case and loads as the statement before it
+    cases.push_back(statements[k].load_case);
+    summary += covered_cases_text({cases.back()});
+    if (!one_number) summary += half_widths_text(half_widths[k]);
   }
-  summary += covered_cases_text(cases);
   if (structure) summary += cases_left_text(cases, **structure);
   std::size_t states = 0;
   for (const auto& statement : statements) states += statement.states.size();
@@ -169,22 +185,35 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                                     .cases = cases,
                                     .load_case = cases == 1 ? first.load_case : "",
                                     .lower = std::numeric_limits<double>::infinity(),
-                                    .upper = std::numeric_limits<double>::infinity()};
+                                    .upper = std::numeric_limits<double>::infinity(),
+                                    .sudden = first.sudden};
   std::array all{none, none};  // at strength, and at residual strength
+  std::vector<HalfWidths> half_widths;
   for (const auto& statement : statements) {
-    auto [refusals, upper] = check_statement(run, options, statement, structure, residual);
+    const auto checked = check_statement(run, options, statement, structure, residual);
+    auto refusals = checked.refusals;
     if (statement.residual && after_buckling != cases)
       refusals.emplace_back("some load cases have no claim at residual strength");
+    const auto is_same = [&](const LossStatement& other) {
+      return other.load_case == statement.load_case && other.residual == statement.residual;
+    };
+    if (std::ranges::count_if(statements, is_same) > 1)
+      refusals.push_back(
+          fmt::format("load case {} has two claims", support::in_quotes(statement.load_case)));
     if (const auto why = difference(first, statement); !why.empty())
       refusals.push_back(fmt::format("its load cases have different {}", why));
     for (const auto& why : refusals)
       findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, why);
     findings.check.refusals += refusals.size();
-    if (refusals.empty()) add(statement, upper, structure, all[statement.residual ? 1 : 0]);
+    if (refusals.empty()) add(statement, checked, structure, all[statement.residual ? 1 : 0]);
+    half_widths.push_back(checked.half_widths);
   }
   if (findings.check.refusals > 0) return findings;
-  for (auto& each : all) each.kept = names_of(first, first.kept, structure);
-  findings.summary = summary_of(options, statements, structure);
+  for (auto& each : all) {
+    each.kept = names_of(first, first.kept, structure);
+    each.loads.half_width = half_width_of_all(half_widths);
+  }
+  findings.summary = summary_of(options, statements, half_widths, structure);
   if (after_buckling > 0) {
     findings.summary += fmt::format(
         "all struts at their strength, an upper value; {}\nall struts at {}, {}\n",

@@ -59,6 +59,18 @@ std::string on_one_line(std::string text) {
 class LossCommand : public LimitCalls {
  protected:
   [[nodiscard]] std::string verified_after(const std::string& from, const std::string& to) const;
+  // Output of verify for the certificate of a call.
+  [[nodiscard]] std::string proved_of(const std::string& call, const std::string& path) const {
+    const auto run =
+        shell(command + " limit " + path + call + " --certificate " + argument("cert"));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto proof = shell(command + " verify " + argument("cert") + " --problem " + path);
+    EXPECT_EQ(proof.exit_code, 0) << proof.output;
+    return on_one_line(proof.output);
+  }
+  [[nodiscard]] std::string proved(const std::string& call, const std::string& file) const {
+    return proved_of(call, argument(file));
+  }
   void write_hanger() const { std::ofstream(in_folder("hanger.toml")) << hanger; }
 };
 
@@ -85,6 +97,8 @@ TEST_F(LossCommand, FindsTheLossOfTheStrongestBarsOfAHanger) {
   const auto kept = file_of(file + " --lose 1 --keep a-b")["result"]["member_loss"];
   EXPECT_NEAR(kept["upper"], 4, 1e-6);
   EXPECT_EQ(kept["eligible"], 2);
+  EXPECT_THAT(proved(" --lose 2 --keep \"a-b a-c a-d\"", "hanger.toml"),
+              HasSubstr("except a-b a-c a-d (kept) the load factor is at least 7.99"));
 }
 
 TEST_F(LossCommand, DecidesWhetherAFactorRemains) {
@@ -134,15 +148,26 @@ TEST_F(LossCommand, RefusesIncompatibleOptions) {
   EXPECT_THAT(refusal("--lose 1 --sudden 0.5"), HasSubstr("--sudden"));
   EXPECT_THAT(refusal("--lose 1 --curve"), HasSubstr("--curve: not available with --lose"));
   EXPECT_THAT(refusal("--at-least 1"), HasSubstr("--lose"));
+  EXPECT_THAT(refusal("--alpha 1 --cuts static --big-m 4"), HasSubstr("--big-m: requires --cuts"));
 }
 
-// By hand: the strengths are divided by the factor, (4 + 2) / 1.5 - 3.
+// By hand: the strengths are divided by the factor, (4 + 2) / 1.5 - 3. If all members are kept, the
+// bound is not that of the truss without loss.
 TEST_F(LossCommand, DividesTheStrengthAfterASuddenLoss) {
   write_hanger();
-  const auto loss =
-      file_of(argument("hanger.toml") + " --lose 1 --sudden 1.5")["result"]["member_loss"];
+  const auto json = file_of(argument("hanger.toml") + " --lose 1 --sudden 1.5");
+  const auto& loss = json["result"]["member_loss"];
   EXPECT_NEAR(loss["upper"], 1, 1e-6);
   EXPECT_TRUE(loss["proved"]);
+  EXPECT_EQ(json["verdict"]["answer"]["sudden"], 1.5);
+  const std::string any = "fter the sudden loss of any one member with dynamic factor 1.5 the";
+  EXPECT_THAT(json["verdict"]["sentence"], HasSubstr(any));
+  EXPECT_THAT(proved(" --lose 1 --sudden 1.5", "hanger.toml"),
+              HasSubstr("after the sudden loss of a-b with dynamic factor 1.5 it is at most"));
+  const auto call = " --lose 1 --keep \"a-b a-c a-d\" --sudden 2";
+  EXPECT_THAT(file_of(argument("hanger.toml") + call)["verdict"]["sentence"],
+              Not(HasSubstr("without any loss")));
+  EXPECT_THAT(proved(call, "hanger.toml"), Not(HasSubstr("without any loss")));
 }
 
 // By hand: an uplift or a load of 0.5 more, 4 + 2 - 3 - 0.5.
@@ -156,6 +181,34 @@ TEST_F(LossCommand, CombinesLossesWithUncertainLoads) {
   EXPECT_TRUE(loss["proved"]);
   EXPECT_EQ(loss["lost"], nlohmann::json({"a-b"}));
   EXPECT_THAT(json["verdict"]["sentence"], HasSubstr("under every admissible load"));
+  const auto table = shell(command + " limit " + argument("hanger.toml") + " --lose 2 --alpha 0.5");
+  EXPECT_THAT(table.output, HasSubstr("members no lower factor was found"));
+  EXPECT_THAT(table.output, HasSubstr("negative: an admissible dead load alone then"));
+}
+
+TEST_F(LossCommand, StatesDoNotUseForcesOfLostMembersWithinTheTolerance) {
+  EXPECT_THAT(proved_of(" --lose 1", case_file("force_of_a_lost_member.toml")),
+              HasSubstr("PROVED"));
+}
+
+// A certificate proves its own half-widths where the file leaves them open.
+TEST_F(LossCommand, VerifyNamesTheLoadsThatItProves) {
+  const auto write = [&](const std::string& file, const std::string& more) {
+    std::ofstream(in_folder(file)) << hanger << "[[uncertainty]]\nnodes = [\"a\"]\naxes = [\"y\"]\n"
+                                   << more;
+  };
+  write("open.toml", "");
+  write("wide.toml", "alpha = 0.5\n");
+  for (const std::string alpha : {"0.25", "0.5"})
+    EXPECT_THAT(proved(" --lose 1 --alpha " + alpha, "open.toml"),
+                HasSubstr("and under every admissible load (alpha = " + alpha + ") the load"));
+  EXPECT_THAT(proved(" --lose 1", "wide.toml"), HasSubstr("admissible load (alpha = 0.5)"));
+  EXPECT_THAT(proved(" --lose 1", "open.toml"), HasSubstr("under the dead load as given"));
+  const auto other =
+      shell(command + " verify " + argument("cert") + " --problem " + argument("wide.toml"));
+  EXPECT_THAT(other.output, HasSubstr("under the dead load as given"));
+  write_hanger();
+  EXPECT_THAT(proved(" --lose 1", "hanger.toml"), Not(HasSubstr("as given")));
 }
 
 TEST_F(LossCommand, WritesACertificateThatVerifyProves) {
@@ -211,6 +264,9 @@ TEST_F(LossCommand, GivesBothFactorsOfStruts) {
   const auto lost = file_of(argument("hanger.toml") + " --lose 1")["result"];
   EXPECT_NEAR(lost["member_loss"]["upper"], 6, 1e-6);  // without a-b
   EXPECT_NEAR(lost["struts"]["member_loss"]["lower"], 3.9, 1e-6);
+  EXPECT_EQ(file_of(argument("hanger.toml") +
+                    " --lose 1 --sudden 1.5")["result"]["struts"]["at_strength"],
+            nlohmann::json({"a-e"}));
   EXPECT_TRUE(lost["struts"]["member_loss"]["proved"]);
 }
 
@@ -430,9 +486,115 @@ TEST_F(LossCommand, OneClaimForCasesThatDifferIsRefused) {
   const auto one = verified_after("case\n", "case\n");
   EXPECT_THAT(one, HasSubstr("not part of the certificate: load case \"push\""));
   EXPECT_THAT(one, HasSubstr("in load case \"hang\""));
+  // The same case without its name and with it.
+  const auto claim = content(in_folder("cert"));
+  const auto from = claim.find("\ncase\n");
+  const auto block = claim.substr(from + 5, claim.rfind("\nend") - from - 5);
+  EXPECT_THAT(verified_after("\nend", "\ncase hang" + block + "\nend"),
+              HasSubstr("load case \"hang\" has two claims"));
   const auto none = verified_after("case\n", "case lift\n");
   EXPECT_THAT(none, HasSubstr("refused: "));
   EXPECT_THAT(none, HasSubstr("no load case \"lift\""));
+}
+
+// Without a loss the dead load is carried at no factor: the certificate proves this.
+TEST_F(LossCommand, WritesTheCertificateOfALoadThatIsNotCarriedWithoutLoss) {
+  std::ofstream(in_folder("two.toml")) << tie_and_strut(dead_load("[5, 0]"));
+  EXPECT_THAT(proved(" --case hang --lose 1", "two.toml"), HasSubstr("at no load factor"));
+}
+
+// The load is just carried by two bars at full strength, which rounding errors leave unproved.
+TEST_F(LossCommand, WritesNoCertificateOfClaimsAtResidualStrengthOnly) {
+  std::ofstream(in_folder("just.toml")) << R"(name = "just carried"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+a = [0, 0]
+b = [1, -3]
+c = [-1, -3]
+[[members]]
+yield = { tension = 1, compression = 3.1622776601683795, residual = 0.5 }
+between = [["a", "b"], ["a", "c"]]
+[[supports]]
+nodes = ["b", "c"]
+[[loads]]
+kind = "reference"
+nodes = ["a"]
+force = [1, 0]
+[[loads]]
+kind = "dead"
+nodes = ["a"]
+force = [0, -6]
+)";
+  const auto run = shell(command + " limit " + argument("just.toml") + " --alpha 0 --certificate " +
+                         argument("cert"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("all at their residual strength: no load factor, proved"));
+  EXPECT_THAT(on_one_line(run.output), HasSubstr("No certificate was written"));
+  EXPECT_FALSE(std::ifstream(in_folder("cert")));
+}
+
+// Limit analysis does not apply to case "self", which the certificate is not about.
+TEST_F(LossCommand, VerifiesACaseBesideOneWithoutReferenceLoad) {
+  std::ofstream(in_folder("cases.toml")) << tie_and_strut(
+      "[[loads]]\nkind = \"dead\"\ncase = \"a\"\nnodes = [\"a\"]\nforce = [0, -1]\n");
+  EXPECT_THAT(proved(" --case push --alpha 1", "cases.toml"), HasSubstr("load case \"push\""));
+  EXPECT_THAT(proved(" --case push --lose 1 --keep a-b", "cases.toml"),
+              HasSubstr("load case \"push\""));
+}
+
+// A sum of zero in double precision, of -2.8e-17 exactly.
+TEST_F(LossCommand, ProvesLoadsThatCancelAtANode) {
+  auto text = tie_and_strut();
+  for (const std::string force : {"[0, 0.1]", "[0, 0.3]", "[0, -0.4]"})
+    text += "[[loads]]\nkind = \"dead\"\ncase = \"push\"\nnodes = [\"a\"]\nforce = " + force + "\n";
+  std::ofstream(in_folder("cancel.toml")) << text;
+  EXPECT_THAT(proved(" --case push --alpha 0.1", "cancel.toml"), HasSubstr("PROVED"));
+}
+
+// The half-width of each case is one number, but not the same.
+TEST_F(LossCommand, VerifyListsHalfWidthsThatDifferBetweenCases) {
+  const auto uncertain = [](const std::string& name, const std::string& axis,
+                            const std::string& alpha) {
+    return "[[uncertainty]]\ncase = \"" + name + "\"\nnodes = [\"a\"]\naxes = [\"" + axis +
+           "\"]\nalpha = " + alpha + "\n";
+  };
+  auto text = tie_and_strut(uncertain("hang", "y", "0.5") + uncertain("push", "x", "0.25"));
+  text.erase(text.find(", residual = 0.1"), 16);
+  std::ofstream(in_folder("two.toml")) << text;
+  for (const std::string call : {"", " --lose 1 --keep \"a-b a-c\""}) {
+    const auto proof = proved(call, "two.toml");
+    EXPECT_THAT(proof, HasSubstr("load case \"hang\" uncertain loads: 1 unnamed within +- 0.5"));
+    EXPECT_THAT(proof, HasSubstr("load case \"push\" uncertain loads: 1 unnamed within +- 0.25"));
+    EXPECT_THAT(proof, HasSubstr("uncertain loads within these half-widths"));
+  }
+  const auto all = file_of(argument("two.toml"))["result"]["guaranteed_interval_of_all_cases"];
+  EXPECT_NEAR(all["upper"]["lower"], 2.5, 1e-6);
+  shell(command + " report " + argument("out.json") + " --output " + argument("page.html"));
+  EXPECT_THAT(content(in_folder("page.html")),
+              HasSubstr("every admissible load in every load case is carried at factors up to"));
+}
+
+TEST_F(LossCommand, LimitWarnsOfObstacles) {
+  std::ofstream(in_folder("contact.toml"))
+      << hanger << "[[contact]]\nnodes = [\"a\"]\nnormal = [0, 1]\n";
+  const auto run = shell(command + " limit " + argument("contact.toml"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("kusabi limit ignores [[contact]]"));
+}
+
+// All free displacements have loads, so that no load is uncertain.
+TEST_F(LossCommand, AlphaWithoutUncertainLoadsHasNoEffect) {
+  write_hanger();
+  const auto run = shell(command + " limit " + argument("hanger.toml") + " --alpha 40 --output " +
+                         argument("out.json"));
+  EXPECT_THAT(run.output, HasSubstr("--alpha has no effect"));
+  const auto verdict = nlohmann::json::parse(content(in_folder("out.json")))["verdict"];
+  EXPECT_EQ(verdict["answer"]["uncertain"]["half_width"], 0);
+  EXPECT_THAT(verdict["sentence"], HasSubstr("under its dead load"));
+  const auto swept = shell(command + " sweep " + argument("hanger.toml") + " --alpha 1");
+  EXPECT_EQ(swept.exit_code, 2) << swept.output;
+  EXPECT_THAT(swept.output, HasSubstr("no load on a free displacement is uncertain"));
 }
 
 // Case "hang" is carried at no factor, so it is not analysed after buckling.

@@ -149,6 +149,20 @@ TEST_F(MipCommand, ReportsUnboundedProgramsInBothSensesAndWithBoundsOf1e30) {
   EXPECT_NEAR(bounded.result["objective"], 2e6 + 1, 1e-3);
 }
 
+// 2 (b1 + b2 + b3) = 3 has no solution, which its relaxation does not show.
+TEST_F(MipCommand, IsNotAnsweredByAStoppedSearchOfAnUnboundedProgram) {
+  const auto text = file("u.lp",
+                         "Minimize\n c: - x\nSubject To\n e: 2 b1 + 2 b2 + 2 b3 = 3\n"
+                         "Binary\n b1 b2 b3\nEnd\n");
+  const auto stopped = solve(text, "--node-limit 1 --no-dive --no-tighten");
+  EXPECT_EQ(stopped.exit_code, 3) << stopped.said;
+  EXPECT_EQ(stopped.result["answer"], "unknown");
+  EXPECT_TRUE(stopped.result["bound"].is_null());
+  EXPECT_TRUE(stopped.result["root"]["last_bound"].is_null());
+  EXPECT_THAT(stopped.said, HasSubstr("lower bound not known"));
+  EXPECT_EQ(solve(text).result["answer"], "infeasible");
+}
+
 TEST_F(MipCommand, WarnsOfANegativeUpperBound) {
   const auto answer = solve(
       file("w.mps",

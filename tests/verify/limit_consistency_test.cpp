@@ -249,6 +249,33 @@ void expect_no_false_claim(const LimitCertificate& certificate) {
   EXPECT_TRUE(is_below);
 }
 
+TEST(LimitCertificate, ProvesNoLoadWithoutFactorForNoReferenceLoad) {
+  auto certificate = evidence();
+  certificate.reference = {0, 0};
+  EXPECT_FALSE(LimitProof(certificate).shows_no_factor());
+  EXPECT_FALSE(LimitProof(LimitCertificate{}).shows_no_factor());
+}
+
+TEST(LimitCertificate, OneNodeWithManySignsCoversNoOthers) {
+  LimitCertificate certificate;
+  certificate.uncertain.resize(300000);
+  certificate.nodes.emplace_back().signs.assign(certificate.uncertain.size(), 1);
+  EXPECT_EQ(flaw_of_sign_cover(certificate), "no node covers some combination of signs");
+  certificate.nodes.clear();
+  EXPECT_TRUE(flaw_of_sign_cover(certificate));
+}
+
+// 0.1 + 0.3 - 0.4 is 0 in double precision, and -2.8e-17 exactly: the displacement has no load, and
+// is uncertain if the file does not say which are.
+TEST(LimitConsistency, AdmitsRoundingErrorsOfLoadsThatCancel) {
+  auto structure = truss();
+  for (const double force : {0.1, 0.3, -0.4}) structure.dead.push_back({2, {force, 0, 0}});
+  EXPECT_LT(agreed(evidence(), structure).dead[0].value.nearest(), 0);
+  structure.dead.push_back({2, {1e-9, 0, 0}});
+  EXPECT_THAT(std::get<std::string>(limit_consistency(evidence(), structure)),
+              HasSubstr("the recorded dead load"));
+}
+
 TEST(LimitCertificate, NoAlterationProvesAFalseClaim) {
   const auto text = text_of(evidence());
   std::mt19937_64 generator(5);
@@ -284,6 +311,7 @@ TEST(LimitCertificate, NoAlterationProvesAFalseClaim) {
       const auto upper = proof.upper();
       if (const auto* value = std::get_if<mpq_class>(&upper)) rounded_up(*value);
       flaw_of_sign_cover(certificate);
+      proof.shows_no_factor();
       for (const auto& node : certificate.nodes) {
         const auto lower = proof.lower(node);
         if (const auto* value = std::get_if<mpq_class>(&lower)) rounded_down(*value);

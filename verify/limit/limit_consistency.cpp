@@ -2,6 +2,7 @@
 #include "verify/limit/limit_consistency.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -50,14 +51,21 @@ std::optional<std::vector<std::pair<std::size_t, Approximate>>> true_column(
   return exact;
 }
 
-// The recorded load is a sum of doubles in double precision, with few rounding errors.
+// The exact load. The recorded one is a sum of forces in double precision, with few rounding errors
+// relative to their sizes. @return nothing if it is not
 std::optional<std::vector<Approximate>> true_load(const std::vector<double>& recorded,
-                                                  const std::vector<Enclosure>& load) {
+                                                  std::vector<Force> forces,
+                                                  const Structure& structure,
+                                                  const Freedom& freedom) {
   constexpr long roundings = -40;
+  const auto load = sum_of<Enclosure>(forces, structure, freedom);
+  for (auto& force : forces) {
+    for (double& component : force.components) component = std::abs(component);
+  }
+  const auto sizes = sum_of<Enclosure>(forces, structure, freedom);
   std::vector<Approximate> exact;
   for (std::size_t e = 0; e < load.size(); ++e) {
-    const Dyadic value(recorded[e]);
-    if (load[e].distance(value) > absolute(value).scaled(roundings)) return {};
+    if (load[e].distance(Dyadic(recorded[e])) > sizes[e].upper().scaled(roundings)) return {};
     exact.push_back(middle(load[e]));
   }
   return exact;
@@ -107,10 +115,9 @@ std::string load_name(const Structure& structure, std::size_t parameter) {
   return structure.load_names.empty() ? std::string() : structure.load_names[parameter];
 }
 
-// The columns of T. Loads on a support act on the ground.
-std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom& freedom,
-                                      const std::vector<Enclosure>& dead,
-                                      const std::vector<Enclosure>& reference) {
+// The columns of T. Loads on a support act on the ground. Without uncertain loads in the file, one
+// for each displacement whose loads have the sum zero in double precision.
+std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom& freedom) {
   std::vector<Sparse> columns;
   if (structure.uncertain) {
     for (const auto& parameter : *structure.uncertain) {
@@ -121,8 +128,10 @@ std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom&
       }
     }
   } else {
+    const auto dead = sum_of<double>(structure.dead, structure, freedom);
+    const auto reference = sum_of<double>(structure.reference, structure, freedom);
     for (std::size_t e = 0; e < freedom.count; ++e) {
-      if (dead[e].is_zero() && reference[e].is_zero()) columns.push_back({{e, 1.0}});
+      if (dead[e] == 0 && reference[e] == 0) columns.push_back({{e, 1.0}});
     }
   }
   return columns;
@@ -193,16 +202,13 @@ std::variant<LimitTruss, std::string> limit_consistency(const LimitCertificate& 
   }
   LimitTruss truss;
   if (auto why = other_bars(certificate, structure, freedom, truss)) return *why;
-  const auto dead = sum_of<Enclosure>(structure.dead, structure, freedom);
-  const auto reference = sum_of<Enclosure>(structure.reference, structure, freedom);
-  auto true_dead = true_load(certificate.dead, dead);
-  auto true_reference = true_load(certificate.reference, reference);
+  auto true_dead = true_load(certificate.dead, structure.dead, structure, freedom);
+  auto true_reference = true_load(certificate.reference, structure.reference, structure, freedom);
   if (!true_dead) return "the recorded dead load is not that of the truss";
   if (!true_reference) return "the recorded reference load is not that of the truss";
   truss.dead = *std::move(true_dead);
   truss.reference = *std::move(true_reference);
-  auto half_widths = half_widths_of(certificate, structure,
-                                    uncertain_columns(structure, freedom, dead, reference));
+  auto half_widths = half_widths_of(certificate, structure, uncertain_columns(structure, freedom));
   if (auto* const why = std::get_if<std::string>(&half_widths)) return std::move(*why);
   truss.half_widths = std::get<std::vector<double>>(std::move(half_widths));
   return truss;

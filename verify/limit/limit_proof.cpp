@@ -241,6 +241,7 @@ bool LimitProof::shows_no_factor() const {
   const auto largest = std::ranges::max_element(certificate_.reference, {},
                                                 [](double value) { return std::abs(value); });
   const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
+  if (place >= motion.size() || reference[place].value.sign() == 0) return false;
   mpq_class work = 0;
   for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
   motion[place] -= work / reference[place].value.rational();

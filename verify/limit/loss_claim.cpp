@@ -1,6 +1,7 @@
 // Directions, yield forces and loads are compared as those of other limit loads.
 #include "verify/limit/loss_claim.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -75,12 +76,20 @@ LossClaim::LossClaim(const LossStatement& statement, std::optional<Structure> st
   truss_ = std::get<LimitTruss>(std::move(found));
   exact_ = exact_truss(*structure);
   add_uncertain(evidence_.uncertain, evidence_.alpha, exact_);
+  load_names_ = std::move(structure->load_names);
   for (const auto& bar : structure->bars)
     names_.push_back(structure->names[bar.first] + "-" + structure->names[bar.second]);
   for (const auto member : statement.lost)
     evidence_.tension[member] = evidence_.compression[member] = 0;
   evidence_.load = statement.load;
   evidence_.motion = statement.motion;
+}
+
+std::vector<std::pair<std::string, double>> LossClaim::half_widths() const {
+  std::vector<std::pair<std::string, double>> all;
+  for (std::size_t j = 0; j < truss_->half_widths.size(); ++j)
+    all.emplace_back(load_names_.empty() ? "" : load_names_[j], truss_->half_widths[j]);
+  return all;
 }
 
 std::vector<std::string> LossClaim::check_loss(double& upper) const {
@@ -97,6 +106,8 @@ std::vector<std::string> LossClaim::check_loss(double& upper) const {
     refusals.push_back("upper bound: " + *why);
   } else {
     upper = rounded_up(std::get<mpq_class>(found));
+    if (std::isinf(upper))
+      refusals.emplace_back("the upper bound exceeds the range of double precision");
   }
   if (!statement_.lower) return refusals;
   std::vector<support::IndexSet> supports;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verify/limit/exact_truss.hpp"
@@ -26,6 +27,9 @@ class LossClaim {
   /// The difference of the certificate from the problem file; nothing: there is none.
   [[nodiscard]] const std::optional<std::string>& difference() const { return difference_; }
 
+  /// Name, or nothing, and half-width of each uncertain load. @pre no difference
+  [[nodiscard]] std::vector<std::pair<std::string, double>> half_widths() const;
+
   /// Everything except the states. @return refusals
   /// @param upper upper bound of the factor, minus infinity after a fatal loss
   [[nodiscard]] std::vector<std::string> check_loss(double& upper) const;
@@ -38,7 +42,8 @@ class LossClaim {
   LimitCertificate evidence_;
   std::optional<LimitTruss> truss_;
   ExactTruss exact_;
-  std::vector<std::string> names_;  // of the members
+  std::vector<std::string> names_;       // of the members
+  std::vector<std::string> load_names_;  // of the uncertain loads; empty: unnamed
   std::optional<std::string> difference_;
 };
 

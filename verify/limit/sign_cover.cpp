@@ -9,11 +9,13 @@
 namespace kusabi::verify {
 namespace {
 
-// Checks that `nodes`, which all have the signs decided so far, cover all combinations of the
-// others. A column decided by all of them partitions both the combinations and the nodes.
+constexpr const char* of_no_node = "no node covers some combination of signs";
+
+// Checks that `nodes`, at least one, which all have the signs decided so far, cover all
+// combinations of the others. A column decided by all of them partitions both the combinations and
+// the nodes; each part has fewer nodes, so that the depth of the calls is below their number.
 std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<bool>& decided,
                                 std::size_t depth) {
-  if (nodes.empty()) return "no node covers some combination of signs";
   for (std::size_t j = 0; j < decided.size(); ++j) {
     if (decided[j] || std::ranges::any_of(nodes, [j](const auto* n) { return n->signs[j] == 0; })) {
       continue;
@@ -22,6 +24,7 @@ std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<b
     const auto middle = std::partition(nodes.begin(), nodes.end(),
                                        [j](const auto* node) { return node->signs[j] > 0; });
     const auto positive = static_cast<std::size_t>(middle - nodes.begin());
+    if (positive == 0 || positive == nodes.size()) return of_no_node;
     auto found = flaw(nodes.first(positive), decided, depth + 1);
     if (!found) found = flaw(nodes.subspan(positive), decided, depth + 1);
     decided[j] = false;
@@ -43,7 +46,7 @@ std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificat
   std::vector<const LimitNode*> nodes;
   for (const auto& node : certificate.nodes) nodes.push_back(&node);
   std::vector<bool> decided(certificate.uncertain.size(), false);
-  return flaw(nodes, decided, 0);
+  return nodes.empty() ? of_no_node : flaw(nodes, decided, 0);
 }
 
 }  // namespace kusabi::verify

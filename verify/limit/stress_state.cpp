@@ -59,8 +59,9 @@ ExactColumns::ExactColumns(const ExactTruss& truss, const StressState& state)
       const auto found = std::ranges::lower_bound(support, member);
       if (found == support.end() || *found != member) continue;
       const auto place = found - support.begin();
-      const double length = std::sqrt(truss.square_lengths[member].get_d());
-      values[static_cast<std::size_t>(place)] = force / length;
+      // Zero, which the elimination corrects, where the length is beyond double precision.
+      const double density = force / std::sqrt(truss.square_lengths[member].get_d());
+      if (std::isfinite(density)) values[static_cast<std::size_t>(place)] = density;
       stressed_[static_cast<std::size_t>(place)] = true;
     }
     values.back() = column.factor;

@@ -42,7 +42,8 @@ LossProof::LossProof(const verify::Structure& truss, const problems::LimitProble
                                       {0, {}, Eigen::VectorXd::Zero(model.free_count())}},
                                      {}, {})) {
   if (alpha > 0) verify::add_uncertain(certificate_.uncertain, certificate_.alpha, exact_);
-  proof_.emplace(certificate_, meant_truss(certificate_, truss));
+  if (auto meant = meant_truss(certificate_, truss))
+    proof_.emplace(certificate_, *std::move(meant));
 }
 
 std::optional<ProvedState> LossProof::proved(verify::StressState state, double target,
@@ -55,6 +56,11 @@ std::optional<ProvedState> LossProof::proved(verify::StressState state, double t
     auto support = set_of(state.support);
     return ProvedState{std::move(support), std::move(state)};
   };
+  // The simplex method leaves forces within its tolerance to lost members.
+  auto support = state.support;
+  std::erase_if(support,
+                [&](std::size_t member) { return lost.contains(static_cast<int>(member)); });
+  state = within(std::move(state), support);
   if (reached()) return with_support();
   // Further members carry the rounding errors of coordinates, loads and forces.
   state.support.clear();
@@ -70,7 +76,7 @@ std::optional<ProvedState> LossProof::proved(verify::StressState state, double t
 
 bool LossProof::set(const IndexSet& lost, const Eigen::VectorXd& zeta,
                     const Eigen::VectorXd& motion) {
-  if (motion.size() != problem_.free_count() || !motion.allFinite()) return false;
+  if (!proof_ || motion.size() != problem_.free_count() || !motion.allFinite()) return false;
   certificate_.tension.assign(problem_.tension.begin(), problem_.tension.end());
   certificate_.compression.assign(problem_.compression.begin(), problem_.compression.end());
   for (const int i : lost) {

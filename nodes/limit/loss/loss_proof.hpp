@@ -62,7 +62,8 @@ class LossProof {
   const problems::LimitProblem& problem_;
   verify::ExactTruss exact_;
   verify::LimitCertificate certificate_;
-  std::optional<verify::LimitProof> proof_;  // of certificate_, with its present yield forces
+  // Of certificate_, with its present yield forces; nothing: no proof is possible.
+  std::optional<verify::LimitProof> proof_;
 };
 
 }  // namespace kusabi::limit

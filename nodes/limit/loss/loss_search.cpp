@@ -15,7 +15,6 @@
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/worst_case_search.hpp"
-#include "verify/limit/loss_cover.hpp"
 
 namespace kusabi::limit {
 
@@ -153,7 +152,8 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
   return losses;
 }
 
-// Loses the worst member, then the worst further one, up to K.
+// Loses the worst member, then the worst further one, up to K. A loss whose factor the simplex
+// method does not determine is not kept.
 void LossSearch::start() {
   worst_ = after({});
   answer_.nominal = worst_.collapse.factor;
@@ -166,7 +166,9 @@ void LossSearch::start() {
         losses, {}, [](const SingleLoss& each) { return value(each.status, each.factor); });
     const double now = value(worst_.status, worst_.collapse.factor);
     if (value(minimum->status, minimum->factor) >= now) return;
-    worst_ = after(worst_.lost | IndexSet::single(minimum->member));
+    auto next = after(worst_.lost | IndexSet::single(minimum->member));
+    if (next.status == LoadStatus::undetermined) return;
+    worst_ = std::move(next);
   }
 }
 
@@ -290,11 +292,19 @@ void LossSearch::conclude() {
     }
     answer_.proved =
         ends.lower_proved && ends.upper_proved && ends.upper - ends.lower <= answered_gap * unit;
+  } else if (worst_.status == LoadStatus::undetermined) {
+    ends.upper = infinite;
   } else {
     answer_.fatal_motion = worst_.collapse.motion;
     ends.upper_proved = proof_.shows_no_factor(worst_.lost, answer_.zeta, worst_.collapse.motion);
     answer_.proved = ends.upper_proved;
   }
+}
+
+verify::LossCover LossSearch::cover() const {
+  const int members = problem_.member_count();
+  return {known_.supports, IndexSet::below(members) - eligible_,
+          std::clamp(eligible_.size(), 1, parameters_.maximum)};
 }
 
 // The claims that are proved, with the states that the proof needs.
@@ -304,7 +314,8 @@ void LossSearch::record() {
   auto& statement = answer_.statement.emplace();
   statement.truss = truss_;
   statement.sudden = parameters_.sudden;
-  statement.maximum = static_cast<std::size_t>(std::min(parameters_.maximum, eligible_.size()));
+  statement.maximum =
+      static_cast<std::size_t>(std::clamp(eligible_.size(), 1, parameters_.maximum));
   for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
     statement.kept.push_back(static_cast<std::size_t>(i));
   statement.lost.assign(worst_.lost.begin(), worst_.lost.end());
@@ -314,10 +325,7 @@ void LossSearch::record() {
   proof_.write_loads(alpha_ > 0, statement);
   if (!lower_) return;
   statement.lower = lower_;
-  const verify::LossCover cover(known_.supports,
-                                IndexSet::below(problem_.member_count()) - eligible_,
-                                static_cast<int>(statement.maximum));
-  for (const auto k : cover.needed()) statement.states.push_back(states_[k].state);
+  for (const auto k : cover().needed()) statement.states.push_back(states_[k].state);
 }
 
 LossAnswer LossSearch::solve() {
@@ -333,11 +341,12 @@ LossAnswer LossSearch::solve() {
     missed_ = parameters_.at_least && worst_.collapse.factor < known_.target - margin;
     if (!missed_) search();
   }
-  if (analysis_.ended() && !lower_ && worst_.status == LoadStatus::collapses && !missed_)
-    answer_.search = analysis_.budget().stop_reason();
+  if (lower_ && cover().flaw()) lower_.reset();  // the proof of verify would refuse it
   drop_useless();
   conclude();
   settle_target();
+  if (analysis_.ended() && !lower_ && !answer_.proved)
+    answer_.search = analysis_.budget().stop_reason();
   record();
   return std::move(answer_);
 }

@@ -15,6 +15,7 @@
 #include "nodes/limit/model/limit_parameters.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/index_set.hpp"
+#include "verify/limit/loss_cover.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
@@ -51,6 +52,7 @@ class LossSearch {
   void conclude();
   void settle_target();
   void record();
+  [[nodiscard]] verify::LossCover cover() const;
 
   engine::Analysis& analysis_;
   const verify::Structure& truss_;

@@ -28,6 +28,7 @@ std::vector<StaticCut> cuts_of_point(const splitting::ColumnBlocks& point,
     for (std::size_t i = 0; i + 1 < rows; ++i) largest = std::max(largest, std::abs(column[i]));
     auto& cut = cuts.emplace_back();
     cut.column = static_cast<int>(j);
+    if (unit == 0) continue;  // its share is zero, whatever its forces
     cut.factor = column[rows - 1] / unit;
     for (std::size_t i = 0; i + 1 < rows; ++i) {
       if (std::abs(column[i]) <= rounding * largest) continue;

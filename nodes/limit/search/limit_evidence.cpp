@@ -165,11 +165,13 @@ verify::LimitNode limit_node(const problems::LimitProblem& problem, const LimitM
   return Converter(problem, model, alpha).node_of(node, places, columns);
 }
 
-verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
-                               const verify::Structure& truss) {
+std::optional<verify::LimitTruss> meant_truss(const verify::LimitCertificate& certificate,
+                                              verify::Structure truss) {
+  truss.half_widths
+      .clear();  // those of the certificate, which on a curve are not those of the file
   auto found = verify::limit_consistency(certificate, truss);
   if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
-  return verify::recorded_truss(certificate);
+  return {};
 }
 
 }  // namespace kusabi::limit

@@ -1,6 +1,7 @@
 // Conversion of the solver's scaled results to a certificate in the units of the problem.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,9 +27,10 @@ verify::LimitNode limit_node(const problems::LimitProblem& problem,
                              const problems::LimitModel& model, double alpha,
                              std::span<const StaticCut> cuts, const ClosedNode& node);
 
-/// The truss with its exact directions; that of the computation if these are undefined (a bar of
-/// length almost zero).
-verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
-                               const verify::Structure& truss);
+/// The truss with its exact directions and loads, and the half-widths of the certificate. Nothing
+/// if the certificate is not one of this truss, so that its claims are not proved: a direction is
+/// undefined (a bar of length almost zero).
+std::optional<verify::LimitTruss> meant_truss(const verify::LimitCertificate& certificate,
+                                              verify::Structure truss);
 
 }  // namespace kusabi::limit

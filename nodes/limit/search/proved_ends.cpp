@@ -75,7 +75,9 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
   ProvedEnds result;
   auto& [ends, certificate] = result;
   certificate = certificate_of(evidence, nodes);
-  const auto truss = meant_truss(certificate, evidence.truss);
+  const auto meant = meant_truss(certificate, evidence.truss);
+  if (!meant) return result;
+  const auto& truss = *meant;
   bool changed = false;
   {
     const verify::LimitProof proof(certificate, truss);
@@ -110,7 +112,9 @@ std::optional<double> proved_upper(const verify::Structure& truss,
                                    const problems::LimitModel& model, double alpha,
                                    const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion) {
   const auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
-  const auto upper = verify::LimitProof(evidence, meant_truss(evidence, truss)).upper();
+  auto meant = meant_truss(evidence, truss);
+  if (!meant) return {};
+  const auto upper = verify::LimitProof(evidence, *std::move(meant)).upper();
   const auto* const value = std::get_if<mpq_class>(&upper);
   if (value == nullptr) return {};
   return verify::rounded_up(*value);
@@ -124,7 +128,8 @@ std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Stru
                                                               const Eigen::VectorXd& motion) {
   if (motion.size() != model.free_count() || !motion.allFinite()) return {};
   auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
-  if (!verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor()) return {};
+  auto meant = meant_truss(evidence, truss);
+  if (!meant || !verify::LimitProof(evidence, *std::move(meant)).shows_no_factor()) return {};
   return evidence;
 }
 

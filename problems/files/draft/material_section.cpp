@@ -29,6 +29,11 @@ GroupMaterial bar_material(const TomlReader& reader, const TomlTable& table) {
   GroupMaterial material;
   material.of_bars = true;
   const auto bars = bars_in(reader, table);
+  if (bars.residual) {
+    reader.fail(*table.table->get("yield"),
+                "residual stands in [[material]]; expected tension and compression only, or bars "
+                "in [[members]]");
+  }
   material.bar = bars.bar;
   material.position = bars.stiffness;
   return material;

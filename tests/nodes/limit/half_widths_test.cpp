@@ -22,15 +22,18 @@ using test::near;
 using test::PlainTruss;
 using testing::HasSubstr;
 
-// A complete analysis. @return the problem with its half-widths, too
-std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
-                                                       const RequestedHalfWidths& asked) {
+// A complete analysis, by splitting if it has `split_from` uncertain loads or more. @return the
+// problem with its half-widths, too
+std::pair<LimitFindings, problems::LimitProblem> found(
+    const Structure& truss, const RequestedHalfWidths& asked,
+    int split_from = LimitParameters{}.split_from) {
   auto problem = problems::limit_problem(checked(truss));
   problems::LimitProblem* const one = &problem;
   const auto alpha = problems::set_half_widths({&one, 1}, asked);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
-  return {limit_loads(analysis, truss, problem, {.alpha = alpha}), problem};
+  return {limit_loads(analysis, truss, problem, {.alpha = alpha, .split_from = split_from}),
+          problem};
 }
 
 // Every other parameter has a half-width in the file, the rest has the requested one.
@@ -98,6 +101,12 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
   EXPECT_NEAR(upper(open, {.alpha = 3, .groups = {{"across", 0.5}}}), 1.5, 1e-9);
   EXPECT_NEAR(upper(open, {.groups = {{"across", 0.5}, {"side", 3}}}), 1.5, 1e-9);
   EXPECT_NEAR(upper(read("alpha = 0.5\n", "alpha = 3\n"), {}), 1.5, 1e-9);
+  for (const int split_from : {1, LimitParameters{}.split_from}) {
+    const RequestedHalfWidths one_is_zero{.alpha = 0.5, .groups = {{"side", 0}}};
+    const auto answer = found(open, one_is_zero, split_from).first.answer;
+    EXPECT_TRUE(answer.whole()) << split_from;
+    EXPECT_NEAR(answer.worst->ends.upper, 2.5, 1e-9);
+  }
   const auto why = [](const Structure& truss, const RequestedHalfWidths& asked) -> std::string {
     try {
       found(truss, asked);

@@ -421,6 +421,13 @@ TEST(Loss, LeavesOutForcesOutsideTheSupportOfAState) {
   ASSERT_TRUE(carried);
   EXPECT_EQ(carried->factor, 1);
   EXPECT_THAT(carried->members, testing::ElementsAre(0));
+  // Bars so short or so long that their length or force density is beyond double precision: the
+  // density is found exactly. The short one carries q l = 1 with q = 1, and the long one does not.
+  const mpz_class large = mpz_class(1) << 2200;
+  truss.square_lengths[0] = mpq_class(mpz_class(1), large);
+  EXPECT_TRUE(verify::carried_factor(truss, state));
+  truss.square_lengths[0] = large;
+  EXPECT_FALSE(verify::carried_factor(truss, state));
 }
 
 TEST(Loss, CertificateIsRefusedIfForged) {

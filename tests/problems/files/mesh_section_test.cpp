@@ -169,6 +169,11 @@ TEST(MeshSection, MakesBarsOfLinesThatHaveAStiffness) {
   ASSERT_EQ(structure.members.size(), 1U);
   EXPECT_EQ(structure.members[0].axial_stiffness, 5);
   EXPECT_EQ(structure.node_names.size(), 5U);
+  EXPECT_THAT(test::error_of(problem(toml + "[[material]]\ngroups = [\"a.RODS\"]\nyield = { "
+                                            "tension = 1, compression = 2, residual = 0.3 }\n"
+                                            "EA = 5.0\n",
+                                     {{"a.inp", row(1, 0, 1, more)}})),
+              testing::HasSubstr("residual stands in [[material]]; expected tension and"));
   // Without it they only name nodes, and node 9 belongs to no element.
   EXPECT_EQ(test::error_of(problem(toml, {{"a.inp", row(1, 0, 1, more)}})),
             "test.toml:12:24: node \"a.9\" does not exist; expected a name from [nodes]; did you "
