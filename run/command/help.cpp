@@ -161,7 +161,7 @@ std::string help(const CommandList& list, const CommandList::Group& group) {
 std::string overview(const CommandList& list) {
   std::string text =
       "Kusabi finds all wedged configurations of a structure with Coulomb friction, and\n"
-      "worst-case limit loads of trusses, and proves its answers.\n\n"
+      "worst-case limit loads of trusses, and can prove its answers.\n\n"
       "Usage:   kusabi SUBCOMMAND FILE [options]\n"
       "         mpirun -np RANKS kusabi SUBCOMMAND FILE [options]\n"
       "Example: kusabi patterns examples/space-truss.toml --mu 0.65\n";

@@ -345,12 +345,12 @@ auto InteriorPoint<D, Real>::directions(const Program& program, const Vector& dy
 }
 
 template <int D, class Real>
-void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_mu, Real affine_length) {
+void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_nu, Real affine_length) {
   const auto count = static_cast<int>(program.cones().size());
   for (int c = 0; c < count; c += width) {
     Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
     for (Packed<Real>& component : right_side) component *= -affine_length;
-    right_side[0] += sigma_mu;
+    right_side[0] += sigma_nu;
     const Cones q = scaling(c).jordan_divide(right_side);
     store_cones(step_x_, c, q);
     store_cones(products_, c, scaling(c).times(q));
@@ -358,7 +358,7 @@ void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_mu, Real
   program.multiply(products_, trial_);
   for (int i = 0; i < program.rows(); i += width) {
     const Packed<Real> q =
-        (sigma_mu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
+        (sigma_nu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
         load(lambda_.data() + i);
     store(step_v_.data() + i, q);
     store(trial_.data() + i, load(trial_.data() + i) - load(w_.data() + i) * q);
@@ -373,7 +373,7 @@ bool InteriorPoint<D, Real>::advance(const Program& program) {
   const InverseStepLengths predicted = directions(program, predictor_);
   const Real affine_length = 1.0 / std::max({Real(1), predicted.dual, predicted.primal});
 
-  // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma mu e - alpha dx~ o dz~, alpha
+  // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma nu e - alpha dx~ o dz~, alpha
   // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence M dy = b - sigma (b
   // - A x) - B q. Mehrotra's method has the second-order term without the factor alpha; after a
   // short predictor step that term is too large, and the iteration can cycle.
@@ -440,7 +440,7 @@ auto InteriorPoint<D, Real>::lay_out(const Program& program, int cone, int first
   return part;
 }
 
-// The squared length of a direction is ||W^-1 dx||^2 + ||dv / w||^2: on the central path mu times
+// The squared length of a direction is ||W^-1 dx||^2 + ||dv / w||^2: on the central path nu times
 // the second derivative of the barrier. Among those with A dx = dv, the shortest with dx_i = -x_i
 // has the length lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and the shortest with dv_i = -v_i has the
 // length lambda_i^2 / (1 - w_i^2 (M^-1)_ii).

@@ -5,11 +5,11 @@
 //
 // Nesterov-Todd scaling, Mehrotra's predictor and corrector, normal equations M = A W^2 A' of size
 // m x m by Cholesky. The names are those of the literature: W, w, eta and lambda the scaling, its
-// point, its factor and the scaled iterate; mu = (x'z + v'y) / degree the complementarity of an
-// average pair; sigma the centring parameter; alpha the step lengths. The primal start is
-// infeasible. The dual start is feasible by construction and z is recomputed from y each time, so
-// that b'y is a lower bound of the optimal value throughout, up to the rounding of one product. The
-// node solver turns both sides into a bracket of t*.
+// point, its factor and the scaled iterate; nu = (x'z + v'y) / degree the complementarity of an
+// average pair (mu in the literature; here mu is friction); sigma the centring parameter; alpha the
+// step lengths. The primal start is infeasible. The dual start is feasible by construction and z is
+// recomputed from y each time, so that b'y is a lower bound of the optimal value throughout, up to
+// the rounding of one product. The node solver turns both sides into a bracket of t*.
 //
 // The rigid-body modes of an unconstrained body add free columns to A, H alpha, and H'y = 0 to the
 // dual program. The start does not satisfy this equation; a full step does. With rho H H' added to
@@ -33,7 +33,7 @@ namespace kusabi::conic {
 
 /// Squared distances from the centre of a relaxation to its faces, in the metric of the ellipsoid
 /// around the centre, in which every inequality is at a distance of at least 1 (times a common
-/// factor mu). They do not depend on units, and take all constraints into account: if two
+/// factor nu). They do not depend on units, and take all constraints into account: if two
 /// candidates can hardly separate from each other, a face that is far for one is far for the other.
 struct FaceDistances {
   double separation = 0;  ///< to x_i = 0
@@ -147,9 +147,9 @@ class InteriorPoint {
   // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
   // step_v_ hold q.
   KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const Program& program, const Vector& dy);
-  // The q of the corrector, with lambda o q = sigma mu e - alpha dx~ o dz~ (alpha the length of the
+  // The q of the corrector, with lambda o q = sigma nu e - alpha dx~ o dz~ (alpha the length of the
   // predictor's step), into step_x_ and step_v_, and the right side A W q into trial_.
-  KUSABI_ALSO_FOR_AVX2 void correct(const Program& program, Real sigma_mu, Real affine_length);
+  KUSABI_ALSO_FOR_AVX2 void correct(const Program& program, Real sigma_nu, Real affine_length);
   KUSABI_ALSO_FOR_AVX2 bool move_primal(const Program& program, Real step_length);
   bool move_dual(const Program& program, Real step_length);
   // Columns of a cone, and that of its slack, as rows of faces_, for measure().
