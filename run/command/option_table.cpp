@@ -254,10 +254,11 @@ void OptionTable::whole_states(bool& variable, const std::string& all,
 }
 
 void OptionTable::prove(bool& variable, const std::string& how) {
-  flag(
-      "--prove", variable,
-      how +
-          ". Default: only if the stiffnesses or lengths of the structure differ by more than 1e7");
+  flag("--prove", variable,
+       how +
+           ". Default: only if the stiffnesses or lengths of the structure differ by a factor of "
+           "more "
+           "than 1e7");
 }
 
 void OptionTable::quiet_and_serial(std::string quiet) {

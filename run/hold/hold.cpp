@@ -293,8 +293,8 @@ constexpr Registration hold_subcommand{
      .purpose = "loads that contact with friction can hold",
      .description =
          "The smallest friction coefficient at which the structure can hold its dead load; with "
-         "--mu, the factors of the reference load that it can hold in addition. All bounds are "
-         "proved.",
+         "--mu, the factors of the reference load that it can hold in addition. Each bound is "
+         "marked as proved or computed.",
      .example = "examples/ladder.toml"},
     make<Hold>};
 

@@ -194,7 +194,9 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
           : fmt::format("The dead load {}{}{}", where, of, sum);
   return fmt::format(
       "{}: {}{}{}.", what, at(points.front()), points.size() > 1 ? ", " + at(points.back()) : "",
-      points.size() > 2 ? "; the table has the factors at the other coefficients" : "");
+      points.size() > 2 ? fmt::format("; the table has the {}other coefficients",
+                                      points.front().of_reference ? "factors at the " : "")
+                        : std::string());
 }
 
 std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
@@ -219,11 +221,11 @@ void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Rese
     all.push_back({"Some sign patterns are undecided; pieces may be missing.", true});
   if (found.outside == Standing::computed && !found.open && !found.everything)
     all.push_back(
-        {"Computed, not proved: no other pair is held; in some sign patterns all states are "
-         "those of another one, up to rounding, as for loads at a candidate.",
+        {"Computed, not proved: no other pair is held. The states of some sign patterns are, up to "
+         "rounding, states of another pattern, as happens with a load at a candidate.",
          true});
   if (found.coarse > 0) {
-    all.push_back({fmt::format("{} may be larger than drawn, by more than the usual width.",
+    all.push_back({fmt::format("{} may be larger than drawn, by more than 1e-5 of the size.",
                                counted(found.coarse, "piece")),
                    false});
   }

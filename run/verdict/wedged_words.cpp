@@ -23,9 +23,8 @@ void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
   if (!doubt.why.empty()) {
     all.push_back(
         {fmt::format(
-             "The stiffnesses or lengths of the structure differ by {:.1e}: floating point may "
-             "miss a pattern or add one. The exact test does not decide this: "
-             "{}.",
+             "The stiffnesses or lengths of the structure differ by a factor of {:.1e}: floating "
+             "point may miss a pattern or add one. The exact test does not decide this: {}.",
              doubt.scale_ratio, doubt.why),
          true});
   } else {
