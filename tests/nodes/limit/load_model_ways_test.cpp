@@ -108,7 +108,7 @@ double factor_at(const LoadCurve& curve, double beta) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-TEST(LoadModel, IsThatOfCurvesAndSamples) {
+TEST(LoadModel, AgreesWithCurvesAndSamples) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 15; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -310,7 +310,7 @@ TEST(LossWords, NameTheMembersThatAreKept) {
               HasSubstr("while no strut falls below its residual strength"));
 }
 
-TEST(HoldingWords, SayAfterReadingThatTheRangeIsNotProved) {
+TEST(HoldingWords, KeepTheStandingOfTheRangeWhenRead) {
   const HoldingGrip grip{.minimum = {Bound{1, Standing::computed}, Bound{1, Standing::computed}}};
   const Verdict verdict{.answer = HoldingFactors{.friction = 0.4, .grip = grip}};
   EXPECT_EQ(all_words(read_back(verdict)), all_words(verdict));
