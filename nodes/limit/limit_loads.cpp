@@ -22,8 +22,8 @@ namespace {
 
 using verify::LimitClaim;
 
-// Solves the nominal load in suitable units. @param shown whether it is proved that the load has no
-// factor
+// Solves the nominal load in suitable units.
+// @param shown whether it is proved that the load has no factor
 LoadStatus set_up(RootSearch& search, const std::function<bool()>& shown) {
   const auto& problem = search.problem();
   auto status = search.set_up(problems::limit_model(problem));

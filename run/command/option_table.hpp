@@ -189,8 +189,9 @@ class OptionTable {
   void pictures(std::string& folder, const std::string& each, const std::string& opened_by);
   /// --prove. @param how meaning of the option
   void prove(bool& variable, const std::string& how);
-  /// --whole. @param all the configurations of the result file @param otherwise those whose state
-  /// of the whole structure is in it without the option
+  /// --whole.
+  /// @param all the configurations of the result file
+  /// @param otherwise those whose state of the whole structure is in it without the option
   void whole_states(bool& variable, const std::string& all, const std::string& otherwise);
   void output(std::string help = "result file (JSON)");
   void further_output(std::string name, std::string help);

@@ -37,8 +37,8 @@ struct CheckedStatements {
   engine::Status status = engine::Status::solved;  ///< not solved: some were not checked
 };
 
-/// Replaces the compression strengths by those after buckling. @return the refusal if there are
-/// none
+/// Replaces the compression strengths by those after buckling.
+/// @return the refusal if there are none
 std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual);
 
 /// Proves all statements on all ranks, in pieces of one node.

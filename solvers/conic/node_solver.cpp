@@ -130,7 +130,7 @@ void NodeSolver<D, Real>::decrease_upper(ConicResult& answer) {
   proved_ = false;
   // The proof takes a product, and is postponed while the bracket is wide.
   const double upper = numbers::rounded(value);
-  if (upper <= tolerances_.sign || upper - answer.lower <= 2 * sharp * std::abs(upper))
+  if (upper <= tolerances_.sign || upper - answer.lower <= 2 * known_digits_width * std::abs(upper))
     prove_upper(answer);
 }
 

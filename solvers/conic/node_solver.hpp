@@ -25,8 +25,10 @@ namespace kusabi::conic {
 
 /// Candidates with a reaction, and those with a gap, at a point of the relative interior of the
 /// solutions of a degenerate node,
-///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}. No
-///   candidate has a reaction if and only if X is empty: t* < 0, though within the tolerance.
+///
+///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
+///
+/// If no candidate has a reaction, X is empty: t* is negative, though within the tolerance.
 struct RelativeInterior {
   support::IndexSet loaded;  ///< r_i != 0 somewhere on X
   support::IndexSet moved;   ///< u_ni > 0 somewhere on X

@@ -87,8 +87,9 @@ class DoubleDescription {
   DoubleDescription(const ReactionCone& cone, RayList list, Conduct conduct);
 
   /// Cuts by all rows of `rows`, and by the equations of equilibrium, in the order that gives the
-  /// fewest pairs. @return false if it was stopped, or there are too many rays; after `give_up` or
-  /// too many rays it can be resumed
+  /// fewest pairs.
+  /// @return false if it was stopped, or there are too many rays; after `give_up` or too many rays
+  ///   it can be resumed
   bool cut_by(Candidates rows, Keep keep);
   const Effort& effort() const { return effort_; }
   Steps steps() const { return {effort_, health_, stopped_}; }

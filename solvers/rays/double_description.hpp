@@ -136,8 +136,7 @@ class PatternRaysByTurns {
  public:
   /// @param cone outlives this object
   /// @param stop called now and then; after it returned true, resume returns false and the object
-  /// is
-  ///        of no use. Empty: never
+  ///   is of no use. Empty: never
   PatternRaysByTurns(const ReactionCone& cone, Candidates contact, std::function<bool()> stop = {});
   PatternRaysByTurns(PatternRaysByTurns&&) noexcept;
   PatternRaysByTurns& operator=(PatternRaysByTurns&&) noexcept;

@@ -9,9 +9,11 @@
 //
 // Its dual is a static statement, which proves the bound without the simplex method: forces q and a
 // factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
-//   -q^c + sum_c mu_c |y_c| <= q <= q^t - sum_c mu_c |y_c|,   sum of mu_c over the cuts of j =
-//   alpha weight_j,
-// give lambda - sum_c mu_c |k_c|.
+//
+//   -q^c + s <= q <= q^t - s,   s = sum_c mu_c |y_c|,
+//   sum of mu_c over the cuts of j = alpha weight_j.
+//
+// The bound is lambda - sum_c mu_c |k_c|.
 #pragma once
 
 #include <cstdint>

@@ -32,8 +32,8 @@ class RootSearch {
   /// True if the result of the last set_up() was `collapses`, which the other functions require.
   [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
 
-  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them. @param
-  /// alpha in the unit of force
+  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them.
+  /// @param alpha in the unit of force
   void settle_for(double alpha);
 
   /// Splitting ends at a load with a factor below this, since only the upper bound matters then.

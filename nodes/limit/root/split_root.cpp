@@ -26,17 +26,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using problems::LimitModel;
 
-/// Steps between two evaluations of the motion and the bound: the first motions lead to different
-/// collapses. Steps between two polls for a stop.
+/// Steps between two evaluations of the motion and the bound.
 constexpr int steps_per_evaluation = 50;
+/// The same during the first `first_steps` steps, whose motions lead to different collapses.
 constexpr int first_steps_per_evaluation = 10;
 constexpr int first_steps = 50;
+/// Steps between two polls for a stop.
 constexpr int steps_per_poll = 10;
 
-/// Random motions near the known collapse from which a worse one is searched: at the beginning and
-/// after a face that is not the worst case's, and at each evaluation. Their sizes, relative to the
-/// largest displacement, are this and nine larger ones by this factor each.
+/// Number of random motions near the known collapse from which a worse one is searched, at the
+/// beginning and after a face that is not the worst case's.
 constexpr int first_tries = 10;
+/// Ten sizes of such a motion, relative to the largest displacement: the smallest is
+/// min_disturbance, each further one larger by disturbance_ratio.
 constexpr double min_disturbance = 0.005;
 constexpr double disturbance_ratio = 1.45;
 

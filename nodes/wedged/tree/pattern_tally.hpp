@@ -34,8 +34,8 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::vector<Configuration> largest;
   std::uint64_t proved = 0;   ///< leaves proved feasible by the exact test
   std::uint64_t refused = 0;  ///< claims refused by it
-  std::uint64_t closed_unproved =
-      0;  ///< nodes closed as infeasible although the test refuses their evidence
+  /// Nodes closed as infeasible although the test refuses their evidence.
+  std::uint64_t closed_unproved = 0;
   std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
 
   SignPatternTally& operator+=(const SignPatternTally& other) {
