@@ -29,7 +29,7 @@ ContactMotions contact_motions(const Structure& structure,
 
 /// The same without combinations: a column for each mode of each body, dm x sum of p, zero if it
 /// displaces no candidate.
-numbers::PreciseMatrix seen_motions(const Structure& structure,
-                                    std::span<const UnconstrainedBody> bodies);
+numbers::PreciseMatrix restricted_modes(const Structure& structure,
+                                        std::span<const UnconstrainedBody> bodies);
 
 }  // namespace kusabi::problems

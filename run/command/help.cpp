@@ -109,7 +109,7 @@ std::string option_rules(const OptionRow& row) {
   } else if (!row.unit.empty()) {
     fmt::format_to(out, "In {}.", row.unit.starts_with("in ") ? row.unit.substr(3) : row.unit);
   }
-  if (!row.usual.empty()) fmt::format_to(out, " Default: {}.", row.usual);
+  if (!row.default_value.empty()) fmt::format_to(out, " Default: {}.", row.default_value);
   if (!row.needs.empty()) fmt::format_to(out, " Requires {}.", row.requirement());
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }

@@ -49,7 +49,7 @@ class Hold final : public Subcommand {
 
   HoldOptions options_;
   problems::CheckedStructure structure_;
-  std::vector<problems::FacetDoubt> facets_;
+  std::vector<problems::FacetWarning> facets_;
   wedged::LoadedProblem loaded_;
   HoldFindings findings_;
 };

@@ -91,7 +91,7 @@ class InteriorPoint {
   /// centre().
   /// @pre one cone per candidate, and no rigid-body modes
   /// @param distances m
-  void measure(const Program& program, std::vector<FaceDistances>& distances);
+  void measure_faces(const Program& program, std::vector<FaceDistances>& distances);
 
   /// One predictor-corrector step. Call after factorise().
   /// @return false if the step is too short to change the bracket
@@ -120,9 +120,9 @@ class InteriorPoint {
   Square matrix_of(int cone) const;
 
   // Adds rho H H' to M; returns H'y, the residual of the equations of the modes.
-  Vector hold_motions(const Program& program);
+  Vector regularise_modes(const Program& program);
   // Computes M^-1 H and S, and corrects the two solutions of factorise() for the modes.
-  bool free_motions(const Program& program, const Vector& unbalanced);
+  bool solve_modes(const Program& program, const Vector& unbalanced);
   // Corrects a solution M^-1 g such that H'y = 0; returns alpha.
   Vector balance(const Program& program, Vector& solution) const;
 
@@ -152,8 +152,8 @@ class InteriorPoint {
   KUSABI_ALSO_FOR_AVX2 void correct(const Program& program, Real sigma_nu, Real affine_length);
   KUSABI_ALSO_FOR_AVX2 bool move_primal(const Program& program, Real step_length);
   bool move_dual(const Program& program, Real step_length);
-  // Columns of a cone, and that of its slack, as rows of faces_, for measure().
-  typename CutElimination<D, Real>::Part lay_out(const Program& program, int cone, int first_row);
+  // Columns of a cone, and that of its slack, as rows of faces_, for measure_faces().
+  typename CutElimination<D, Real>::Part face_rows(const Program& program, int cone, int first_row);
 
   Points x_, z_, projected_;
   Vector v_, y_;                  // by row; v is used on the rows with a slack only
@@ -166,7 +166,7 @@ class InteriorPoint {
   Vector along_;                                // addend to faces_ by a cut
   Vector reduced_first_, reduced_second_;       // right sides without the rows of cuts
   NormalEquations<Real> normal_equations_;      // M = B B' + diag(w^2)
-  MatrixOf<Real> moved_;                        // M^-1 H
+  MatrixOf<Real> solved_modes_;                 // M^-1 H
   MatrixOf<Real> faces_;                        // rows of B' and of diag(w), then these times L^-T
   Eigen::LLT<MatrixOf<Real>> schur_;            // of S
   Vector motion_;                               // alpha

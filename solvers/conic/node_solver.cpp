@@ -291,7 +291,7 @@ std::span<const FaceDistances> NodeSolver<D, Real>::face_distances() {
   const Real width = centring_depth * program_.level(iteration_.dual_value(program_));
   const Real per_unit = program_.level(Real(0));
   if (!iteration_.centre(program_, width / per_unit / pairs)) return {};
-  iteration_.measure(program_, face_distances_);
+  iteration_.measure_faces(program_, face_distances_);
   return face_distances_;
 }
 

@@ -177,7 +177,8 @@ bool NodeSolver<D, Real>::iterate(ConicResult& answer, Keep keep, Ends ends) {
     decrease_upper(answer);
     if (ends(ExaminedBound::upper) || iteration == maximum) return true;
     ++answer.iterations;
-    if (extended<Real> || program_.rows() >= rows_that_take_long) support::leave_if(stop_);
+    if (extended<Real> || program_.rows() >= rows_that_take_long)
+      support::throw_if_requested(stop_);
     if (!iteration_.factorise(program_)) return false;
     raise_lower(answer, keep);
     if (ends(ExaminedBound::lower) || !iteration_.advance(program_)) return true;

@@ -112,7 +112,7 @@ class SplitRoot {
   void bound(const splitting::ColumnBlocks& y);
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
-  [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
+  [[nodiscard]] bool stopped() const { return support::is_requested(control_.stop); }
   [[nodiscard]] bool is_low_enough() const {
     return result_.worst->collapse.factor < control_.enough;
   }
@@ -168,12 +168,12 @@ bool SplitRoot::try_disturbed(int times) {
 // Share of the best certificate so far in a combination with the new one, such that no member
 // exceeds its yield force; 1: no other is possible.
 double SplitRoot::share_of_best(const std::vector<double>& taken) const {
-  constexpr double room = 2e-9;  // remaining margin for a proof, if possible
+  constexpr double margin = 2e-9;  // remaining margin for a proof, if possible
   double share = 0;
   for (int i = 0; i < program_.members(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     double maximum = program_.capacity(i);
-    if (best_ && best_taken_[at] < maximum - room) maximum -= room;
+    if (best_ && best_taken_[at] < maximum - margin) maximum -= margin;
     if (taken[at] <= maximum) continue;
     if (!best_) return 1;
     share = std::max(share, std::min(1.0, (taken[at] - maximum) / (taken[at] - best_taken_[at])));

@@ -18,7 +18,7 @@ class NodeInterruption {
  public:
   /// The condition for the solvers.
   [[nodiscard]] support::Stop stop() const {
-    return [asked = asked_] { return support::asked(*asked); };
+    return [asked = asked_] { return support::is_requested(*asked); };
   }
 
   void end_when(support::Stop stop) { *asked_ = std::move(stop); }

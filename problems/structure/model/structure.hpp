@@ -215,7 +215,7 @@ struct Structure {
   /// reference load, with weight 1.
   std::optional<std::vector<UncertainParameter>> uncertain;
   Sources sources;
-  /// Doubtful or ignored entries of the file, a line each, with their places.
+  /// Questionable or ignored entries of the file, a line each, with their places.
   std::vector<std::string> warnings;
 };
 

@@ -107,14 +107,15 @@ void expect_same(const Found& a, const Found& b) {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-// @param doubt coefficient from which on a leaf is undecided
-CriticalCell minimum(const problems::WedgedProblem& problem, double maximum, double doubt = none) {
+// @param undecided_from coefficient from which on a leaf is undecided
+CriticalCell minimum(const problems::WedgedProblem& problem, double maximum,
+                     double undecided_from = none) {
   CriticalTree tree(problem, width, multiple(maximum));
   engine::Options options;
   options.goal = engine::Goal::best;
   options.order = engine::Order::best_first;
   const auto outcome = engine::search(tree, options);
-  EXPECT_EQ(tree.tally().doubt.value, doubt);
+  EXPECT_EQ(tree.tally().undecided_from.value, undecided_from);
   const auto cell = outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
 
   // The downward search has the same result, with other programs in another order.
@@ -123,7 +124,7 @@ CriticalCell minimum(const problems::WedgedProblem& problem, double maximum, dou
   const auto again = engine::search(down, options);
   const auto other = again.solutions.empty() ? CriticalCell{} : again.solutions[0].solution.cell;
   EXPECT_EQ(other.infeasible, cell.infeasible);
-  if (doubt == none) {
+  if (undecided_from == none) {
     EXPECT_EQ(other.feasible, cell.feasible);
   }
   return cell;
