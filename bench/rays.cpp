@@ -47,14 +47,14 @@ double cpu_seconds_of(const auto& work) {
 struct Measured {
   double seconds = 0;
   std::size_t rays = 0;
-  rays::Effort effort;
+  rays::Cost cost;
   rays::Health health;
 };
 
 Measured double_description(const rays::ReactionCone& cone) {
   rays::Enumeration found;
   const double time = cpu_seconds_of([&] { found = rays::complementary_rays(cone); });
-  return {time, found.rays.size(), found.effort, found.health};
+  return {time, found.rays.size(), found.cost, found.health};
 }
 
 // Rays by a tree, of the kind that `plant` makes.
@@ -64,7 +64,7 @@ Measured search(const auto& plant) {
     auto tree = plant();
     const auto outcome = engine::search(tree);
     for (const auto& leaf : outcome.solutions) result.rays += leaf.solution.rays.size();
-    result.effort = tree.tally().effort;
+    result.cost = tree.tally().cost;
     result.health = tree.tally().health;
   });
   return result;
@@ -109,8 +109,8 @@ std::string other(const std::string& program, const std::string& file, double li
 
 std::string cells(const std::optional<Measured>& measured) {
   if (!measured) return fmt::format("{:>10} {:>9} {:>13}", "-", "-", "-");
-  return fmt::format("{:>10.4f} {:>9} {:>13}", measured->seconds, measured->effort.peak_rays,
-                     measured->effort.pairs);
+  return fmt::format("{:>10.4f} {:>9} {:>13}", measured->seconds, measured->cost.peak_rays,
+                     measured->cost.pairs);
 }
 
 }  // namespace

@@ -74,8 +74,7 @@ class Expansion {
   /// Answers messages. An `expand` that takes longer than about a millisecond should call it now
   /// and then, so that other ranks do not wait for work.
   /// @return true if the search ends before its tree is complete; an `expand` that takes seconds
-  /// may
-  ///   then put its node back
+  ///   may then put its node back
   bool poll() { return serve_(); }
 
   /// Leaves the node open for a run that resumes: it is not counted, and its children are removed.

@@ -17,10 +17,10 @@ namespace kusabi::engine {
 /// workspace) belong in the problem object, of which every rank has its own. The effect of `expand`
 /// must depend on the node alone.
 template <class P>
-concept Problem = requires(P& problem, const P& looked_at, typename P::Node node,
+concept Problem = requires(P& problem, const P& constant, typename P::Node node,
                            Expansion<P>& out) {
   typename P::Solution;
-  { looked_at.root() } -> std::same_as<typename P::Node>;
+  { constant.root() } -> std::same_as<typename P::Node>;
   problem.expand(std::move(node), out);
 };
 

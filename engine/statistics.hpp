@@ -16,8 +16,8 @@ struct RankStatistics {
   std::uint64_t transfers_received = 0;  ///< work transfers received
   std::uint64_t transfers_sent = 0;      ///< work transfers sent
   std::uint64_t nodes_given = 0;         ///< nodes in these transfers
-  std::uint64_t messages_sent =
-      0;                       ///< requests, transfers, refusals, incumbents; not the final report
+  /// Requests, transfers, refusals, incumbents; not the final report.
+  std::uint64_t messages_sent = 0;
   double idle_seconds = 0;     ///< time without an open node, of which
   double ramp_up_seconds = 0;  ///< before the first node
   double tail_seconds = 0;     ///< after the last node

@@ -20,7 +20,7 @@ namespace {
 
 using namespace kusabi::run;
 
-int complain(Session& session, const std::string& message) {
+int refuse(Session& session, const std::string& message) {
   if (session.is_first()) {
     std::fflush(stdout);
     print_message("{}\n", message);
@@ -38,11 +38,11 @@ int run(Session& session, int argc, char** argv) {
   auto& entry = *asked.entry;
   const auto* const serial = entry.table.find("--serial");
   if (const auto fault = session.fault_of_launch(serial != nullptr && serial->given)) {
-    if (!fault->empty()) complain(session, "kusabi: " + *fault);
+    if (!fault->empty()) refuse(session, "kusabi: " + *fault);
     return wrong_input;
   }
   const auto defaults = take_defaults(session, list, entry);
-  check_whole(entry);
+  require_options(entry);
   return CommandRun(session, entry, defaults).execute();
 }
 
@@ -54,11 +54,11 @@ int main(int argc, char** argv) {
   try {
     return run(session, argc, argv);
   } catch (const WrongCall& error) {
-    return complain(session, std::string("kusabi: ") + error.what());
+    return refuse(session, std::string("kusabi: ") + error.what());
   } catch (const WrongInput& error) {
-    return complain(session, error.what());
+    return refuse(session, error.what());
   } catch (const kusabi::support::InputError& error) {
-    return complain(session, error.what());
+    return refuse(session, error.what());
   } catch (const kusabi::engine::RankMismatch& error) {
     if (session.is_first()) print_message("kusabi: {}\n", error.what());
     return failed;

@@ -4,8 +4,9 @@ import dataclasses
 import re
 
 FENCE = re.compile(r"^(`{3,})(\S*)\s*$")
-# Comments for this program above a block, invisible to readers.
-REMARK = re.compile(r"<!-- (not run|run instead|run before|printed by|exit code|needs)(?:, [^:]*)?: (.*?) -->", re.DOTALL)
+# Remarks: comments for this program above a block, invisible to readers.
+KINDS = "not run|run instead|run before|printed by|exit code|needs"
+REMARK = re.compile(rf"<!-- ({KINDS})(?:, [^:]*)?:\s(.*?)\s-->", re.DOTALL)
 PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run|bench)/\S+|CC=\S+)( |$)")
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^()\s]+)\)")
 # Options, named by themselves, of mpirun, CMake and scripts.
@@ -61,6 +62,14 @@ def remarks_above(lines, first):
     # Comments directly above the block.
     above = re.search(r"(?:<!--(?:(?!-->).)*-->\s*)+$", "\n".join(lines[begin:end]), re.DOTALL)
     return [(what, text.strip()) for what, text in REMARK.findall(above[0])] if above else []
+
+
+def remark_faults(path, text):
+    """Comments that begin like a remark and are none."""
+    for comment in re.finditer(rf"<!--\s*(?:{KINDS})\b.*?-->", text, re.DOTALL):
+        if not REMARK.fullmatch(comment[0]):
+            line = text.count("\n", 0, comment.start()) + 1
+            yield f"{path}:{line}: comment is not read; expected <!-- printed by: COMMANDS -->, or another kind of run/docs"
 
 
 def blocks(text):

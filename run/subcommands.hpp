@@ -5,7 +5,7 @@
 
 namespace kusabi::run {
 
-/// Makes the list.
+/// A new list of all subcommands with their option tables, in the order of `kusabi help`.
 CommandList command_list();
 
 }  // namespace kusabi::run

@@ -33,8 +33,8 @@ class IndexSet {
   static IndexSet below(int count) {
     IndexSet set;
     const auto full = static_cast<std::size_t>(count) / bits;
-    for (std::size_t k = 0; k < full; ++k) set.grown(k) = ~Word{0};
-    if (count % bits != 0) set.grown(full) = ~Word{0} >> (bits - count % bits);
+    for (std::size_t k = 0; k < full; ++k) set.grow_to(k) = ~Word{0};
+    if (count % bits != 0) set.grow_to(full) = ~Word{0} >> (bits - count % bits);
     return set;
   }
 
@@ -64,7 +64,7 @@ class IndexSet {
     return false;
   }
 
-  void insert(int index) { grown(at(index)) |= bit(index); }
+  void insert(int index) { grow_to(at(index)) |= bit(index); }
 
   IndexSet& operator|=(const IndexSet& other) {
     first_ |= other.first_;
@@ -77,14 +77,14 @@ class IndexSet {
     first_ &= other.first_;
     if (rest_.size() > other.rest_.size()) rest_.resize(other.rest_.size());
     for (std::size_t k = 0; k < rest_.size(); ++k) rest_[k] &= other.rest_[k];
-    return trimmed();
+    return trim();
   }
 
   IndexSet& operator-=(const IndexSet& other) {
     first_ &= ~other.first_;
     const auto common = std::min(rest_.size(), other.rest_.size());
     for (std::size_t k = 0; k < common; ++k) rest_[k] &= ~other.rest_[k];
-    return trimmed();
+    return trim();
   }
 
   friend IndexSet operator|(IndexSet a, const IndexSet& b) { return a |= b; }
@@ -144,14 +144,14 @@ class IndexSet {
   }
   void set_word(std::size_t k, Word value) {
     if (value == 0 && k >= words()) return;  // leading zeros
-    grown(k) = value;
-    trimmed();
+    grow_to(k) = value;
+    trim();
   }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& first_& rest_;
-    trimmed();  // also after an error of reading
+    trim();  // also after an error of reading
   }
 
  private:
@@ -159,14 +159,14 @@ class IndexSet {
   static std::size_t at(int index) { return static_cast<std::size_t>(index) / bits; }
   static Word bit(int index) { return Word{1} << static_cast<unsigned>(index % bits); }
 
-  Word& grown(std::size_t k) {
+  Word& grow_to(std::size_t k) {
     if (k == 0) return first_;
     if (rest_.size() < k) rest_.resize(k);
     return rest_[k - 1];
   }
 
   // Removes zero words at the end, so that equal sets have equal words.
-  IndexSet& trimmed() {
+  IndexSet& trim() {
     while (!rest_.empty() && rest_.back() == 0) rest_.pop_back();
     return *this;
   }

@@ -12,4 +12,5 @@
 #else
 #define KUSABI_ALSO_FOR_AVX2
 #endif
+// Inlines a function into those compiled for both instruction sets; a call would leave them.
 #define KUSABI_INLINE [[gnu::always_inline]] inline

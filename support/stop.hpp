@@ -11,7 +11,7 @@ namespace kusabi::support {
 /// separately; once true it should stay true.
 using Stop = std::function<bool()>;
 
-inline bool asked(const Stop& stop) {
+inline bool is_requested(const Stop& stop) {
   return stop && stop();
 }
 
@@ -22,20 +22,20 @@ class Stopped : public std::exception {
 };
 
 /// @throws Stopped if an end is requested
-inline void leave_if(const Stop& stop) {
-  if (asked(stop)) throw Stopped();
+inline void throw_if_requested(const Stop& stop) {
+  if (is_requested(stop)) throw Stopped();
 }
 
 /// Stop request and progress report of a computation in steps.
 struct LongWork {
   Stop stop = {};
   /// Receives the name of the computation and its completed share, 0 to 1; may be empty.
-  std::function<void(const char* work, double share)> report = {};
+  std::function<void(const char* work, double share)> on_share = {};
 
   /// @throws Stopped if an end is requested
-  void reached(const char* work, double share) const {
-    leave_if(stop);
-    if (report) report(work, share);
+  void report_share(const char* work, double share) const {
+    throw_if_requested(stop);
+    if (on_share) on_share(work, share);
   }
 };
 

@@ -29,8 +29,8 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& a);
 /// @return eigenvalues of a symmetric matrix, in ascending order
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
-/// @return eigenvalues of A x = lambda B x, in ascending order. @pre A symmetric, B positive
-/// definite
+/// @return eigenvalues of A x = lambda B x, in ascending order
+/// @pre A symmetric, B positive definite
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 }  // namespace kusabi::dense

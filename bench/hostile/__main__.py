@@ -65,7 +65,7 @@ def _sweep(judge, case):
         if point["count"] is None or code == 3:
             judge.left_open(said, f"count at {point['mu']} open")
         elif point["count"] != len(truth.cones):
-            judge._find(compare.DOUBTFUL if judge.excuse(truth) else compare.DISAGREE, said,
+            judge._find(compare.UNDECIDED if judge.excuse(truth) else compare.DISAGREE, said,
                         f"{point['count']} at {point['mu']}, but {len(truth.cones)}")
 
 
@@ -216,7 +216,7 @@ def main():
             account(examine(settings, i))
     print(f"{cases} cases in {time.time() - begin:.0f} s: "
           + ", ".join(f"{kinds.get(k, 0)} {w}" for k, w in ((compare.DISAGREE, "disagreements"), (compare.OPEN, "open"),
-                                                            (compare.DOUBTFUL, "too close to judge"), (compare.REFUSED, "refused"))))
+                                                            (compare.UNDECIDED, "too close to judge"), (compare.REFUSED, "refused"))))
     print(", ".join(f"{value} {key}" for key, value in sorted(totals.items())))
     return 1 if kinds.get(compare.DISAGREE) or (kinds.get(compare.OPEN) and not arguments.allow_open) else 0
 

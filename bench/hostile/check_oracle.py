@@ -89,7 +89,7 @@ def main():
         oracle = Oracle(case.text)
         if oracle.d == 2:
             rays, programs = oracle.by_rays(case.mu), oracle.by_programs(case.mu)
-            if rays.cones != programs.cones and not rays.doubtful and not programs.doubtful:
+            if rays.cones != programs.cones and not rays.undecided and not programs.undecided:
                 wrong += 1
                 print(f"{case.name}: rays {rays.cones}, programs {programs.cones}")
         friction = oracle.friction(case.mu)

@@ -6,7 +6,7 @@ import subprocess
 from decimal import Decimal
 from itertools import product
 
-DISAGREE, OPEN, DOUBTFUL, REFUSED = "disagreement", "open", "doubtful", "refused"
+DISAGREE, OPEN, UNDECIDED, REFUSED = "disagreement", "open", "doubtful", "refused"
 #: Default width of the brackets of `critical`.
 WIDTH = 1e-8
 
@@ -107,7 +107,7 @@ class Judge:
 
     def excuse(self, truth):
         """Reason why the oracle has no reliable answer, or None."""
-        return None if self.far else truth.doubtful
+        return None if self.far else truth.undecided
 
     def _ask(self, *arguments):
         """The JSON if the exit code is 0 or 3; otherwise None, and a finding."""
@@ -120,14 +120,14 @@ class Judge:
         self._find(kind, asked, f"exit code {code}: {line}")
         return code, None, None, asked
 
-    def _differs(self, asked, got, truth, doubtful):
+    def _differs(self, asked, got, truth, undecided):
         """A finding if the sets differ, with the missing and the superfluous ones."""
         if set(got) == set(truth):
             return False
         missing, spare = set(truth) - set(got), set(got) - set(truth)
-        self._find(DOUBTFUL if doubtful else DISAGREE, asked,
+        self._find(UNDECIDED if undecided else DISAGREE, asked,
                    f"{len(got)} cones for {len(truth)}; missing {describe(missing)}, not true {describe(spare)}"
-                   + (f" ({doubtful})" if doubtful else ""))
+                   + (f" ({undecided})" if undecided else ""))
         return True
 
     def patterns(self, mu, margins=2, more=()):
@@ -179,7 +179,7 @@ class Judge:
             return
         got = {(frozenset(c["contact"]) - frozenset(c.get("idle", ())), frozenset(c["separated"])) for c in result["cones"]}
         if not self._differs(asked, got, truth.cones, self.excuse(truth)) and truth.rays not in (None, result["count"]):
-            self._find(DOUBTFUL if truth.doubtful else DISAGREE, asked, f"{result['count']} rays, but {truth.rays}")
+            self._find(UNDECIDED if truth.undecided else DISAGREE, asked, f"{result['count']} rays, but {truth.rays}")
 
     def _bracket(self, *more):
         """(lower, upper) if the call was answered; an open answer is checked and listed, and None

@@ -12,11 +12,11 @@ import structure
 
 
 class Answer:
-    """cones: {(S, G): solid} over names; rays: their number, or None; doubtful: reason why the
+    """cones: {(S, G): solid} over names; rays: their number, or None; undecided: reason why the
     answer is unreliable."""
 
-    def __init__(self, cones, rays, doubtful):
-        self.cones, self.rays, self.doubtful = cones, rays, doubtful
+    def __init__(self, cones, rays, undecided):
+        self.cones, self.rays, self.undecided = cones, rays, undecided
 
 
 class Oracle:
@@ -49,12 +49,12 @@ class Oracle:
 
     def by_programs(self, mu):
         """Block by block, by the cone program of each leaf."""
-        doubtful = None
+        undecided = None
         parts = []
         for block in self.blocks:
             found, unsure = self._of_block(block, mu)
             if unsure:
-                doubtful = f"{unsure} leaves unsure"
+                undecided = f"{unsure} leaves unsure"
             if found:
                 parts.append(list(found.items()))
         cones = {}
@@ -63,14 +63,14 @@ class Oracle:
             parted = frozenset().union(*(key[1] for key, _ in choice))
             whole = len(pressing) + len(parted) == len(self.names)
             cones[self._named(pressing), self._named(parted)] = whole and all(solid for _, solid in choice)
-        return Answer(cones, None, doubtful)
+        return Answer(cones, None, undecided)
 
     def by_rays(self, mu):
         """All blocks at once, by extremal rays; plane only."""
         found = plane.enumerate_plane(self.flexibility, self.friction(mu))
         cones = {(self._named(s), self._named(g)): solid for (s, g), solid in plane.maximal(found.leaves).items()}
-        doubtful = f"a displacement is {float(found.least):.1e} of its parts" if found.least < Decimal("1e-11") else None
-        return Answer(cones, len(found.rays), doubtful)
+        undecided = f"a displacement is {float(found.least):.1e} of its parts" if found.least < Decimal("1e-11") else None
+        return Answer(cones, len(found.rays), undecided)
 
     def cones(self, mu):
         return self.by_rays(mu) if self.d == 2 else self.by_programs(mu)
@@ -81,10 +81,10 @@ class Oracle:
             return bool(plane.enumerate_plane(self.flexibility, self.friction(mu)).leaves)
         unsure = 0
         for block in self.blocks:
-            found, doubts = self._of_block(block, mu)
+            found, undecided = self._of_block(block, mu)
             if found:
                 return True
-            unsure += doubts
+            unsure += undecided
         return None if unsure else False
 
     def margin(self, mu, contact):

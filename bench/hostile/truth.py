@@ -78,7 +78,7 @@ def structural_blocks(structure):
 def patterns(oracle, mu):
     """Expected output of `patterns`, and cones of `rays`."""
     whole = oracle.cones(mu)
-    assert not whole.doubtful, whole.doubtful
+    assert not whole.undecided, whole.undecided
     blocks, count = [], 1
     for block in structural_blocks(oracle.structure):
         friction = oracle.friction(mu)

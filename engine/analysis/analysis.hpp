@@ -166,8 +166,8 @@ class Analysis {
     if (is_first() && options_.say) options_.say(line);
   }
 
-  /// Reports quantities that change continuously, at most every `say_every`. @param line makes a
-  /// line
+  /// Reports quantities that change continuously, at most every `say_every`.
+  /// @param line makes a line
   template <class Line>
   void say_now_and_then(Line line) {
     const auto now = std::chrono::steady_clock::now();

@@ -46,8 +46,8 @@ class LocalSearch {
   };
   [[nodiscard]] virtual bool can_transfer() const = 0;
   /// Half of the nodes, in one or more pieces.
-  /// @param limit of a piece, in bytes (Options::message_bytes) @param maximum number of pieces,
-  /// about
+  /// @param limit of a piece, in bytes (Options::message_bytes)
+  /// @param maximum approximate number of pieces
   /// @pre can_transfer()
   virtual std::vector<PackedTransfer> give(std::size_t limit, std::size_t maximum) = 0;
   /// @return number of nodes

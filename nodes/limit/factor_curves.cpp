@@ -26,7 +26,7 @@ constexpr double curve_tolerance = 1e-9;
 
 /// Relative widths of the bracket of a curve's end, tried in turn: the closer to the end, the
 /// smaller the margin of the yield forces for a proof.
-constexpr std::array<double, 3> end_widths = {usual_end_width, 1e-5, 1e-3};
+constexpr std::array<double, 3> end_widths = {default_end_width, 1e-5, 1e-3};
 
 // The largest dissipation of the members on a motion, n^d.
 double dissipation_on(const LimitProblem& problem, const Eigen::VectorXd& motion) {

@@ -22,8 +22,8 @@ namespace {
 
 using verify::LimitClaim;
 
-// Solves the nominal load in suitable units. @param shown whether it is proved that the load has no
-// factor
+// Solves the nominal load in suitable units.
+// @param shown whether it is proved that the load has no factor
 LoadStatus set_up(RootSearch& search, const std::function<bool()>& shown) {
   const auto& problem = search.problem();
   auto status = search.set_up(problems::limit_model(problem));
@@ -89,7 +89,7 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
   RootSearch search(analysis, mirrored, asked.split_from);
   const auto never = [] { return false; };
   if (set_up(search, never) == LoadStatus::collapses) {
-    search.settle_for(*asked.alpha);
+    search.choose_units(*asked.alpha);
     const auto& largest = findings.answer.worst->ends;
     if (largest.upper_proved) {
       search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
@@ -159,7 +159,7 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
     return findings;
   }
   if (!parameters.alpha) return findings;
-  search.settle_for(*parameters.alpha);
+  search.choose_units(*parameters.alpha);
   const auto sample = [&]() -> std::optional<ZeroOneStart> {
     if (parameters.samples == 0) return {};
     SampledLoads sampled;

@@ -33,8 +33,8 @@ struct LimitSweep {
 };
 
 /// Every rank makes the same call and gets the same result.
-/// @param truss for the proofs @param problem of `truss`; not all of its uncertain loads have
-///        half-widths of their own
+/// @param truss for the proofs
+/// @param problem of `truss`; not all of its uncertain loads have half-widths of their own
 /// @param alphas nonnegative, increasing, in the unit of force; at least one
 LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
                              const problems::LimitProblem& problem, std::span<const double> alphas);

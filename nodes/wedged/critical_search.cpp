@@ -142,8 +142,8 @@ class SmallestStrategies {
     return bracket_.is_one_cell(cells * grid_.width) || bracket_.lower() >= grid_.maximum;
   }
 
-  // Search without a tree for patterns that stick at less friction than is known. @return true: the
-  // bracket is the answer, or there is no time for more
+  // Search without a tree for patterns that stick at less friction than is known.
+  // @return true: the bracket is the answer, or there is no time for more
   bool search_patterns(PrimalPart part) {
     if (problem_.contact_names.size() < min_candidates_for_start) return false;
     const auto before = bracket_.upper();

@@ -22,8 +22,8 @@ struct ExactParameters {
 };
 
 /// Compares the maximal cones that were found with those of the list. Nothing is done if no test is
-/// required. Every rank makes the same call; the answer is valid on rank 0. @param found of a
-/// complete search
+/// required. Every rank makes the same call; the answer is valid on rank 0.
+/// @param found of a complete search
 ExactTest tested_cones(engine::Analysis& analysis, const ExactParameters& parameters,
                        std::span<const double> friction, const std::vector<rays::Cone>& found);
 

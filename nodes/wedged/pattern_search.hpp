@@ -42,8 +42,8 @@ struct ExactTest {
   bool done = false;
   std::string unable{};       ///< the reason why a required test was impossible, a sentence
   std::uint64_t refused = 0;  ///< claims that it did not accept
-  std::uint64_t closed_unproved =
-      0;                       ///< nodes closed nevertheless, since their subtrees are too large
+  /// Nodes closed nevertheless, since their subtrees are too large.
+  std::uint64_t closed_unproved = 0;
   std::uint64_t unproved = 0;  ///< closed nodes without claim that it does not prove either
 
   /// True if the list may be incomplete although all its patterns are decided.

@@ -86,7 +86,7 @@ class BigMs::Round {
     double gone = 0;
     for (auto& row : rows) {
       gone += apply(row);
-      if (result_.nothing_left || support::asked(stop_)) break;
+      if (result_.nothing_left || support::is_requested(stop_)) break;
     }
     result_.programs += ends_.programs();
     return gone / static_cast<double>(rows.size());
@@ -153,7 +153,7 @@ TighteningResult BigMs::tighten(linear::MixedProgram& mixed, double cutoff, bool
                                 const support::Stop& stop) {
   TighteningResult result;
   if (rows_.empty() || !std::isfinite(cutoff)) return result;
-  while (result.rounds < max_rounds && !result.nothing_left && !support::asked(stop)) {
+  while (result.rounds < max_rounds && !result.nothing_left && !support::is_requested(stop)) {
     ++result.rounds;
     Round round(mixed, cutoff, proofs_only, stop, result);
     if (round.apply(rows_) < min_round_gain) break;

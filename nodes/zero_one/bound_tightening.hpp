@@ -30,8 +30,8 @@ class BoundTightening {
   /// @param stop polled within each program; a stopped one has no result
   BoundTightening(const linear::LinearProgram& program, double cutoff, support::Stop stop = {});
 
-  /// Starts from the basis of the last call. @throws std::invalid_argument if a term is not a
-  /// column
+  /// Starts from the basis of the last call.
+  /// @throws std::invalid_argument if a term is not a column
   FormRange range(std::span<const linear::LinearTerm> form);
   /// One bound only: half the work.
   FormRange upper_end(std::span<const linear::LinearTerm> form);

@@ -70,7 +70,7 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
   const auto maximum =
       static_cast<std::uint64_t>(rounds_per_binary * static_cast<double>(residual.size()));
   while (result.rounds < maximum && fractional(residual) > 0 &&
-         !support::asked(relaxation.stop())) {
+         !support::is_requested(relaxation.stop())) {
     const auto chosen = order.next(residual);
     if (!chosen) break;
     ++result.rounds;

@@ -125,7 +125,7 @@ std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
   if (relaxation.solve(fixings, basis) != LinearStatus::optimal) return {};
   Fixings held = fixings;
   for (;;) {
-    if (support::asked(relaxation.stop())) return {};
+    if (support::is_requested(relaxation.stop())) return {};
     const auto start = relaxation.basis();
     const auto fractional = hold_whole_ones(relaxation, held);
     if (fractional.empty()) return point_at(relaxation, held, start);

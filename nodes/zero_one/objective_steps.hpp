@@ -11,8 +11,7 @@ namespace kusabi::zero_one {
 class ObjectiveSteps {
  public:
   ObjectiveSteps() = default;
-  /// @param min_size smaller objectives are distinguished as if they had this size, since zero
-  /// has
+  /// @param min_size smaller objectives are distinguished as if they had this size, since zero has
   ///   no size of its own
   explicit ObjectiveSteps(double min_size) : min_size_(min_size) {}
 

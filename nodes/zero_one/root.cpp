@@ -95,7 +95,8 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
 void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   constexpr int max_times = 3;
   BigMs big_ms(root.relaxation.mixed());
-  for (int time = 0; time < max_times && root.point && !support::asked(options.stop); ++time) {
+  for (int time = 0; time < max_times && root.point && !support::is_requested(options.stop);
+       ++time) {
     const double before = root.point->objective;
     const double step = root.relaxation.steps().width(before);
     auto mixed = root.relaxation.mixed();
@@ -132,7 +133,7 @@ ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& o
     find_points(root, options);
     if (options.tighten) tighten(root, options);
   }
-  if (root.status == LinearStatus::optimal && !support::asked(options.stop)) {
+  if (root.status == LinearStatus::optimal && !support::is_requested(options.stop)) {
     if (root.point) {
       const double objective = root.point->objective;
       root.relaxation.limit_objective(objective + root.relaxation.steps().width(objective));
@@ -149,7 +150,8 @@ ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& o
     relax(root);
     root.counts.last_bound = root.bound;
   }
-  root.interrupted = root.status == LinearStatus::interrupted || support::asked(options.stop);
+  root.interrupted =
+      root.status == LinearStatus::interrupted || support::is_requested(options.stop);
   root.counts.programs +=
       root.relaxation.programs() + root.counts.tighten_programs + root.counts.cut_programs;
   return root;

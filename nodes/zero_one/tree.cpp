@@ -121,8 +121,9 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
   }
 }
 
-// Solves the relaxation. @return true if the node is closed by it, or split since it is undecided;
-// otherwise the node has the new bound and basis
+// Solves the relaxation.
+// @return true if the node is closed by it, or split since it is undecided; otherwise the node has
+//   the new bound and basis
 bool ZeroOneTree::settle(Node& node, Out& out) {
   auto& relaxation = root_.relaxation;
   const double cutoff = out.cutoff();

@@ -19,8 +19,8 @@ struct PlaneTrussSize {
   int rows = 5;      ///< along y, 1 m apart; also the number of contact candidates
   int bays = 2;      ///< along x
   double width = 5;  ///< of the lowest row, m
-  double lean =
-      30;  ///< angle of the obstacle's surface to the vertical, degrees, away from the wall
+  /// Angle of the obstacle's surface to the vertical, degrees, away from the wall.
+  double lean = 30;
   Verticals verticals = Verticals::inner;
 };
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/files/draft/facet_doubt.hpp"
+#include "problems/files/draft/facet_warning.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 
 namespace kusabi::problems {
@@ -27,10 +27,10 @@ CheckedStructure read_structure(std::string_view toml_text, const std::string& f
 CheckedStructure read_structure(const ProblemText& text, const std::string& file_name);
 
 /// The same, with data for warnings on normals that depend on the friction coefficient
-/// (draft/facet_doubt.hpp).
+/// (draft/facet_warning.hpp).
 struct StructureAndFacets {
   CheckedStructure structure;
-  std::vector<FacetDoubt> facets;
+  std::vector<FacetWarning> facets;
 };
 StructureAndFacets read_structure_and_facets(const ProblemText& text, const std::string& file_name);
 

@@ -33,8 +33,8 @@ struct LimitProblem {
   Eigen::SparseMatrix<double> equilibrium;  ///< B, n^d x n^m
   Eigen::VectorXd dead;                     ///< f_D, n^d, force
   Eigen::VectorXd reference;                ///< f_R, n^d, force; not zero
-  std::vector<UncertainColumn>
-      uncertain;  ///< T: m columns, in the order of axes and nodes of their first components
+  /// T: m columns, in the order of axes and nodes of their first components.
+  std::vector<UncertainColumn> uncertain;
   Eigen::VectorXd tension;      ///< q^t, n^m, force
   Eigen::VectorXd compression;  ///< q^c, n^m, force
   /// Hash of all of the above except the names.

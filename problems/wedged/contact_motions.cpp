@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/bodies/null_space.hpp"
 #include "problems/structure/model/constraints.hpp"
 
 namespace kusabi::problems {
@@ -44,11 +45,11 @@ struct Numbering {
 // Adds the components of a node's modes, times a weight, along the axes of a frame.
 void add_motions(const Structure& structure, std::span<const UnconstrainedBody> bodies,
                  const Numbering& numbering, const WeightedNode& share, const PreciseMatrix& frame,
-                 Eigen::Index row, PreciseMatrix& seen) {
+                 Eigen::Index row, PreciseMatrix& restricted) {
   const auto found = numbering.body.find(share.node);
   if (found == numbering.body.end()) return;
   const UnconstrainedBody& body = bodies[found->second];
-  seen.block(row, numbering.first[found->second], frame.cols(), body.count()) +=
+  restricted.block(row, numbering.first[found->second], frame.cols(), body.count()) +=
       Precise(share.weight) *
       (frame.transpose() * displacements(body, structure.coordinates.col(share.node)));
 }
@@ -73,7 +74,7 @@ Eigen::VectorXd rounding_of_place(const Structure& structure, const ContactCandi
 /// Adds the change of the node's modes if it is moved to its exact place.
 void add_placing(const Structure& structure, std::span<const UnconstrainedBody> bodies,
                  const Numbering& numbering, const ContactCandidate& candidate,
-                 const PreciseMatrix& frame, Eigen::Index row, PreciseMatrix& seen) {
+                 const PreciseMatrix& frame, Eigen::Index row, PreciseMatrix& restricted) {
   const auto found = numbering.body.find(candidate.node);
   const Eigen::VectorXd away = rounding_of_place(structure, candidate);
   if (found == numbering.body.end() || away.isZero(0)) return;
@@ -81,7 +82,7 @@ void add_placing(const Structure& structure, std::span<const UnconstrainedBody> 
   about_origin.centre.setZero();
   const PreciseMatrix more = displacements(about_origin, away) -
                              displacements(about_origin, Eigen::VectorXd::Zero(away.size()));
-  seen.block(row, numbering.first[found->second], frame.cols(), about_origin.count()) +=
+  restricted.block(row, numbering.first[found->second], frame.cols(), about_origin.count()) +=
       frame.transpose() * more;
 }
 
@@ -154,36 +155,37 @@ double min_sine(const Structure& structure) {
 
 }  // namespace
 
-PreciseMatrix seen_motions(const Structure& structure, std::span<const UnconstrainedBody> bodies) {
+PreciseMatrix restricted_modes(const Structure& structure,
+                               std::span<const UnconstrainedBody> bodies) {
   const Numbering numbering(bodies);
   const Eigen::Index d = structure.dimension;
-  PreciseMatrix seen =
+  PreciseMatrix restricted =
       PreciseMatrix::Zero(d * static_cast<Eigen::Index>(structure.contact.size()), numbering.count);
   Eigen::Index row = 0;
   for (const ContactCandidate& candidate : structure.contact) {
     const auto frame = precise_contact_frame(candidate);
-    add_motions(structure, bodies, numbering, {candidate.node, 1}, frame, row, seen);
+    add_motions(structure, bodies, numbering, {candidate.node, 1}, frame, row, restricted);
     for (const auto& [node, weight] : candidate.against)
-      add_motions(structure, bodies, numbering, {node, -weight}, frame, row, seen);
-    add_placing(structure, bodies, numbering, candidate, frame, row, seen);
+      add_motions(structure, bodies, numbering, {node, -weight}, frame, row, restricted);
+    add_placing(structure, bodies, numbering, candidate, frame, row, restricted);
     row += d;
   }
-  return seen;
+  return restricted;
 }
 
 ContactMotions contact_motions(const Structure& structure,
                                std::span<const UnconstrainedBody> bodies,
                                const Eigen::MatrixXd& forces) {
   refuse_untouched(structure, bodies, Numbering(bodies));
-  const auto seen = seen_motions(structure, bodies);
+  const auto restricted = restricted_modes(structure, bodies);
   const PreciseMatrix work = work_of(structure, bodies, forces);
-  ContactMotions result{PreciseMatrix(seen.rows(), 0), 0};
+  ContactMotions result{PreciseMatrix(restricted.rows(), 0), 0};
   // Modes restricted to contact, each with the work of the loads on it; both are combined alike.
   std::vector<std::pair<PreciseVector, PreciseVector>> columns;
   std::vector<PreciseVector> unseen;
   double min_left = 1;
-  for (Eigen::Index k = 0; k < seen.cols(); ++k) {
-    PreciseVector column = seen.col(k);
+  for (Eigen::Index k = 0; k < restricted.cols(); ++k) {
+    PreciseVector column = restricted.col(k);
     PreciseVector own = work.col(k);
     for (int pass = 0; pass < 2; ++pass) {
       for (const auto& [other, others] : columns) {
@@ -204,7 +206,7 @@ ContactMotions contact_motions(const Structure& structure,
     const Precise unit(std::exp2(-std::ceil(std::log2(size))));
     columns.emplace_back(column * unit, own * unit);
   }
-  result.matrix.resize(seen.rows(), static_cast<Eigen::Index>(columns.size()));
+  result.matrix.resize(restricted.rows(), static_cast<Eigen::Index>(columns.size()));
   result.work.resize(work.rows(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
     result.matrix.col(static_cast<Eigen::Index>(k)) = columns[k].first;

@@ -20,16 +20,16 @@ struct ContactMotions {
 };
 
 /// @param bodies those of the structure
-/// @throws InputError if it is numerically undecided whether a mode displaces candidates, or if a
-///         body has no candidates
 /// @param forces loads on the nodes, d nodes x loads, node by node
+/// @throws InputError if it is numerically undecided whether a mode displaces candidates, or if a
+///   body has no candidates
 ContactMotions contact_motions(const Structure& structure,
                                std::span<const UnconstrainedBody> bodies,
                                const Eigen::MatrixXd& forces = {});
 
 /// The same without combinations: a column for each mode of each body, dm x sum of p, zero if it
 /// displaces no candidate.
-numbers::PreciseMatrix seen_motions(const Structure& structure,
-                                    std::span<const UnconstrainedBody> bodies);
+numbers::PreciseMatrix restricted_modes(const Structure& structure,
+                                        std::span<const UnconstrainedBody> bodies);
 
 }  // namespace kusabi::problems

@@ -99,7 +99,7 @@ class Condensation {
     numbers::PreciseMatrix displacements = numbers::PreciseMatrix::Zero(right.rows(), count);
     numbers::PreciseMatrix left = right;
     for (int step = 0; step < max_refinements; ++step) {
-      support::leave_if(stop);
+      support::throw_if_requested(stop);
       typename StiffnessFactor<Real>::Matrix correction = left.template cast<Real>();
       factor_.solve(correction);
       displacements += correction.template cast<Precise>();
@@ -189,8 +189,8 @@ Solution solve(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& fa
   Solution solution(loads);
   Eigen::MatrixXd doubles(loads.matrix.rows(), loads.matrix.cols());
   for (Eigen::Index first = 0; first < loads.matrix.cols(); first += columns_at_once) {
-    work.reached("condensing the stiffness: displacements under unit loads",
-                 share(first, loads.matrix.cols()));
+    work.report_share("condensing the stiffness: displacements under unit loads",
+                      share(first, loads.matrix.cols()));
     const Eigen::Index count = std::min(columns_at_once, loads.matrix.cols() - first);
     const Columns columns = condensation.solve(first, count, work.stop);
     if (columns.sizes.size() == 0) {  // not finite
@@ -238,7 +238,7 @@ void announce(const ScaledStiffness& stiffness, Eigen::Index loads, const suppor
   const double gigabytes = 1e-9 * entries * (sizeof(double) + sizeof(Precise));
   const auto memory =
       gigabytes < 1 ? std::string() : fmt::format(", which takes {:.1f} GB of memory", gigabytes);
-  work.reached(fmt::format("condensing the stiffness{}: its factor", memory).c_str(), 0);
+  work.report_share(fmt::format("condensing the stiffness{}: its factor", memory).c_str(), 0);
 }
 
 template <class Real>
@@ -247,7 +247,7 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
                             const support::LongWork& work) {
   announce(stiffness, structure.dimension * std::ssize(structure.contact) + forces.cols(), work);
   const StiffnessFactor<Real> factor(stiffness.matrix);
-  work.reached("condensing the stiffness: its least eigenvalue", 0);
+  work.report_share("condensing the stiffness: its least eigenvalue", 0);
   const double minimum = factor.min_eigenvalue() - stiffness.error;
   if (!(minimum > 0)) return {{}, infinity, {}};
   const Loads loads = unit_loads(structure, degrees, forces, stiffness.scale);
@@ -310,7 +310,7 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
   numbers::PreciseMatrix scaled = compliance;
   for (Eigen::Index i = 0; i < size; ++i)
     for (Eigen::Index j = 0; j < size; ++j) scaled(i, j) *= scale(i) * scale(j);
-  work.reached("stiffness of the candidates: its factor", 0);
+  work.report_share("stiffness of the candidates: its factor", 0);
   const Eigen::LLT<numbers::PreciseMatrix> factor(scaled);
   if (factor.info() != Eigen::Success)
     return numbers::PreciseMatrix::Constant(size, size, dd_real::_nan);
@@ -321,7 +321,7 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
     const Eigen::Index left = size - first;
     const Eigen::Index count = std::min(width, left);
     const double rest = share(left, size);
-    work.reached("stiffness of the candidates: its columns", 1 - rest * rest * rest);
+    work.report_share("stiffness of the candidates: its columns", 1 - rest * rest * rest);
     numbers::PreciseMatrix columns = numbers::PreciseMatrix::Identity(left, count);
     const auto own = lower.bottomRightCorner(left, left).triangularView<Eigen::Lower>();
     own.solveInPlace(columns);

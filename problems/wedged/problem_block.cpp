@@ -1,6 +1,7 @@
 // Selection of rows, columns and candidates.
 #include "problems/wedged/problem_block.hpp"
 
+#include "problems/structure/bodies/null_space.hpp"
 #include "problems/structure/bodies/rigid_motions.hpp"
 
 namespace kusabi::problems {

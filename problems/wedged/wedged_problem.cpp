@@ -126,8 +126,9 @@ RigidModes modes_of(const CheckedStructure& structure, const Eigen::MatrixXd& fo
   RigidModes result;
   const auto& bodies = structure.unconstrained_bodies();
   if (bodies.empty()) return result;
-  auto [matrix, error, seen_work, work_on_other_modes] = contact_motions(structure, bodies, forces);
-  loads.motions = std::move(seen_work);
+  auto [matrix, error, restricted_work, work_on_other_modes] =
+      contact_motions(structure, bodies, forces);
+  loads.motions = std::move(restricted_work);
   loads.other_modes = std::move(work_on_other_modes);
   result.matrix = matrix.cast<double>();
   result.precise = std::move(matrix);

@@ -120,8 +120,10 @@ struct LoadColumns {
 /// @throws support::Stopped if the program is asked to stop
 WedgedProblem wedged_problem(const CheckedStructure& structure, const support::LongWork& work = {});
 
-/// The same, with loads. @param forces on the nodes, d nodes x L, node by node; none of the loads
-/// acts on supported displacements alone  @param loads receives their columns
+/// The same, with loads.
+/// @param forces on the nodes, d nodes x L, node by node; none of the loads acts on supported
+///   displacements alone
+/// @param loads receives their columns
 WedgedProblem wedged_problem(const CheckedStructure& structure, const Eigen::MatrixXd& forces,
                              LoadColumns& loads, const support::LongWork& work = {});
 

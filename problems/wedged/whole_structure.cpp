@@ -190,9 +190,9 @@ void WholeStructure::set_motions(const CheckedStructure& structure, const Wedged
   const auto& bodies = structure.unconstrained_bodies();
   if (bodies.empty()) return;
   compliance_ = problem.compliance.matrix;
-  const Eigen::MatrixXd seen = seen_motions(structure, bodies).cast<double>();
-  seen_.compute(seen);
-  motions_.setZero(displacements_.rows(), seen.cols());
+  const Eigen::MatrixXd restricted = restricted_modes(structure, bodies).cast<double>();
+  restricted_modes_.compute(restricted);
+  motions_.setZero(displacements_.rows(), restricted.cols());
   Eigen::Index column = 0;
   for (const UnconstrainedBody& body : bodies) {
     for (const int node : body.nodes) {
@@ -213,7 +213,7 @@ WholeState WholeStructure::under(std::span<const double> reactions,
     // u = F r + G alpha with the least-squares alpha, since modes that displace no candidate are
     // arbitrary.
     const Eigen::Map<const Eigen::VectorXd> u(displacements.data(), r.size());
-    everywhere += motions_ * seen_.solve(u - compliance_ * r);
+    everywhere += motions_ * restricted_modes_.solve(u - compliance_ * r);
   }
   state.displacements = everywhere.reshaped(dimension_, coordinates_.cols());
   state.reactions = (support_forces_ * r).reshaped(dimension_, coordinates_.cols());

@@ -61,7 +61,7 @@ class WholeStructure {
   // For unconstrained bodies: all modes, (d nodes) x P, their restriction to contact degrees of
   // freedom, dm x P; and F.
   Eigen::MatrixXd motions_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> seen_;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> restricted_modes_;
   Eigen::MatrixXd compliance_;
 };
 

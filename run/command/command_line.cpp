@@ -23,14 +23,14 @@ namespace {
 void add(CLI::App& command, OptionRow& row) {
   const auto names = fmt::format("{}", fmt::join(row.names(), ","));
   if (row.value.empty()) {
-    command.add_flag_callback(names, [&row] { row.take(*(row.given = "")); })
+    command.add_flag_callback(names, [&row] { row.store(*(row.given = "")); })
         ->disable_flag_override();
     return;
   }
   command
       .add_option_function<std::string>(names,
                                         [&row](const std::string& text) { row.given = text; })
-      ->check([&row](const std::string& text) { return row.take(text); }, "");
+      ->check([&row](const std::string& text) { return row.store(text); }, "");
 }
 
 void add_options(CLI::App& command, OptionTable& table) {
@@ -159,7 +159,7 @@ std::string manual_of(const CommandList& list, const Parser& parser) {
 
 }  // namespace
 
-Asked parse(CommandList& list, int argc, const char* const* argv) {
+ParsedCall parse(CommandList& list, int argc, const char* const* argv) {
   const std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
   if (words.empty()) return {nullptr, overview(list), true};
   if (words.front() == "help") return {nullptr, help_on(list, {words.begin() + 1, words.end()})};
@@ -188,7 +188,7 @@ Asked parse(CommandList& list, int argc, const char* const* argv) {
   return {entry, {}};
 }
 
-void check_whole(const CommandList::Entry& entry) {
+void require_options(const CommandList::Entry& entry) {
   for (const auto& row : entry.table.rows()) {
     if (row.required && !row.given) {
       throw WrongCall(fmt::format("{} is required: {}{} (try kusabi {} --help)", row.name, row.help,

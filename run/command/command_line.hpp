@@ -15,18 +15,18 @@ class WrongCall : public std::runtime_error {
 };
 
 /// Request of a call: a subcommand with its options read, or a text to print.
-struct Asked {
+struct ParsedCall {
   CommandList::Entry* entry = nullptr;
   std::string text;
   bool wrong = false;  ///< the text is shown because the call is empty (exit code 2)
 };
 
-/// Stores the options of the call in the variables of the tables. `check_whole` checks for missing
-/// options, since defaults may add some.
+/// Stores the options of the call in the variables of the tables. `require_options` checks for
+/// missing ones, since defaults may add some.
 /// @throws WrongCall
-Asked parse(CommandList& list, int argc, const char* const* argv);
+ParsedCall parse(CommandList& list, int argc, const char* const* argv);
 
 /// @throws WrongCall if a required option is missing, or one that another option requires
-void check_whole(const CommandList::Entry& entry);
+void require_options(const CommandList::Entry& entry);
 
 }  // namespace kusabi::run

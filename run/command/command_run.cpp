@@ -135,7 +135,7 @@ support::LongWork CommandRun::long_work() {
     };
   }
   if (shows()) {
-    work.report = [this](const char* name, double share) {
+    work.on_share = [this](const char* name, double share) {
       const auto now = std::chrono::steady_clock::now();
       if (now - last_line_ < between_lines) return;
       last_line_ = now;

@@ -131,7 +131,7 @@ class ConfigReader {
     std::vector<std::pair<std::string, std::string>> taken;
     for (const auto& wanted : wanted_) {
       if (!makes_sense(*wanted.row)) continue;
-      if (const auto wrong = wanted.row->take(wanted.text); !wrong.empty())
+      if (const auto wrong = wanted.row->store(wanted.text); !wrong.empty())
         reader_.fail(*wanted.node, fmt::format("{}: {}", wanted.key, wrong));
       wanted.row->given = wanted.text;
       taken.emplace_back(wanted.row->name, wanted.text);

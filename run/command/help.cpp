@@ -109,7 +109,7 @@ std::string option_rules(const OptionRow& row) {
   } else if (!row.unit.empty()) {
     fmt::format_to(out, "In {}.", row.unit.starts_with("in ") ? row.unit.substr(3) : row.unit);
   }
-  if (!row.usual.empty()) fmt::format_to(out, " Default: {}.", row.usual);
+  if (!row.default_value.empty()) fmt::format_to(out, " Default: {}.", row.default_value);
   if (!row.needs.empty()) fmt::format_to(out, " Requires {}.", row.requirement());
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
@@ -161,7 +161,7 @@ std::string help(const CommandList& list, const CommandList::Group& group) {
 std::string overview(const CommandList& list) {
   std::string text =
       "Kusabi finds all wedged configurations of a structure with Coulomb friction, and\n"
-      "worst-case limit loads of trusses, and proves its answers.\n\n"
+      "worst-case limit loads of trusses, and can prove its answers.\n\n"
       "Usage:   kusabi SUBCOMMAND FILE [options]\n"
       "         mpirun -np RANKS kusabi SUBCOMMAND FILE [options]\n"
       "Example: kusabi patterns examples/space-truss.toml --mu 0.65\n";

@@ -51,7 +51,7 @@ std::string take_number(const std::string& text, const Range& range, Variable& v
   return fmt::format("'{}', expected {}", text, expected<Number>(range));
 }
 
-std::string usual_of(const Range& /*range*/, const std::optional<double>& /*empty*/) {
+std::string default_of(const Range& /*range*/, const std::optional<double>& /*empty*/) {
   return {};
 }
 
@@ -65,7 +65,7 @@ std::string as_fact(const std::string& text) {
 
 // A value out of range means that there is no default.
 template <class Number>
-std::string usual_of(const Range& range, const Number& variable) {
+std::string default_of(const Range& range, const Number& variable) {
   if (!is_in(range, variable) || variable == std::numeric_limits<Number>::max()) return {};
   return fmt::format("{}", variable);
 }
@@ -85,8 +85,8 @@ std::string quoted(const std::string& word) {
 }
 
 RowBuilder& RowBuilder::swept() {
-  row_.take = [take = row_.take, name = row_.name](const std::string& text) {
-    auto wrong = take(text);
+  row_.store = [store = row_.store, name = row_.name](const std::string& text) {
+    auto wrong = store(text);
     if (!wrong.empty() && text.find(':') != std::string::npos)
       wrong += fmt::format("; for a range: kusabi sweep FILE {} {}", name, text);
     return wrong;
@@ -109,9 +109,9 @@ RowBuilder OptionTable::number(std::string name, NumberOption variable, Range ra
                     .value = whole<Number> ? "COUNT" : "NUMBER",
                     .shows_range = true,
                     .expected = expected<Number>(range),
-                    .usual = usual_of(range, *its),
+                    .default_value = default_of(range, *its),
                     .help = std::move(help),
-                    .take = [its, range](const std::string& text) {
+                    .store = [its, range](const std::string& text) {
                       return take_number<Number>(text, range, *its);
                     }});
       },
@@ -124,9 +124,9 @@ RowBuilder OptionTable::duration(std::string name, double& seconds, Range range,
               .value = "TIME",
               .shows_range = true,
               .expected = expected_text,
-              .usual = fmt::format("{}s", seconds),
+              .default_value = fmt::format("{}s", seconds),
               .help = std::move(help),
-              .take = [&seconds, range, expected_text](const std::string& text) -> std::string {
+              .store = [&seconds, range, expected_text](const std::string& text) -> std::string {
                 if (take_number<double>(text, range, seconds).empty()) return {};
                 const auto given = seconds_in(text);
                 if (!given || !is_in(range, *given))
@@ -136,16 +136,17 @@ RowBuilder OptionTable::duration(std::string name, double& seconds, Range range,
               }});
 }
 
-RowBuilder OptionTable::word(std::string name, std::vector<std::string> words, std::string usual,
-                             std::function<void(std::size_t)> take, std::string help) {
+RowBuilder OptionTable::word(std::string name, std::vector<std::string> words,
+                             std::string default_value, std::function<void(std::size_t)> take,
+                             std::string help) {
   auto row_value = fmt::format("{}", fmt::join(words, "|"));
   return add({.name = std::move(name),
               .value = std::move(row_value),
               .expected = fmt::format("one of {}", fmt::join(words, ", ")),
               .words = words,
-              .usual = std::move(usual),
+              .default_value = std::move(default_value),
               .help = std::move(help),
-              .take = [words = std::move(words), take = std::move(take)](const std::string& text) {
+              .store = [words = std::move(words), take = std::move(take)](const std::string& text) {
                 const auto at = std::ranges::find(words, text);
                 if (at == words.end()) {
                   return fmt::format("'{}', expected one of {}", text, fmt::join(words, ", "));
@@ -158,7 +159,7 @@ RowBuilder OptionTable::word(std::string name, std::vector<std::string> words, s
 RowBuilder OptionTable::flag(std::string name, bool& variable, std::string help, bool on) {
   return add({.name = std::move(name),
               .help = std::move(help),
-              .take = [&variable, on](const std::string& /*nothing*/) {
+              .store = [&variable, on](const std::string& /*nothing*/) {
                 variable = on;
                 return std::string{};
               }});
@@ -170,7 +171,7 @@ RowBuilder OptionTable::text(std::string name, std::string& variable, const std:
               .value = value,
               .expected = value,
               .help = std::move(help),
-              .take = [&variable](const std::string& text) {
+              .store = [&variable](const std::string& text) {
                 variable = text;
                 return std::string{};
               }});
@@ -254,10 +255,11 @@ void OptionTable::whole_states(bool& variable, const std::string& all,
 }
 
 void OptionTable::prove(bool& variable, const std::string& how) {
-  flag(
-      "--prove", variable,
-      how +
-          ". Default: only if the stiffnesses or lengths of the structure differ by more than 1e7");
+  flag("--prove", variable,
+       how +
+           ". Default: only if the stiffnesses or lengths of the structure differ by a factor of "
+           "more "
+           "than 1e7");
 }
 
 void OptionTable::quiet_and_serial(std::string quiet) {
@@ -281,7 +283,7 @@ void OptionTable::time_limit(engine::Limits& limits) {
            "time limit, such as 5400 (seconds), 90s or 1h30m; slurm: until shortly before the end "
            "of the Slurm job",
        .matters = false,
-       .take = [this, &limits](const std::string& text) -> std::string {
+       .store = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {
            ends_with_the_job_ = &limits;
            return {};
@@ -342,7 +344,7 @@ void OptionTable::former_name(std::string name, const std::string& option, Forme
        .replaced_by = option,
        .warns = kind == FormerName::warned,
        .role = present.role,
-       .take = present.take});
+       .store = present.store});
 }
 
 std::string OptionTable::replace_former_names() {
@@ -353,7 +355,7 @@ std::string OptionTable::replace_former_names() {
       return fmt::format("{} is a {}, which is given as {}, too; expected {} alone", row.name,
                          row.help, run::quoted(*present.given), present.name);
     }
-    present.take(*row.given);
+    present.store(*row.given);
     present.given = std::exchange(row.given, std::nullopt);
     if (!row.warns) continue;
     warnings_.push_back(fmt::format("{} is a former name of {}; expected {}", row.name,
@@ -384,8 +386,8 @@ std::vector<std::pair<std::string, std::string>> OptionTable::facts() const {
     if (!row.matters.value_or(!is_file || row.role == Role::evidence)) continue;
     if (row.given) {
       facts.emplace_back(row.name, is_file ? std::string() : as_fact(*row.given));
-    } else if (!row.usual.empty()) {
-      facts.emplace_back(row.name, as_fact(row.usual));
+    } else if (!row.default_value.empty()) {
+      facts.emplace_back(row.name, as_fact(row.default_value));
     }
   }
   return facts;

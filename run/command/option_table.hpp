@@ -61,7 +61,7 @@ struct OptionRow {
   std::string expected{};            ///< range, as errors show it: "a number above 0"
   std::vector<std::string> words{};  ///< the choices, if there are any
   std::string unit{};                ///< unit of a number
-  std::string usual{};               ///< default; empty: none
+  std::string default_value{};       ///< empty: none
   std::string help{};
   bool required = false;
   std::string needs{};        ///< an option that this one requires
@@ -76,7 +76,7 @@ struct OptionRow {
   /// true for plain options and for evidence.
   std::optional<bool> matters{};
   /// Stores the value of the call. @return an error message; empty: none
-  std::function<std::string(const std::string& text)> take{};
+  std::function<std::string(const std::string& text)> store{};
   std::optional<std::string> given{};  ///< value in the call
 
   [[nodiscard]] bool named() const { return name.starts_with('-'); }
@@ -154,14 +154,14 @@ class OptionTable {
                     const std::string& help) {
     std::vector<std::string> names;
     std::vector<T> values;
-    std::string usual;
+    std::string default_value;
     for (const auto& [word, value] : words) {
-      if (value == variable) usual = word;
+      if (value == variable) default_value = word;
       names.push_back(word);
       values.push_back(value);
     }
     return word(
-        name, std::move(names), std::move(usual),
+        name, std::move(names), std::move(default_value),
         [&variable, values](std::size_t at) { variable = values[at]; }, help);
   }
 
@@ -189,8 +189,9 @@ class OptionTable {
   void pictures(std::string& folder, const std::string& each, const std::string& opened_by);
   /// --prove. @param how meaning of the option
   void prove(bool& variable, const std::string& how);
-  /// --whole. @param all the configurations of the result file @param otherwise those whose state
-  /// of the whole structure is in it without the option
+  /// --whole.
+  /// @param all the configurations of the result file
+  /// @param otherwise those whose state of the whole structure is in it without the option
   void whole_states(bool& variable, const std::string& all, const std::string& otherwise);
   void output(std::string help = "result file (JSON)");
   void further_output(std::string name, std::string help);
@@ -242,7 +243,7 @@ class OptionTable {
  private:
   RowBuilder add(OptionRow row);
   void time_limit(engine::Limits& limits);
-  RowBuilder word(std::string name, std::vector<std::string> words, std::string usual,
+  RowBuilder word(std::string name, std::vector<std::string> words, std::string default_value,
                   std::function<void(std::size_t)> take, std::string help);
 
   std::deque<OptionRow> rows_;  // at fixed addresses

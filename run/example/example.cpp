@@ -122,17 +122,19 @@ class Grid final : public Example {
 constexpr Registration example_space_truss_subcommand{
     {.name = "example space-truss",
      .chapter = "Generated problem files",
-     .purpose = "space truss against an inclined wall",
-     .description = "A space truss against an inclined wall, with rows x depth contact candidates.",
+     .purpose = "space truss between a wall and an inclined obstacle",
+     .description = "A space truss from a wall to an inclined obstacle, with rows x depth contact "
+                    "candidates.",
      .example = "--rows 8 --depth 5 --output truss.toml"},
     make<SpaceTruss>};
 
 constexpr Registration example_plane_truss_subcommand{
     {.name = "example plane-truss",
      .chapter = "Generated problem files",
-     .purpose = "plane truss against an inclined wall",
+     .purpose = "plane truss between a wall and an inclined obstacle",
      .description =
-         "A plane truss against an inclined wall, with one contact candidate in each row.",
+         "A plane truss from a wall to an inclined obstacle, with one contact candidate in each "
+         "row.",
      .example = "--rows 12 --output truss.toml"},
     make<PlaneTruss>};
 

@@ -49,7 +49,7 @@ class Hold final : public Subcommand {
 
   HoldOptions options_;
   problems::CheckedStructure structure_;
-  std::vector<problems::FacetDoubt> facets_;
+  std::vector<problems::FacetWarning> facets_;
   wedged::LoadedProblem loaded_;
   HoldFindings findings_;
 };
@@ -293,8 +293,8 @@ constexpr Registration hold_subcommand{
      .purpose = "loads that contact with friction can hold",
      .description =
          "The smallest friction coefficient at which the structure can hold its dead load; with "
-         "--mu, the factors of the reference load that it can hold in addition. All bounds are "
-         "proved.",
+         "--mu, the factors of the reference load that it can hold in addition. Each bound is "
+         "marked as proved or computed.",
      .example = "examples/ladder.toml"},
     make<Hold>};
 

@@ -116,8 +116,8 @@ constexpr Registration import_subcommand{
      .purpose = "problem file of an input deck of Abaqus or CalculiX",
      .description =
          "Writes the problem file that an input deck (.inp) of Abaqus or CalculiX describes: "
-         "mesh, materials, supports, ties, and contact candidates. Read and edit it before an "
-         "analysis. Each keyword that is not understood is left out with a warning.",
+         "mesh, materials, supports, ties, contact candidates, and loads at nodes. Read and edit "
+         "it before an analysis. Each keyword that is not understood is left out with a warning.",
      .example = "examples/wedge.inp --output wedge.toml"},
     make<Import>};
 

@@ -29,8 +29,9 @@ std::string hexadecimal(std::uint64_t fingerprint);
 std::string counted(std::uint64_t count, std::string_view thing);
 std::string counted(const support::ExactCount& count, std::string_view thing);
 
-/// Suffix of a friction coefficient. @param factor true if it multiplies the coefficient of each
-/// candidate; otherwise the suffix is empty
+/// Suffix of a friction coefficient.
+/// @param factor true if it multiplies the coefficient of each candidate; otherwise the suffix is
+///   empty
 constexpr const char* of_each_candidate(bool factor) {
   return factor ? " times that of each candidate" : "";
 }

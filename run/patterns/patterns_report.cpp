@@ -94,7 +94,7 @@ Verdict PatternsReport::verdict() const {
                          .standing = proved ? Standing::proved : Standing::computed,
                          .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
                          .degenerate = exact.unproved,
-                         .doubt = doubt_of(exact),
+                         .remainder = remainder_of(exact),
                          .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (!options_.certificate.empty() && findings_.whole() && exact.unproved > 0 && !exact.asked) {
@@ -199,7 +199,8 @@ std::string PatternsReport::table() const {
   RankTable ranks({"branched", "pruned", "found", "marginal", "iterations"});
   const auto own = [](const wedged::SignPatternTally& its) {
     return std::vector<std::uint64_t>{its.branched, its.infeasible, its.found + its.flat,
-                                      its.marginal + its.undecided + its.doubtful, its.iterations};
+                                      its.marginal + its.undecided + its.branched_undecided,
+                                      its.iterations};
   };
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : findings_.outcome.earlier)

@@ -32,8 +32,7 @@ struct PatternNumbers {
 class PatternsReport {
  public:
   /// All references must outlive it.
-  /// @param in_lines numbers of the patterns of largest margin in a file of lines; null: no such
-  /// file
+  /// @param in_lines numbers of the patterns of largest margin in a file of lines, or null
   PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
                  const wedged::PatternFindings& findings, const PatternNumbers& numbers,
                  const Page& page, const std::vector<std::size_t>* in_lines = nullptr)

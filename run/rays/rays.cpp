@@ -191,7 +191,7 @@ Verdict Rays::verdict() const {
                              .count = found_.rays.size(),
                              .standing = Standing::computed,
                              .ambiguous = !found_.health.sound(),
-                             .doubt = doubt_of(exact_)}};
+                             .remainder = remainder_of(exact_)}};
 }
 
 std::vector<std::string> Rays::remarks(CommandRun& run) {
@@ -199,7 +199,7 @@ std::vector<std::string> Rays::remarks(CommandRun& run) {
     return {fmt::format(
         "kusabi: {} numbers cannot be distinguished from zero: the lists may be wrong; expected a "
         "structure with less cancellation, fewer candidates, or another friction coefficient",
-        found_.health.doubtful)};
+        found_.health.undecided)};
   }
   std::vector<std::string> remarks;
   const auto drawn = series_remark(found_.rays.size(), "rays");

@@ -40,8 +40,8 @@ State state_of(const rays::Supports& supports, int candidate) {
   return {'.', "idle"};
 }
 
-ordered_json effort_json(const rays::Effort& effort) {
-  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
+ordered_json cost_json(const rays::Cost& cost) {
+  return {{"peak_rays", cost.peak_rays}, {"pairs", cost.pairs}, {"adjacent", cost.adjacent}};
 }
 
 ordered_json tree_json(const wedged::RayTreeReport& report) {
@@ -57,11 +57,11 @@ ordered_json statistics_json(const wedged::RayFindings& found) {
   if (found.tree) {
     return {{"ranks", rank_reports(found.tree->ranks, [](const auto& tally) {
                auto own = counts_json(tally.patterns);
-               own.update(effort_json(tally.effort));
+               own.update(cost_json(tally.cost));
                return own;
              })}};
   }
-  auto statistics = effort_json(found.effort);
+  auto statistics = cost_json(found.cost);
   statistics["seconds"] = found.seconds;
   return statistics;
 }
@@ -196,7 +196,7 @@ void RaysReport::end_rays_and_all(JsonWriter& json) {
   json.member("health", {{"tolerance", rays::zero_tolerance},
                          {"largest_zero", health.largest_zero},
                          {"smallest_nonzero", health.smallest_nonzero},
-                         {"doubtful", health.doubtful}});
+                         {"doubtful", health.undecided}});
   json.member("exact", exact_json(exact_));
   json.end_object();
   json.member("statistics", statistics_json(found_));

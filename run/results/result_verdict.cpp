@@ -114,11 +114,11 @@ class WrittenVerdict {
     return {bound(found, "lower"), bound(found, "upper")};
   }
 
-  [[nodiscard]] std::optional<ExactDoubt> doubt(const ResultJson& answer) const {
+  [[nodiscard]] std::optional<ExactRemainder> remainder(const ResultJson& answer) const {
     const auto* const found = ResultReader::find(answer, "doubt");
     if (found == nullptr) return std::nullopt;
-    return ExactDoubt{reader_.number(*found, "scale_ratio"), reader_.text(*found, "why"),
-                      count(*found, "nodes")};
+    return ExactRemainder{reader_.number(*found, "scale_ratio"), reader_.text(*found, "why"),
+                          count(*found, "nodes")};
   }
 
   [[nodiscard]] Sticking sticking(const ResultJson& answer) const {
@@ -131,7 +131,7 @@ class WrittenVerdict {
             .grounds = grounds(answer, Grounds::solver_bounds),
             .degenerate = some_count(answer, "degenerate"),
             .ambiguous = truth(answer, "ambiguous"),
-            .doubt = doubt(answer),
+            .remainder = remainder(answer),
             .example = ResultReader::find(answer, "example") != nullptr};
   }
   [[nodiscard]] HoldReason hold_reason(const ResultJson& answer) const {
@@ -210,7 +210,7 @@ class WrittenVerdict {
             .open_at_most = count(answer, "open_at_most"),
             .open_patterns = count(answer, "open_patterns"),
             .undecided_points = count(answer, "undecided_points"),
-            .doubt = doubt(answer)};
+            .remainder = remainder(answer)};
   }
   [[nodiscard]] LoadInterval load_interval(const ResultJson& answer) const {
     LoadInterval found{.uncertain = {},

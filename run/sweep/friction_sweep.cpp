@@ -62,8 +62,8 @@ class FrictionSweep final : public Swept {
   [[nodiscard]] Verdict verdict() const override;
 
  private:
-  /// The smallest coefficient with a pattern, or the limit of the search: the normals of facets are
-  /// in doubt at small coefficients.
+  /// The smallest coefficient with a pattern, or the limit of the search: at small coefficients the
+  /// normals of facets are not reliable.
   [[nodiscard]] double smallest_found() const;
   /// Counts at the requested points; none if the tree was not finished.
   [[nodiscard]] std::vector<wedged::ConeCount> counts() const;
@@ -240,7 +240,7 @@ Verdict FrictionSweep::verdict() const {
     steps.count = last.known;
     steps.open_at_most = last.unresolved;
   }
-  steps.doubt = doubt_of(exact_);
+  steps.remainder = remainder_of(exact_);
   const auto list = counts();
   steps.undecided_points = static_cast<std::uint64_t>(
       std::ranges::count_if(list, [](const auto& each) { return !each.exact(); }));

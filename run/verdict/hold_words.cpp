@@ -12,11 +12,11 @@
 namespace kusabi::run {
 namespace {
 
-constexpr const char* by_supports =
+constexpr const char* held_by_supports =
     "It can hold any load: the supports constrain every body, which then has a state of "
     "equilibrium under every load at any friction coefficient.";
 
-constexpr const char* by_no_friction =
+constexpr const char* unbalanced_load =
     "It cannot hold the load at any friction coefficient: the load moves a body in a direction "
     "that no candidate resists.";
 
@@ -86,8 +86,8 @@ std::string factors_at(const HoldingFactors& found) {
 }  // namespace
 
 std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
-  if (found.reason == HoldReason::supports) return by_supports;
-  if (found.reason == HoldReason::unbalanced) return by_no_friction;
+  if (found.reason == HoldReason::supports) return held_by_supports;
+  if (found.reason == HoldReason::unbalanced) return unbalanced_load;
   const auto& [lower, upper] = found.bracket;
   const auto load = "the dead load" + in_case(found.load_case);
   if (!lower && !upper)
@@ -139,7 +139,7 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
 }
 
 std::string headline_of(const HoldingFactors& found, engine::Status ended) {
-  if (found.reason == HoldReason::supports) return by_supports;
+  if (found.reason == HoldReason::supports) return held_by_supports;
   auto where = fmt::format("at friction coefficient {}{}{}", found.friction,
                            of_each_candidate(found.factor), in_case(found.load_case));
   if (found.total) where += fmt::format(" with normal reactions that add up to {}", *found.total);
@@ -152,7 +152,7 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
   if (found.intervals.empty()) {
     if (ended != engine::Status::solved || found.open)
       return fmt::format("It is not known whether it can hold {} {}.", what, where);
-    if (found.reason == HoldReason::unbalanced) return by_no_friction;
+    if (found.reason == HoldReason::unbalanced) return unbalanced_load;
     return fmt::format("It cannot hold {} {}{}.", what, where, unless_proved(found.outside));
   }
   if (!found.of_reference) {
@@ -172,8 +172,8 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
 
 std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
   if (found.points.empty()) return "The loads that it can hold are not known.";
-  if (found.points.front().reason == HoldReason::supports) return by_supports;
-  if (found.points.front().reason == HoldReason::unbalanced) return by_no_friction;
+  if (found.points.front().reason == HoldReason::supports) return held_by_supports;
+  if (found.points.front().reason == HoldReason::unbalanced) return unbalanced_load;
   const auto at = [](const HoldingFactors& point) {
     return fmt::format("at {}{} {}", point.friction, of_each_candidate(point.factor),
                        factors_at(point));
@@ -194,7 +194,9 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
           : fmt::format("The dead load {}{}{}", where, of, sum);
   return fmt::format(
       "{}: {}{}{}.", what, at(points.front()), points.size() > 1 ? ", " + at(points.back()) : "",
-      points.size() > 2 ? "; the table has the factors at the other coefficients" : "");
+      points.size() > 2 ? fmt::format("; the table has the {}other coefficients",
+                                      points.front().of_reference ? "factors at the " : "")
+                        : std::string());
 }
 
 std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
@@ -219,11 +221,11 @@ void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Rese
     all.push_back({"Some sign patterns are undecided; pieces may be missing.", true});
   if (found.outside == Standing::computed && !found.open && !found.everything)
     all.push_back(
-        {"Computed, not proved: no other pair is held; in some sign patterns all states are "
-         "those of another one, up to rounding, as for loads at a candidate.",
+        {"Computed, not proved: no other pair is held. The states of some sign patterns are, up to "
+         "rounding, states of another pattern, as happens with a load at a candidate.",
          true});
   if (found.coarse > 0) {
-    all.push_back({fmt::format("{} may be larger than drawn, by more than the usual width.",
+    all.push_back({fmt::format("{} may be larger than drawn, by more than 1e-5 of the size.",
                                counted(found.coarse, "piece")),
                    false});
   }
@@ -235,7 +237,7 @@ std::string grip_sentence(const HoldingGrip& grip) {
         "There is no state under the dead load alone{}, so there is no sum of normal reactions.",
         unless_proved(grip.held_standing));
   }
-  const std::string doubt =
+  const std::string undecided =
       grip.held_standing == Standing::proved
           ? ""
           : "It is not decided whether there is a state under the dead load alone. ";
@@ -247,18 +249,18 @@ std::string grip_sentence(const HoldingGrip& grip) {
     return fmt::format(
         "{}In every state under the dead load alone the normal reactions add up to {} or more; "
         "there is no upper bound, since it can be wedged with a residual stress of any size{}.",
-        doubt, lower, unless_proved(grip.unbounded_standing));
+        undecided, lower, unless_proved(grip.unbounded_standing));
   }
   if (!maximum) {
     return fmt::format(
         "{}In every state under the dead load alone the normal reactions add up to {} "
         "or more; an upper bound is not known.",
-        doubt, lower);
+        undecided, lower);
   }
   return fmt::format(
       "{}In every state under the dead load alone the normal reactions add up to between {} and "
       "{}{}.",
-      doubt, lower, rounded_up(maximum->value), unless_proved(maximum->standing));
+      undecided, lower, rounded_up(maximum->value), unless_proved(maximum->standing));
 }
 
 namespace {

@@ -212,8 +212,8 @@ void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reserv
   const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
   if (has_bound && found.bound && found.bound->standing == Standing::computed) {
     all.push_back(
-        {"The bound is not proved: columns without bounds leave no room for rounding; it "
-         "was computed in 30 digits.",
+        {"The bound is not proved, since some columns have no bounds, and any rounding error of "
+         "their reduced costs counts without limit; it was computed with 30 digits.",
          false});
   }
 }

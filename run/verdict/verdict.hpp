@@ -44,7 +44,7 @@ struct Bracket {
 };
 
 /// Remainder of an exact test of a list of patterns (`--prove`, or scales that are far apart).
-struct ExactDoubt {
+struct ExactRemainder {
   double scale_ratio = 1;  ///< of the structure
   std::string why{};  ///< clause: the list may be incomplete; empty: it is exact except for `nodes`
   std::uint64_t nodes = 0;  ///< closed nodes that the test does not cover
@@ -59,9 +59,10 @@ struct Sticking {
   std::uint64_t undecided = 0;  ///< sign patterns not counted
   Standing standing = Standing::proved;      ///< of the list
   Grounds grounds = Grounds::solver_bounds;  ///< of a proved list
-  std::uint64_t degenerate = 0;       ///< closed nodes with a margin of zero that are not proved
-  bool ambiguous = false;             ///< numbers that cannot be distinguished from zero
-  std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
+  std::uint64_t degenerate = 0;  ///< closed nodes with a margin of zero that are not proved
+  bool ambiguous = false;        ///< numbers that cannot be distinguished from zero
+  /// Absent: no exact test was requested, or nothing remains.
+  std::optional<ExactRemainder> remainder{};
   /// `--exists`: one pattern is the answer, and the list is not complete.
   bool example = false;
 };
@@ -157,7 +158,7 @@ struct FrictionSteps {
   std::uint64_t open_patterns = 0;     ///< patterns without a coefficient at which they become
                                        ///< feasible
   std::uint64_t undecided_points = 0;  ///< of the requested points
-  std::optional<ExactDoubt> doubt{};   ///< of the counts
+  std::optional<ExactRemainder> remainder{};  ///< of the counts
 };
 
 /// Bounds of an uncertain dead load.

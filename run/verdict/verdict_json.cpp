@@ -27,9 +27,11 @@ ordered_json text_or_null(const std::optional<std::string>& text) {
   return text ? ordered_json(*text) : ordered_json();
 }
 
-ordered_json doubt_json(const std::optional<ExactDoubt>& doubt) {
-  if (!doubt) return nullptr;
-  return {{"scale_ratio", doubt->scale_ratio}, {"why", doubt->why}, {"nodes", doubt->nodes}};
+ordered_json remainder_json(const std::optional<ExactRemainder>& remainder) {
+  if (!remainder) return nullptr;
+  return {{"scale_ratio", remainder->scale_ratio},
+          {"why", remainder->why},
+          {"nodes", remainder->nodes}};
 }
 
 ordered_json answer_json(const std::monostate& /*none*/) {
@@ -47,7 +49,7 @@ ordered_json answer_json(const Sticking& found) {
                     {"grounds", grounds_name(found.grounds)},
                     {"degenerate", found.degenerate},
                     {"ambiguous", found.ambiguous},
-                    {"doubt", doubt_json(found.doubt)}};
+                    {"doubt", remainder_json(found.remainder)}};
   if (found.example) json["example"] = true;
   return json;
 }
@@ -130,7 +132,7 @@ ordered_json answer_json(const FrictionSteps& found) {
           {"open_at_most", found.open_at_most},
           {"open_patterns", found.open_patterns},
           {"undecided_points", found.undecided_points},
-          {"doubt", doubt_json(found.doubt)}};
+          {"doubt", remainder_json(found.remainder)}};
 }
 
 ordered_json range_json(const LoadRange& loads) {

@@ -15,22 +15,21 @@ constexpr const char* coefficient = "friction coefficient";
 constexpr const char* proved_by_bounds =
     "Proved by the bounds of the solver, which allow for rounding";
 
-bool is_refuted(const std::optional<ExactDoubt>& doubt) {
-  return doubt && !doubt->why.empty();
+bool is_refuted(const std::optional<ExactRemainder>& remainder) {
+  return remainder && !remainder->why.empty();
 }
 
-void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
-  if (!doubt.why.empty()) {
+void reserve(const ExactRemainder& remainder, std::vector<Reservation>& all) {
+  if (!remainder.why.empty()) {
     all.push_back(
         {fmt::format(
-             "The stiffnesses or lengths of the structure differ by {:.1e}: floating point may "
-             "miss a pattern or add one. The exact test does not decide this: "
-             "{}.",
-             doubt.scale_ratio, doubt.why),
+             "The stiffnesses or lengths of the structure differ by a factor of {:.1e}: floating "
+             "point may miss a pattern or add one. The exact test does not decide this: {}.",
+             remainder.scale_ratio, remainder.why),
          true});
   } else {
     all.push_back({fmt::format("The exact test leaves {} with a margin of zero undecided.",
-                               counted(doubt.nodes, "node")),
+                               counted(remainder.nodes, "node")),
                    true});
   }
 }
@@ -40,16 +39,16 @@ void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
 std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where =
       fmt::format("{} {}{}", coefficient, found.friction, of_each_candidate(found.factor));
-  const bool complete =
-      ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous && !found.doubt;
-  if (found.example && !is_refuted(found.doubt)) {
+  const bool complete = ended == engine::Status::solved && found.undecided == 0 &&
+                        !found.ambiguous && !found.remainder;
+  if (found.example && !is_refuted(found.remainder)) {
     return fmt::format(
         "It can stick at {}: {}.", where,
         found.count == 1U
             ? "one pattern shows it"
             : fmt::format("{} patterns show it, and there may be others", found.count.digits()));
   }
-  if (found.count != 0U && !is_refuted(found.doubt)) {
+  if (found.count != 0U && !is_refuted(found.remainder)) {
     const auto count = counted(found.count, found.thing);
     if (complete && found.thing == "way")
       return fmt::format("It can stick in {} at {}.", count, where);
@@ -76,7 +75,7 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
     all.push_back(
         {"Some numbers cannot be distinguished from zero: the lists may be wrong.", true});
   }
-  if (found.doubt) reserve(*found.doubt, all);
+  if (found.remainder) reserve(*found.remainder, all);
   if (found.standing == Standing::computed) {
     all.push_back({fmt::format("The list is computed in floating point, not proved in exact "
                                "arithmetic{}.",
@@ -181,7 +180,7 @@ std::string bracket_line(const CriticalBracket& found) {
 
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
   const auto maximum = fmt::format("{}{}", found.maximum, of_each_candidate(found.factor));
-  if (!found.infeasible || is_refuted(found.doubt))
+  if (!found.infeasible || is_refuted(found.remainder))
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   const auto& [value, standing] = *found.infeasible;
   if (found.count == 0U && found.open_at_most == 0 && value >= found.maximum) {
@@ -197,7 +196,7 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
 }
 
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
-  if (found.doubt) reserve(*found.doubt, all);
+  if (found.remainder) reserve(*found.remainder, all);
   if (!found.infeasible) {
     all.push_back(
         {fmt::format("The patterns at {} were not all found, so no count is known.", found.maximum),

@@ -24,7 +24,7 @@ std::string early_end(const Verdict& verdict) {
                                                   counted(verdict.nodes_left, "open node") +
                                                       (verdict.nodes_left == 1 ? " is" : " are"));
   } else if (std::holds_alternative<CertificateCheck>(verdict.answer)) {
-    text += ": nothing is proved before all statements are";
+    text += ": nothing is proved until all statements are";
   } else if (verdict.nodes_left != 0) {
     text += fmt::format(": {} left", counted(verdict.nodes_left, "open node") +
                                          (verdict.nodes_left == 1 ? " is" : " are"));

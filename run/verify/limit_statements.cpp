@@ -58,8 +58,8 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
   return names;
 }
 
-// The first load case that the statement refers to, or the reason why there is none. @throws
-// InputError if limit analysis applies to none
+// The first load case that the statement refers to, or the reason why there is none.
+// @throws InputError if limit analysis applies to none
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
                                                 const problems::CheckedStructure& structure,
                                                 const Eigen::VectorXd& residual) {

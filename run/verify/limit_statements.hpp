@@ -42,8 +42,8 @@ struct CheckedStatements {
 std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
                                                std::optional<support::InputError>& fault);
 
-/// Replaces the compression strengths by those after buckling. @return the refusal if there are
-/// none
+/// Replaces the compression strengths by those after buckling.
+/// @return the refusal if there are none
 std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual);
 
 /// Proves all statements on all ranks, in pieces of one node.

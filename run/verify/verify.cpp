@@ -140,9 +140,9 @@ constexpr Registration verify_subcommand{
      .chapter = "Verification",
      .purpose = "exact proof of a result from its certificate",
      .description =
-         "Proves a list of patterns, a critical friction coefficient or a worst-case load factor "
-         "from "
-         "its certificate, in exact arithmetic.",
+         "Proves from a certificate, in exact arithmetic: a list of patterns, a critical friction "
+         "coefficient, loads that friction can hold, a worst-case load factor, or the least factor "
+         "after a loss of members.",
      .example = "answer.cert --problem examples/space-truss.toml"},
     make<Verify>};
 

@@ -27,8 +27,8 @@ problems::WedgedProblem agreed_problem(CommandRun& run,
 }
 
 void warn_of_facets(CommandRun& run, const ProblemInput& input,
-                    const std::vector<problems::FacetDoubt>& facets, double friction) {
-  warn_all(run.session(), facet_warnings(facets, friction, input.file));
+                    const std::vector<problems::FacetWarning>& facets, double friction) {
+  warn_all(run.session(), warning_lines(facets, friction, input.file));
 }
 
 void keep_state(CommandRun& run, const CheckpointChoice& choice,

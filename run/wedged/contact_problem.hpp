@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "problems/files/draft/facet_doubt.hpp"
+#include "problems/files/draft/facet_warning.hpp"
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
@@ -15,7 +15,7 @@ namespace kusabi::run {
 
 struct ContactProblem {
   problems::CheckedStructure structure;
-  std::vector<problems::FacetDoubt> facets;
+  std::vector<problems::FacetWarning> facets;
   problems::WedgedProblem problem;
 };
 
@@ -32,7 +32,7 @@ problems::WedgedProblem agreed_problem(CommandRun& run,
 
 /// Warnings on normals of faceted surfaces.
 void warn_of_facets(CommandRun& run, const ProblemInput& input,
-                    const std::vector<problems::FacetDoubt>& facets, double friction);
+                    const std::vector<problems::FacetWarning>& facets, double friction);
 
 /// Opens the state file of --resume, if given, for this problem.
 void keep_state(CommandRun& run, const CheckpointChoice& choice,

@@ -13,6 +13,6 @@ namespace kusabi::run {
 nlohmann::ordered_json exact_json(const wedged::ExactTest& test);
 
 /// Nothing if the test was not called or has decided everything.
-std::optional<ExactDoubt> doubt_of(const wedged::ExactTest& test);
+std::optional<ExactRemainder> remainder_of(const wedged::ExactTest& test);
 
 }  // namespace kusabi::run

@@ -70,8 +70,9 @@ inline bool is_unresolvable(const ConicResult& answer, const Tolerances& toleran
   return answer.upper <= minimum && answer.lower >= -minimum;
 }
 
-/// Width of a bracket, relative to its bounds, below which the value has three digits to spare.
-constexpr double sharp = 1e-4;
+/// Relative width of a bracket at which the value is settled: three digits are certain, with one in
+/// reserve.
+constexpr double known_digits_width = 1e-4;
 
 /// True if no further iteration is needed.
 inline bool is_settled(const ConicResult& answer, StopEarly stop, const Tolerances& tolerances) {
@@ -88,7 +89,7 @@ inline bool is_settled(const ConicResult& answer, StopEarly stop, const Toleranc
   const double size = std::max(std::abs(answer.upper), std::abs(answer.lower));
   if (!std::isfinite(size)) return false;
   return answer.upper - answer.lower <=
-         std::min(tolerances.value * std::max(1.0, size), sharp * size);
+         std::min(tolerances.value * std::max(1.0, size), known_digits_width * size);
 }
 
 }  // namespace kusabi::conic

@@ -90,16 +90,16 @@ class Bounds {
 
   /// Cost of correcting the equations of the rigid-body modes at a node.
   struct MotionCost {
-    double carry = 0;  ///< see RigidModeBounds
-    double close = 0;
+    double carrying_reaction = 0;  ///< see RigidModeBounds
+    double closing_displacement = 0;
   };
   [[nodiscard]] MotionCost motion_cost(const NodeSets& sets,
                                        std::span<const double> friction) const {
-    if (!motions_.any()) return {};
+    if (!motions_.has_modes()) return {};
     const auto own = static_cast<std::size_t>(
         std::ranges::count_if(sets.cones, [&](int k) { return !is_load(k); }));
-    return {motions_.carry(sets.cones.first(own), D, friction, sets.cones.subspan(own)),
-            motions_.close(sets.contact_rows)};
+    return {motions_.carrying_reaction(sets.cones.first(own), D, friction, sets.cones.subspan(own)),
+            motions_.closing_displacement(sets.contact_rows)};
   }
 
   /// Lower bound from a reaction.
@@ -120,7 +120,7 @@ class Bounds {
                             MotionCost correction = {}) const {
     using std::abs;
     // A load that no reaction carries: its point proves nothing.
-    if (!(correction.carry < infinity)) return {-infinity, infinity, 0, infinity};
+    if (!(correction.carrying_reaction < infinity)) return {-infinity, infinity, 0, infinity};
     double size = 0;
     Real sum = 0;
     double sizes = 0;
@@ -163,12 +163,12 @@ class Bounds {
       level = std::min(level, number - cost - double_rounding * std::abs(number));
     };
     const double moved =
-        correction.close == 0
+        correction.closing_displacement == 0
             ? 0
-            : safety * correction.close * rho *
+            : safety * correction.closing_displacement * rho *
                   (1 + std::sqrt(static_cast<double>(sets.contact_rows.size()) / minimum_));
     const auto gap_cost = [&](int j) {
-      const double lift = moved == 0 ? 0 : moved * motions_.lift(j);
+      const double lift = moved == 0 ? 0 : moved * motions_.normal_displacement(j);
       return normal_root(j) * (noise + elsewhere) + lift;
     };
     for (const int j : sets.gap_rows) take(normal[j], gap_cost(j));
@@ -277,12 +277,13 @@ class Bounds {
       shares += much * (std::abs(cut.share) + std::abs(cut.reaction));
       pushes += force * Real(cut.level);
     }
-    const double balanced = motions_.any() ? balance(sets, y) : 0;
+    const double balanced = motions_.has_modes() ? balance(sets, y) : 0;
     if (!(balanced <= max_balance)) return {};
     const double cut_noise = safety * rounding_ * shares;
     // A force changed by the equilibrium correction moves the candidates by at most this over R.
-    const double noise = safety * ((error_ + rounding_) * size + balanced * balance_size(sets, y) +
-                                   (motions_.any() ? motion_noise(y) / motions_.min_root() : 0));
+    const double noise =
+        safety * ((error_ + rounding_) * size + balanced * balance_size(sets, y) +
+                  (motions_.has_modes() ? motion_noise(y) / motions_.min_root() : 0));
     const double unit = 4 * numbers::unit_roundoff<Real>;
     double tau = -infinity;
     for (const int k : sets.cones) {
@@ -314,7 +315,7 @@ class Bounds {
   template <class Reaction, class Normal, class Motion>
   [[nodiscard]] Unbalanced unbalanced(const NodeSets& sets, const Reaction& r, const Normal& normal,
                                       const Motion& alpha, MotionCost cost) const {
-    if (!motions_.any()) return {};
+    if (!motions_.has_modes()) return {};
     double sizes = 0;
     for (const int k : sets.cones)
       for (int d = 0; d < D; ++d) sizes += std::abs(numbers::rounded(Real(r[D * k + d])));
@@ -326,11 +327,11 @@ class Bounds {
       maximum += off * off;
       squares += std::pow(off + sizes * motions_.noise(rounding_), 2);
     }
-    const double change = safety * cost.carry * std::sqrt(squares);
+    const double change = safety * cost.carrying_reaction * std::sqrt(squares);
     double motion = 0;
     for (Eigen::Index l = 0; l < alpha.size(); ++l)
       motion += std::abs(numbers::rounded(Real(alpha[l])));
-    return {safety * cost.carry * std::sqrt(maximum), change / motions_.min_root(),
+    return {safety * cost.carrying_reaction * std::sqrt(maximum), change / motions_.min_root(),
             change * std::sqrt(static_cast<double>(D * sets.cones.size())) +
                 motion * motions_.noise(rounding_) / motions_.min_root()};
   }
@@ -381,7 +382,7 @@ class Bounds {
   /// sum_j R_j |y_j| with the magnitudes of `balance`.
   template <class Multipliers>
   [[nodiscard]] double balance_size(const NodeSets& sets, const Multipliers& y) const {
-    if (!motions_.any()) return 0;
+    if (!motions_.has_modes()) return 0;
     const auto sizes = force_sizes(sets, y);
     double sum = 0;
     std::size_t place = 0;

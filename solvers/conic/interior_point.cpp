@@ -36,7 +36,7 @@ InteriorPoint<D, Real>::InteriorPoint(const Program& program)
       normal_equations_(program.first_cut() + (program.max_cuts() > 0 ? 1 : 0)) {
   const Eigen::Index rows = padded<Real>(program.max_rows());
   const int motions = program.motions().lifting;
-  moved_.setZero(rows, motions);
+  solved_modes_.setZero(rows, motions);
   motion_.setZero(motions);
   // the constructor allocates; solvers are copied with their state
   schur_.compute(MatrixOf<Real>::Identity(motions, motions));
@@ -208,8 +208,8 @@ bool InteriorPoint<D, Real>::factorise(const Program& program) {
   if (motion_.size() == 0) {
     if (!factorise_and_solve()) return false;
   } else {
-    const Vector unbalanced = hold_motions(program);
-    if (!factorise_and_solve() || !free_motions(program, unbalanced)) return false;
+    const Vector unbalanced = regularise_modes(program);
+    if (!factorise_and_solve() || !solve_modes(program, unbalanced)) return false;
   }
   return !extended<Real> ||
          std::isfinite(numbers::rounded(Real(predictor_.sum() + correction_.sum())));
@@ -236,7 +236,7 @@ void InteriorPoint<D, Real>::solve(Vector& whole) {
 }
 
 template <int D, class Real>
-auto InteriorPoint<D, Real>::hold_motions(const Program& program) -> Vector {
+auto InteriorPoint<D, Real>::regularise_modes(const Program& program) -> Vector {
   const MatrixOf<Real>& columns = program.free_columns();
   // Size of the rows of U; rows with a slack only grow.
   Real size = 0;
@@ -255,28 +255,28 @@ auto InteriorPoint<D, Real>::hold_motions(const Program& program) -> Vector {
 }
 
 template <int D, class Real>
-bool InteriorPoint<D, Real>::free_motions(const Program& program, const Vector& unbalanced) {
+bool InteriorPoint<D, Real>::solve_modes(const Program& program, const Vector& unbalanced) {
   const MatrixOf<Real>& columns = program.free_columns();
-  moved_.resize(columns.rows(), columns.cols());
+  solved_modes_.resize(columns.rows(), columns.cols());
   trial_.setZero();
-  for (Eigen::Index l = 0; l < moved_.cols(); ++l) {
+  for (Eigen::Index l = 0; l < solved_modes_.cols(); ++l) {
     trial_.head(columns.rows()) = columns.col(l);
     solve(trial_);
-    moved_.col(l) = trial_.head(columns.rows());
+    solved_modes_.col(l) = trial_.head(columns.rows());
   }
-  schur_.compute(columns.transpose() * moved_);
+  schur_.compute(columns.transpose() * solved_modes_);
   if (schur_.info() != Eigen::Success) return false;
   motion_ = balance(program, correction_);
   balance(program, predictor_);
-  predictor_.head(columns.rows()) -= moved_ * schur_.solve(unbalanced);
+  predictor_.head(columns.rows()) -= solved_modes_ * schur_.solve(unbalanced);
   return true;
 }
 
 template <int D, class Real>
 auto InteriorPoint<D, Real>::balance(const Program& program, Vector& solution) const -> Vector {
-  auto rows = solution.head(moved_.rows());
+  auto rows = solution.head(solved_modes_.rows());
   const Vector motion = schur_.solve(program.free_columns().transpose() * rows);
-  rows -= moved_ * motion;
+  rows -= solved_modes_ * motion;
   return motion;
 }
 
@@ -345,12 +345,12 @@ auto InteriorPoint<D, Real>::directions(const Program& program, const Vector& dy
 }
 
 template <int D, class Real>
-void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_mu, Real affine_length) {
+void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_nu, Real affine_length) {
   const auto count = static_cast<int>(program.cones().size());
   for (int c = 0; c < count; c += width) {
     Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
     for (Packed<Real>& component : right_side) component *= -affine_length;
-    right_side[0] += sigma_mu;
+    right_side[0] += sigma_nu;
     const Cones q = scaling(c).jordan_divide(right_side);
     store_cones(step_x_, c, q);
     store_cones(products_, c, scaling(c).times(q));
@@ -358,7 +358,7 @@ void InteriorPoint<D, Real>::correct(const Program& program, Real sigma_mu, Real
   program.multiply(products_, trial_);
   for (int i = 0; i < program.rows(); i += width) {
     const Packed<Real> q =
-        (sigma_mu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
+        (sigma_nu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
         load(lambda_.data() + i);
     store(step_v_.data() + i, q);
     store(trial_.data() + i, load(trial_.data() + i) - load(w_.data() + i) * q);
@@ -373,7 +373,7 @@ bool InteriorPoint<D, Real>::advance(const Program& program) {
   const InverseStepLengths predicted = directions(program, predictor_);
   const Real affine_length = 1.0 / std::max({Real(1), predicted.dual, predicted.primal});
 
-  // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma mu e - alpha dx~ o dz~, alpha
+  // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma nu e - alpha dx~ o dz~, alpha
   // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence M dy = b - sigma (b
   // - A x) - B q. Mehrotra's method has the second-order term without the factor alpha; after a
   // short predictor step that term is too large, and the iteration can cycle.
@@ -416,7 +416,7 @@ bool InteriorPoint<D, Real>::centre(const Program& program, Real complementarity
 }
 
 template <int D, class Real>
-auto InteriorPoint<D, Real>::lay_out(const Program& program, int cone, int first_row) ->
+auto InteriorPoint<D, Real>::face_rows(const Program& program, int cone, int first_row) ->
     typename CutElimination<D, Real>::Part {
   const int candidate = program.cones()[static_cast<std::size_t>(cone)];
   const PackedColumns<Real> matrix = program.matrix();
@@ -440,13 +440,13 @@ auto InteriorPoint<D, Real>::lay_out(const Program& program, int cone, int first
   return part;
 }
 
-// The squared length of a direction is ||W^-1 dx||^2 + ||dv / w||^2: on the central path mu times
+// The squared length of a direction is ||W^-1 dx||^2 + ||dv / w||^2: on the central path nu times
 // the second derivative of the barrier. Among those with A dx = dv, the shortest with dx_i = -x_i
 // has the length lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and the shortest with dv_i = -v_i has the
 // length lambda_i^2 / (1 - w_i^2 (M^-1)_ii).
 template <int D, class Real>
-void InteriorPoint<D, Real>::measure(const Program& program,
-                                     std::vector<FaceDistances>& distances) {
+void InteriorPoint<D, Real>::measure_faces(const Program& program,
+                                           std::vector<FaceDistances>& distances) {
   // Below this, the distance of a face is limited by rounding only.
   constexpr double minimum = 1e-14;
   constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
@@ -459,7 +459,7 @@ void InteriorPoint<D, Real>::measure(const Program& program,
     const int present = std::min(width, count - first);
     faces_.leftCols(rows).setZero();
     for (int lane = 0; lane < present; ++lane)
-      parts[static_cast<std::size_t>(lane)] = lay_out(program, first + lane, lane * height);
+      parts[static_cast<std::size_t>(lane)] = face_rows(program, first + lane, lane * height);
     normal_equations_.reduce(faces_.data(), static_cast<int>(faces_.rows()));
     const Cones lambdas = scaling(first).lambda();
     for (int lane = 0; lane < present; ++lane) {

@@ -5,11 +5,11 @@
 //
 // Nesterov-Todd scaling, Mehrotra's predictor and corrector, normal equations M = A W^2 A' of size
 // m x m by Cholesky. The names are those of the literature: W, w, eta and lambda the scaling, its
-// point, its factor and the scaled iterate; mu = (x'z + v'y) / degree the complementarity of an
-// average pair; sigma the centring parameter; alpha the step lengths. The primal start is
-// infeasible. The dual start is feasible by construction and z is recomputed from y each time, so
-// that b'y is a lower bound of the optimal value throughout, up to the rounding of one product. The
-// node solver turns both sides into a bracket of t*.
+// point, its factor and the scaled iterate; nu = (x'z + v'y) / degree the complementarity of an
+// average pair (mu in the literature; here mu is friction); sigma the centring parameter; alpha the
+// step lengths. The primal start is infeasible. The dual start is feasible by construction and z is
+// recomputed from y each time, so that b'y is a lower bound of the optimal value throughout, up to
+// the rounding of one product. The node solver turns both sides into a bracket of t*.
 //
 // The rigid-body modes of an unconstrained body add free columns to A, H alpha, and H'y = 0 to the
 // dual program. The start does not satisfy this equation; a full step does. With rho H H' added to
@@ -33,7 +33,7 @@ namespace kusabi::conic {
 
 /// Squared distances from the centre of a relaxation to its faces, in the metric of the ellipsoid
 /// around the centre, in which every inequality is at a distance of at least 1 (times a common
-/// factor mu). They do not depend on units, and take all constraints into account: if two
+/// factor nu). They do not depend on units, and take all constraints into account: if two
 /// candidates can hardly separate from each other, a face that is far for one is far for the other.
 struct FaceDistances {
   double separation = 0;  ///< to x_i = 0
@@ -91,7 +91,7 @@ class InteriorPoint {
   /// centre().
   /// @pre one cone per candidate, and no rigid-body modes
   /// @param distances m
-  void measure(const Program& program, std::vector<FaceDistances>& distances);
+  void measure_faces(const Program& program, std::vector<FaceDistances>& distances);
 
   /// One predictor-corrector step. Call after factorise().
   /// @return false if the step is too short to change the bracket
@@ -120,9 +120,9 @@ class InteriorPoint {
   Square matrix_of(int cone) const;
 
   // Adds rho H H' to M; returns H'y, the residual of the equations of the modes.
-  Vector hold_motions(const Program& program);
+  Vector regularise_modes(const Program& program);
   // Computes M^-1 H and S, and corrects the two solutions of factorise() for the modes.
-  bool free_motions(const Program& program, const Vector& unbalanced);
+  bool solve_modes(const Program& program, const Vector& unbalanced);
   // Corrects a solution M^-1 g such that H'y = 0; returns alpha.
   Vector balance(const Program& program, Vector& solution) const;
 
@@ -147,13 +147,13 @@ class InteriorPoint {
   // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
   // step_v_ hold q.
   KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const Program& program, const Vector& dy);
-  // The q of the corrector, with lambda o q = sigma mu e - alpha dx~ o dz~ (alpha the length of the
+  // The q of the corrector, with lambda o q = sigma nu e - alpha dx~ o dz~ (alpha the length of the
   // predictor's step), into step_x_ and step_v_, and the right side A W q into trial_.
-  KUSABI_ALSO_FOR_AVX2 void correct(const Program& program, Real sigma_mu, Real affine_length);
+  KUSABI_ALSO_FOR_AVX2 void correct(const Program& program, Real sigma_nu, Real affine_length);
   KUSABI_ALSO_FOR_AVX2 bool move_primal(const Program& program, Real step_length);
   bool move_dual(const Program& program, Real step_length);
-  // Columns of a cone, and that of its slack, as rows of faces_, for measure().
-  typename CutElimination<D, Real>::Part lay_out(const Program& program, int cone, int first_row);
+  // Columns of a cone, and that of its slack, as rows of faces_, for measure_faces().
+  typename CutElimination<D, Real>::Part face_rows(const Program& program, int cone, int first_row);
 
   Points x_, z_, projected_;
   Vector v_, y_;                  // by row; v is used on the rows with a slack only
@@ -166,7 +166,7 @@ class InteriorPoint {
   Vector along_;                                // addend to faces_ by a cut
   Vector reduced_first_, reduced_second_;       // right sides without the rows of cuts
   NormalEquations<Real> normal_equations_;      // M = B B' + diag(w^2)
-  MatrixOf<Real> moved_;                        // M^-1 H
+  MatrixOf<Real> solved_modes_;                 // M^-1 H
   MatrixOf<Real> faces_;                        // rows of B' and of diag(w), then these times L^-T
   Eigen::LLT<MatrixOf<Real>> schur_;            // of S
   Vector motion_;                               // alpha

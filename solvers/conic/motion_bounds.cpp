@@ -64,8 +64,9 @@ RigidModeBounds::RigidModeBounds(Eigen::MatrixXd motions, int lifting, double er
   largest_ = motions_.size() == 0 ? 0 : motions_.cwiseAbs().maxCoeff();
 }
 
-double RigidModeBounds::carry(std::span<const int> cones, int dimension,
-                              std::span<const double> friction, std::span<const int> loads) const {
+double RigidModeBounds::carrying_reaction(std::span<const int> cones, int dimension,
+                                          std::span<const double> friction,
+                                          std::span<const int> loads) const {
   const auto acting = [&](int k) {
     return friction[static_cast<std::size_t>(k)] == 0 ? 1 : dimension;
   };
@@ -82,7 +83,7 @@ double RigidModeBounds::carry(std::span<const int> cones, int dimension,
   return inverse_of_minimum(part, negligible);
 }
 
-double RigidModeBounds::close(std::span<const int> contact) const {
+double RigidModeBounds::closing_displacement(std::span<const int> contact) const {
   Eigen::MatrixXd part(static_cast<Eigen::Index>(contact.size()), lifting_);
   Eigen::Index row = 0;
   for (const int i : contact) {
@@ -92,7 +93,7 @@ double RigidModeBounds::close(std::span<const int> contact) const {
   return inverse_of_minimum(part, negligible);
 }
 
-double RigidModeBounds::lift(int candidate) const {
+double RigidModeBounds::normal_displacement(int candidate) const {
   return motions_.row(first_rows_[static_cast<std::size_t>(candidate)]).head(lifting_).norm() +
          error_ * lifting_;
 }

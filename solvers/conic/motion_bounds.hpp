@@ -26,7 +26,7 @@ class RigidModeBounds {
   RigidModeBounds(Eigen::MatrixXd motions, int lifting, double error, Eigen::VectorXd roots,
                   std::vector<Eigen::Index> first_rows);
 
-  [[nodiscard]] bool any() const { return motions_.cols() > 0; }
+  [[nodiscard]] bool has_modes() const { return motions_.cols() > 0; }
   [[nodiscard]] int count() const { return static_cast<int>(motions_.cols()); }
   [[nodiscard]] double min_root() const { return min_root_; }
 
@@ -42,16 +42,16 @@ class RigidModeBounds {
   /// modes; zero if they carry none. Tangential reactions exist with friction only. Infinite if a
   /// load of `loads` acts on a mode on which no reaction does, up to the rounding of the file.
   /// @param cones C without the loads, D rows each  @param friction of each cone
-  [[nodiscard]] double carry(std::span<const int> cones, int dimension,
-                             std::span<const double> friction,
-                             std::span<const int> loads = {}) const;
+  [[nodiscard]] double carrying_reaction(std::span<const int> cones, int dimension,
+                                         std::span<const double> friction,
+                                         std::span<const int> loads = {}) const;
 
   /// Magnitude of the rigid-body displacement that causes gaps of magnitude 1 (over R) on the
   /// candidates of U, if some mode does.
-  [[nodiscard]] double close(std::span<const int> contact) const;
+  [[nodiscard]] double closing_displacement(std::span<const int> contact) const;
 
   /// |H_j|: normal displacement of a candidate by a mode of magnitude 1.
-  [[nodiscard]] double lift(int candidate) const;
+  [[nodiscard]] double normal_displacement(int candidate) const;
 
   /// Relative change of each y_j that brings the normal forces into equilibrium, if all change by
   /// at most this share; more than 1 if that is impossible.

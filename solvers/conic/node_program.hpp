@@ -11,10 +11,10 @@
 // omega with omega = sum_C 1 / mu_i. Without friction r_t = 0, t <= r_{n,i} and 1 replaces 1 /
 // mu_i. With a slack v_j for each gap row:
 //
-//   min c'x  s.t.  A x - v = b (v_j only for j not in U),  x_i in Q_d,  v >= 0,  c = e in each
-//   cone.
+//   min c'x  s.t.  A x - v = b (v_j only for j not in U),  x_i in Q_d,  v >= 0,
 //
-// There is exactly one row for each candidate, so the normal equations are m x m.
+// with c = e in each cone. There is exactly one row for each candidate, so the normal equations are
+// m x m.
 //
 // An unconstrained body adds its p rigid-body modes G: u_n = F_n r + H alpha with alpha free, H the
 // normal rows of G, and p rows G'r = 0 without a slack. There are then m + p rows and free columns
@@ -83,8 +83,8 @@ class NodeProgram {
 
   /// With several cones per candidate: all sizes above except m count cones.
   /// @param owners candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
-  /// @param motions of an unconstrained body  @param loads number of the last candidates that are
-  /// loads
+  /// @param motions of an unconstrained body
+  /// @param loads number of the last candidates that are loads
   NodeProgram(const Matrix& compliance, std::span<const double> friction, std::vector<int> owners,
               Motions<Real> motions = {}, int loads = 0);
 

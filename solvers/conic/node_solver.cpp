@@ -130,7 +130,7 @@ void NodeSolver<D, Real>::decrease_upper(ConicResult& answer) {
   proved_ = false;
   // The proof takes a product, and is postponed while the bracket is wide.
   const double upper = numbers::rounded(value);
-  if (upper <= tolerances_.sign || upper - answer.lower <= 2 * sharp * std::abs(upper))
+  if (upper <= tolerances_.sign || upper - answer.lower <= 2 * known_digits_width * std::abs(upper))
     prove_upper(answer);
 }
 
@@ -292,7 +292,7 @@ std::span<const FaceDistances> NodeSolver<D, Real>::face_distances() {
   const Real width = centring_depth * program_.level(iteration_.dual_value(program_));
   const Real per_unit = program_.level(Real(0));
   if (!iteration_.centre(program_, width / per_unit / pairs)) return {};
-  iteration_.measure(program_, face_distances_);
+  iteration_.measure_faces(program_, face_distances_);
   return face_distances_;
 }
 

@@ -25,8 +25,10 @@ namespace kusabi::conic {
 
 /// Candidates with a reaction, and those with a gap, at a point of the relative interior of the
 /// solutions of a degenerate node,
-///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}. No
-///   candidate has a reaction if and only if X is empty: t* < 0, though within the tolerance.
+///
+///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
+///
+/// If no candidate has a reaction, X is empty: t* is negative, though within the tolerance.
 struct RelativeInterior {
   support::IndexSet loaded;  ///< r_i != 0 somewhere on X
   support::IndexSet moved;   ///< u_ni > 0 somewhere on X
@@ -175,7 +177,8 @@ bool NodeSolver<D, Real>::iterate(ConicResult& answer, Keep keep, Ends ends) {
     decrease_upper(answer);
     if (ends(ExaminedBound::upper) || iteration == maximum) return true;
     ++answer.iterations;
-    if (extended<Real> || program_.rows() >= rows_that_take_long) support::leave_if(stop_);
+    if (extended<Real> || program_.rows() >= rows_that_take_long)
+      support::throw_if_requested(stop_);
     if (!iteration_.factorise(program_)) return false;
     raise_lower(answer, keep);
     if (ends(ExaminedBound::lower) || !iteration_.advance(program_)) return true;

@@ -100,7 +100,7 @@ std::pair<const Point*, const Point*> ends_of(const Window& window,
   return {open, closed};
 }
 
-/// The candidates whose sizes do not vanish between the two points; nothing if one is in doubt.
+/// The candidates whose sizes do not vanish between the two points; nothing if one is undecided.
 /// @param carriers candidates with a reaction  @param movers candidates with a gap
 template <class Point>
 std::optional<RelativeInterior> remaining(const Point& open, const Point& closed,

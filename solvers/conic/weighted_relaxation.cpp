@@ -223,7 +223,7 @@ std::optional<RelaxedPoint> WeightedRelaxation<D>::minimise(std::span<const doub
     set_residuals();
     if (converged()) return RelaxedPoint{x_.head(m_), v_};
     if (!std::isfinite(complementarity_) || !(y_.cwiseAbs().maxCoeff() < without_end)) return {};
-    support::leave_if(stop_);
+    support::throw_if_requested(stop_);
     if (!factorise()) return {};
     direct(1, false, 0, 0);
     const Steps predicted = longest_steps();

@@ -18,7 +18,8 @@ class GlpkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Number of environments that this thread has had; see GlpkError.
+/// Number of GLPK environments that this thread has had. An object made under another number is
+/// invalid.
 [[nodiscard]] unsigned glpk_environment();
 
 /// Calls GLPK without output. `call` itself must not have objects with a destructor (longjmp skips
@@ -39,7 +40,8 @@ class GlpkProblem {
   ~GlpkProblem();
 
   [[nodiscard]] glp_prob* get() const { return lp_; }
-  /// glpk_call(). @throws GlpkError also if the environment was discarded
+  /// As glpk_call().
+  /// @throws GlpkError also if the environment of this problem was discarded
   void call(const std::function<void()>& what) const;
 
  private:

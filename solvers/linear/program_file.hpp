@@ -18,8 +18,8 @@ namespace kusabi::linear {
 struct ProgramFile {
   MixedProgram mixed;     ///< to be minimised
   bool maximise = false;  ///< the costs of `mixed` are the negatives of those in the file
-  std::vector<std::string> warnings =
-      {};  ///< `FILE:LINE: ...`: lines that other readers may interpret differently
+  /// `FILE:LINE: ...`: lines that other readers may interpret differently.
+  std::vector<std::string> warnings = {};
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {

@@ -2,9 +2,10 @@
 // in linear and mixed-integer programming, Math. Program. 99 (2004) 283-296.
 //
 // For any multipliers y of the rows and any point x of the program
-//   c'x = y'(Ax) + (c - A'y)'x >= sum_i min(y_i L_i, y_i U_i) + sum_j min over [l_j, u_j] of r_j
-//   x_j, with r = c - A'y. The bound holds for any y and is best for optimal y. Every operation is
-//   rounded downwards.
+//
+//   c'x = y'(A x) + r'x >= sum_i min(y_i L_i, y_i U_i) + sum_j min(r_j l_j, r_j u_j),  r = c - A'y.
+//
+// The bound holds for any y and is best for optimal y. Every operation is rounded downwards.
 #pragma once
 
 #include <span>

@@ -295,7 +295,7 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
     problem_->call([&] { code = glp_simplex(problem_->get(), &control); });
     done = std::max(0, glp_get_it_cnt(problem_->get()) - before);
     if (code != GLP_EITLIM || done >= maximum) break;
-    if (support::asked(limits.stop)) {
+    if (support::is_requested(limits.stop)) {
       iterations_ += static_cast<std::uint64_t>(done);
       return LinearStatus::interrupted;
     }

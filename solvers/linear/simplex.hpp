@@ -44,8 +44,9 @@ struct SolveLimits {
 
 class Simplex {
  public:
-  /// Loads and scales. @throws std::invalid_argument if an entry is out of range, duplicate or not
-  /// finite, or a bound or cost is NaN
+  /// Loads and scales.
+  /// @throws std::invalid_argument if an entry is out of range, duplicate or not finite, or a bound
+  ///   or cost is NaN
   explicit Simplex(const LinearProgram& program);
   Simplex(Simplex&& other) noexcept;
   Simplex& operator=(Simplex&& other) noexcept;

@@ -63,7 +63,7 @@ class AdjacentPairs::Descent {
           const std::function<bool()>& stop)
       : pairs_(pairs), found_(found), stop_(stop) {}
 
-  std::uint64_t looked_at() const { return looked_at_; }
+  std::uint64_t tested() const { return tested_; }
   bool stopped() const { return stopped_; }
 
   void descend(const BitPatternTree::Node& a, const BitPatternTree::Node& b) {
@@ -89,7 +89,7 @@ class AdjacentPairs::Descent {
       if (!pairs_.may_be_adjacent(common(above, b.all))) continue;
       const bool plain = is_plain(above);
       for (int j = b.first; j < b.last; ++j) {
-        ++looked_at_;
+        ++tested_;
         const BitPattern both = common(above, minus.pattern(j));
         if (!pairs_.may_be_adjacent(both)) continue;
         const AdjacentPair pair{plus.member(i), minus.member(j), both.zero};
@@ -122,16 +122,16 @@ class AdjacentPairs::Descent {
   const std::function<void(const AdjacentPair&)>& found_;
   const std::function<bool()>& stop_;
   std::vector<int> third_rays_;  // most recent first
-  std::uint64_t looked_at_ = 0;
+  std::uint64_t tested_ = 0;
   std::uint64_t looks_ = 0;
   bool stopped_ = false;
 };
 
 bool AdjacentPairs::search(const Part& part, const std::function<void(const AdjacentPair&)>& found,
-                           const std::function<bool()>& stop, std::uint64_t& looked_at) const {
+                           const std::function<bool()>& stop, std::uint64_t& tested) const {
   Descent descent(*this, found, stop);
   descent.descend(*part.plus, *part.minus);
-  looked_at += descent.looked_at();
+  tested += descent.tested();
   return !descent.stopped();
 }
 

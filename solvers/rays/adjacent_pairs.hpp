@@ -45,9 +45,11 @@ class AdjacentPairs {
   std::vector<Part> parts(std::uint64_t max_pairs) const;
 
   /// Calls `found` for each adjacent pair of a part.
-  /// @param stop called now and then; empty: never  @return false if it returned true
+  /// @param stop called now and then; empty: never
+  /// @param tested increased by the number of pairs tested individually
+  /// @return false if `stop` returned true
   bool search(const Part& part, const std::function<void(const AdjacentPair&)>& found,
-              const std::function<bool()>& stop, std::uint64_t& looked_at) const;
+              const std::function<bool()>& stop, std::uint64_t& tested) const;
 
  private:
   class Descent;

@@ -96,22 +96,22 @@ void BitPatternTree::grow(std::span<const ZeroSet> sets, std::size_t node) {
 }
 
 std::optional<int> BitPatternTree::superset(const ZeroSet& smaller,
-                                            std::array<int, 2> but_for) const {
-  return superset(root(), smaller, but_for);
+                                            std::array<int, 2> except) const {
+  return superset(root(), smaller, except);
 }
 
 std::optional<int> BitPatternTree::superset(const Node& node, const ZeroSet& smaller,
-                                            const std::array<int, 2>& but_for) const {
+                                            const std::array<int, 2>& except) const {
   if (!contains(node.all.zero, smaller)) return std::nullopt;
   if (node.is_leaf()) {
     for (int place = node.first; place < node.last; ++place) {
       if (!contains(pattern(place).zero, smaller)) continue;
-      if (member(place) != but_for[0] && member(place) != but_for[1]) return member(place);
+      if (member(place) != except[0] && member(place) != except[1]) return member(place);
     }
     return std::nullopt;
   }
-  const auto found = superset(child(node, 0), smaller, but_for);
-  return found ? found : superset(child(node, 1), smaller, but_for);
+  const auto found = superset(child(node, 0), smaller, except);
+  return found ? found : superset(child(node, 1), smaller, except);
 }
 
 }  // namespace kusabi::rays

@@ -60,14 +60,14 @@ class BitPatternTree {
   const BitPattern& pattern(int place) const { return patterns_[static_cast<std::size_t>(place)]; }
   int member(int place) const { return members_[static_cast<std::size_t>(place)]; }
 
-  /// Index of a member that contains `smaller`, except the two in `but_for`; nothing if there is
+  /// Index of a member that contains `smaller`, except the two in `except`; nothing if there is
   /// none.
-  std::optional<int> superset(const ZeroSet& smaller, std::array<int, 2> but_for) const;
+  std::optional<int> superset(const ZeroSet& smaller, std::array<int, 2> except) const;
 
  private:
   void grow(std::span<const ZeroSet> sets, std::size_t node);
   std::optional<int> superset(const Node& node, const ZeroSet& smaller,
-                              const std::array<int, 2>& but_for) const;
+                              const std::array<int, 2>& except) const;
 
   std::vector<int> members_;
   std::vector<BitPattern> patterns_;  // of the members, in the order of the tree

@@ -81,17 +81,18 @@ class DoubleDescription {
   /// with a normal part are first fixed at their pivots.
   /// @param touching candidates at which u_n = 0 is required
   DoubleDescription(const ReactionCone& cone, Candidates active, Candidates touching,
-                    Conduct conduct = {});
+                    EnumerationOptions options = {});
 
   /// Resumes with a list of rays that may have a reaction anywhere.
-  DoubleDescription(const ReactionCone& cone, RayList list, Conduct conduct);
+  DoubleDescription(const ReactionCone& cone, RayList list, EnumerationOptions options);
 
   /// Cuts by all rows of `rows`, and by the equations of equilibrium, in the order that gives the
-  /// fewest pairs. @return false if it was stopped, or there are too many rays; after `give_up` or
-  /// too many rays it can be resumed
+  /// fewest pairs.
+  /// @return false if it was stopped, or there are too many rays; after `give_up` or too many rays
+  ///   it can be resumed
   bool cut_by(Candidates rows, Keep keep);
-  const Effort& effort() const { return effort_; }
-  Steps steps() const { return {effort_, health_, stopped_}; }
+  const Cost& cost() const { return cost_; }
+  StepsResult steps() const { return {cost_, health_, stopped_}; }
 
   RayList list() && { return std::move(list_); }
   Enumeration result() &&;
@@ -102,7 +103,7 @@ class DoubleDescription {
     std::uint64_t minus = 0;
   };
 
-  DoubleDescription(const ReactionCone& cone, std::vector<int> columns, Conduct conduct);
+  DoubleDescription(const ReactionCone& cone, std::vector<int> columns, EnumerationOptions options);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(list_.zeros.size()); }
   /// Adds the mode that displaces candidate `row`, and not those before it, to every ray such that
@@ -141,10 +142,10 @@ class DoubleDescription {
   Eigen::VectorXd values_;    // of the current row, one per ray
   Eigen::VectorXd relative_;  // relative displacements
   NewRays next_;              // the list after the cut
-  Effort effort_;
+  Cost cost_;
   Health health_;
   bool stopped_ = false;
-  Conduct conduct_;
+  EnumerationOptions options_;
 };
 
 /// The unknowns of these candidates, and of modes.
@@ -161,23 +162,24 @@ std::vector<int> columns_of(const ReactionCone& cone, Candidates active) {
 }
 
 DoubleDescription::DoubleDescription(const ReactionCone& cone, std::vector<int> columns,
-                                     Conduct conduct)
+                                     EnumerationOptions options)
     : cone_(cone),
       columns_(std::move(columns)),
       reactions_(std::count_if(columns_.begin(), columns_.end(),
                                [&](int column) { return column < 2 * cone.candidates(); })),
       gaps_(cone.gaps()(Eigen::all, columns_).cast<double>()),
       magnitudes_(gaps_.cwiseAbs()),
-      conduct_(std::move(conduct)) {}
+      options_(std::move(options)) {}
 
-DoubleDescription::DoubleDescription(const ReactionCone& cone, RayList list, Conduct conduct)
-    : DoubleDescription(cone, columns_of(cone, cone.all()), std::move(conduct)) {
+DoubleDescription::DoubleDescription(const ReactionCone& cone, RayList list,
+                                     EnumerationOptions options)
+    : DoubleDescription(cone, columns_of(cone, cone.all()), std::move(options)) {
   list_ = std::move(list);
 }
 
 DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active,
-                                     Candidates touching, Conduct conduct)
-    : DoubleDescription(cone, columns_of(cone, active), std::move(conduct)) {
+                                     Candidates touching, EnumerationOptions options)
+    : DoubleDescription(cone, columns_of(cone, active), std::move(options)) {
   const auto size = static_cast<std::size_t>(gaps_.cols());
   const auto count = static_cast<std::size_t>(reactions_);
   list_.coordinates.assign(size * count, 0);
@@ -218,13 +220,13 @@ bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
     cut(row, is_gap(row) ? keep : Keep::zero);
-    const bool stop_asked = next_.stopped || (conduct_.stop && conduct_.stop());
-    stopped_ = conduct_.agree ? conduct_.agree(stop_asked) : stop_asked;
+    const bool stop_asked = next_.stopped || (options_.stop && options_.stop());
+    stopped_ = options_.agree ? options_.agree(stop_asked) : stop_asked;
     if (stopped_) return false;
-    effort_ += std::exchange(next_.effort, {});
-    if (list_.zeros.size() > conduct_.max_rays && division(list_)) return false;
-    if (left.empty() || !conduct_.give_up) continue;
-    stopped_ = conduct_.give_up(effort_);
+    cost_ += std::exchange(next_.cost, {});
+    if (list_.zeros.size() > options_.max_rays && division(list_)) return false;
+    if (left.empty() || !options_.give_up) continue;
+    stopped_ = options_.give_up(cost_);
     if (stopped_) return false;
   }
   return true;
@@ -296,7 +298,7 @@ void DoubleDescription::cut(int row, Keep keep) {
   list_.done = after(row);
   std::swap(list_.zeros, next_.zeros);
   std::swap(list_.coordinates, next_.coordinates);
-  effort_.peak_rays = std::max(effort_.peak_rays, static_cast<std::uint64_t>(list_.zeros.size()));
+  cost_.peak_rays = std::max(cost_.peak_rays, static_cast<std::uint64_t>(list_.zeros.size()));
 }
 
 void DoubleDescription::add_between(int row, const std::vector<int>& plus,
@@ -308,19 +310,19 @@ void DoubleDescription::add_between(int row, const std::vector<int>& plus,
       ZeroSet zero = pair.common;
       if (is_gap(row)) zero.u |= bit(row);
       combine(pair, zero, stage, into);
-      ++into.effort.adjacent;
+      ++into.cost.adjacent;
     };
-    into.stopped = !pairs.search(part, found, stop, into.effort.pairs);
+    into.stopped = !pairs.search(part, found, stop, into.cost.pairs);
   };
   const auto many = static_cast<std::uint64_t>(plus.size()) * minus.size();
-  if (!conduct_.share) return add(pairs.whole(), next_, conduct_.stop);
+  if (!options_.share) return add(pairs.whole(), next_, options_.stop);
   // A step that all ranks repeat must end alike on all of them.
   if (many < pairs_worth_sharing) return add(pairs.whole(), next_, std::function<bool()>());
   const auto parts = pairs.parts(many / pieces_of_cut);
   if (parts.empty()) return;
-  for (const NewRays& rays : conduct_.share(parts.size(), [&](std::uint64_t piece) {
+  for (const NewRays& rays : options_.share(parts.size(), [&](std::uint64_t piece) {
          NewRays own;
-         add(parts[piece], own, conduct_.stop);
+         add(parts[piece], own, options_.stop);
          return own;
        })) {
     append(rays);
@@ -331,7 +333,7 @@ void DoubleDescription::append(const NewRays& rays) {
   next_.zeros.insert(next_.zeros.end(), rays.zeros.begin(), rays.zeros.end());
   next_.coordinates.insert(next_.coordinates.end(), rays.coordinates.begin(),
                            rays.coordinates.end());
-  next_.effort += rays.effort;
+  next_.cost += rays.cost;
   next_.stopped = next_.stopped || rays.stopped;
 }
 
@@ -356,12 +358,12 @@ void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
 }
 
 Enumeration DoubleDescription::result() && {
-  return {std::move(list_.zeros), effort_, health_};
+  return {std::move(list_.zeros), cost_, health_};
 }
 
 }  // namespace
 
-Effort& Effort::operator+=(const Effort& other) {
+Cost& Cost::operator+=(const Cost& other) {
   peak_rays = std::max(peak_rays, other.peak_rays);
   pairs += other.pairs;
   adjacent += other.adjacent;
@@ -372,10 +374,10 @@ RayList first_list(const ReactionCone& cone) {
   return DoubleDescription(cone, cone.all(), 0).list();
 }
 
-Steps resume(RayList& list, const ReactionCone& cone, const Conduct& conduct) {
-  DoubleDescription description(cone, std::move(list), conduct);
+StepsResult resume(RayList& list, const ReactionCone& cone, const EnumerationOptions& options) {
+  DoubleDescription description(cone, std::move(list), options);
   description.cut_by(cone.all(), Keep::complementary);
-  const Steps steps = description.steps();
+  const StepsResult steps = description.steps();
   list = std::move(description).list();
   return steps;
 }
@@ -396,15 +398,16 @@ std::optional<std::array<RayList, 2>> divided(const RayList& list) {
   return std::array{std::move(contact), std::move(separated)};
 }
 
-std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct) {
+std::optional<Enumeration> complementary_rays(const ReactionCone& cone,
+                                              const EnumerationOptions& options) {
   auto list = first_list(cone);
-  const auto steps = resume(list, cone, conduct);
+  const auto steps = resume(list, cone, options);
   if (steps.stopped || !has_ended(list, cone)) return std::nullopt;
-  return Enumeration{std::move(list.zeros), steps.effort, steps.health};
+  return Enumeration{std::move(list.zeros), steps.cost, steps.health};
 }
 
 Enumeration complementary_rays(const ReactionCone& cone) {
-  return *complementary_rays(cone, Conduct{});
+  return *complementary_rays(cone, EnumerationOptions{});
 }
 
 std::uint64_t bytes_for(std::uint64_t rays, int candidates) {
@@ -419,9 +422,8 @@ struct PatternRaysByTurns::State {
       : contact(in_contact),
         separated(cone.all() & ~in_contact),
         description(cone, in_contact, in_contact,
-                    {.stop = std::move(stop), .give_up = [this](const Effort& effort) {
-                       return effort.pairs > max_pairs;
-                     }}) {}
+                    {.stop = std::move(stop),
+                     .give_up = [this](const Cost& cost) { return cost.pairs > max_pairs; }}) {}
 
   std::uint64_t max_pairs = 0;
   Candidates contact;
@@ -437,7 +439,7 @@ PatternRaysByTurns& PatternRaysByTurns::operator=(PatternRaysByTurns&&) noexcept
 PatternRaysByTurns::~PatternRaysByTurns() = default;
 
 bool PatternRaysByTurns::resume(std::uint64_t max_pairs) {
-  if (state_->description.effort().pairs > max_pairs) return false;
+  if (state_->description.cost().pairs > max_pairs) return false;
   state_->max_pairs = max_pairs;
   auto& description = state_->description;
   return description.cut_by(state_->contact, Keep::zero) &&

@@ -22,12 +22,12 @@
 namespace kusabi::rays {
 
 /// Cost of an enumeration.
-struct Effort {
+struct Cost {
   std::uint64_t peak_rays = 0;  ///< maximum number of rays
   std::uint64_t pairs = 0;      ///< pairs of rays tested individually
   std::uint64_t adjacent = 0;   ///< adjacent pairs, each of which gave a new ray
 
-  Effort& operator+=(const Effort& other);
+  Cost& operator+=(const Cost& other);
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -38,7 +38,7 @@ struct Effort {
 /// Zero sets of extremal rays, in no particular order.
 struct Enumeration {
   std::vector<ZeroSet> rays;
-  Effort effort;
+  Cost cost;
   Health health;
 };
 
@@ -46,17 +46,17 @@ struct Enumeration {
 struct NewRays {
   std::vector<ZeroSet> zeros;
   std::vector<double> coordinates;  ///< one ray after another
-  Effort effort;
+  Cost cost;
   bool stopped = false;  ///< before all were found
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& zeros& coordinates& effort& stopped;
+    archive& zeros& coordinates& cost& stopped;
   }
 };
 
 /// Limits, stop requests and parallelism of an enumeration.
-struct Conduct {
+struct EnumerationOptions {
   /// Maximum number of rays: above it the enumeration ends, if the list can be divided.
   std::uint64_t max_rays = std::numeric_limits<std::uint64_t>::max();
 
@@ -75,7 +75,7 @@ struct Conduct {
 
   /// Called after each step, with the cost so far, the same on all ranks; true ends the enumeration
   /// as `stop` does. Empty: never.
-  std::function<bool(const Effort& effort)> give_up = {};
+  std::function<bool(const Cost& cost)> give_up = {};
 };
 
 /// State of Algorithm 4.2: the processed candidates and the rays that are complementary there; or
@@ -98,14 +98,14 @@ struct RayList {
 RayList first_list(const ReactionCone& cone);
 
 /// Cost and numerical health of some steps.
-struct Steps {
-  Effort effort;
+struct StepsResult {
+  Cost cost;
   Health health;
   bool stopped = false;  ///< by `stop` or `give_up`; the list is then invalid
 };
 
-/// Resumes a list until all steps are done, or until a limit of `conduct`.
-Steps resume(RayList& list, const ReactionCone& cone, const Conduct& conduct);
+/// Resumes a list until all steps are done, or until a limit of `options`.
+StepsResult resume(RayList& list, const ReactionCone& cone, const EnumerationOptions& options);
 
 /// True if all steps are done: the list is then that of its face.
 bool has_ended(const RayList& list, const ReactionCone& cone);
@@ -116,8 +116,9 @@ bool has_ended(const RayList& list, const ReactionCone& cone);
 std::optional<std::array<RayList, 2>> divided(const RayList& list);
 
 /// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2), including those of modes
-/// alone (r = 0); nothing if `conduct` ended it.
-std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct);
+/// alone (r = 0); nothing if `options` ended it.
+std::optional<Enumeration> complementary_rays(const ReactionCone& cone,
+                                              const EnumerationOptions& options);
 Enumeration complementary_rays(const ReactionCone& cone);
 
 /// Approximate memory, in bytes, for this number of rays.
@@ -136,8 +137,7 @@ class PatternRaysByTurns {
  public:
   /// @param cone outlives this object
   /// @param stop called now and then; after it returned true, resume returns false and the object
-  /// is
-  ///        of no use. Empty: never
+  ///   is of no use. Empty: never
   PatternRaysByTurns(const ReactionCone& cone, Candidates contact, std::function<bool()> stop = {});
   PatternRaysByTurns(PatternRaysByTurns&&) noexcept;
   PatternRaysByTurns& operator=(PatternRaysByTurns&&) noexcept;

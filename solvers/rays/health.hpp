@@ -19,18 +19,18 @@ namespace kusabi::rays {
 inline constexpr double zero_tolerance = 1e-11;
 
 /// Factor around the threshold within which a relative displacement is numerically undecided.
-inline constexpr double doubtful_factor = 10;
+inline constexpr double undecided_factor = 10;
 
 struct Health {
   double largest_zero = 0;      ///< of the relative displacements taken for zero
   double smallest_nonzero = 1;  ///< of the others
-  std::uint64_t doubtful = 0;   ///< number of numerically undecided values
+  std::uint64_t undecided = 0;  ///< number of numerically undecided values
 
   /// Classifies one relative displacement, from -1 to 1, and records it. @return -1, 0 or 1
   int sign(double relative) {
     const double size = std::abs(relative);
-    if (size > zero_tolerance / doubtful_factor && size < zero_tolerance * doubtful_factor) {
-      ++doubtful;
+    if (size > zero_tolerance / undecided_factor && size < zero_tolerance * undecided_factor) {
+      ++undecided;
     }
     if (size <= zero_tolerance) {
       largest_zero = std::max(largest_zero, size);
@@ -43,16 +43,16 @@ struct Health {
   Health& operator+=(const Health& other) {
     largest_zero = std::max(largest_zero, other.largest_zero);
     smallest_nonzero = std::min(smallest_nonzero, other.smallest_nonzero);
-    doubtful += other.doubtful;
+    undecided += other.undecided;
     return *this;
   }
 
   /// True if zero and nonzero values are separated.
-  bool sound() const { return doubtful == 0; }
+  bool sound() const { return undecided == 0; }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& largest_zero& smallest_nonzero& doubtful;
+    archive& largest_zero& smallest_nonzero& undecided;
   }
 };
 

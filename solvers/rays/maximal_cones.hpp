@@ -15,8 +15,8 @@
 
 namespace kusabi::rays {
 
-/// One maximal cone: the rays with no reaction on `separated` and no gap on `reaction`, the
-/// candidates where one of its rays has a gap, or a reaction.
+/// One maximal cone. Its rays have no reaction on `separated` and no gap on `reaction`; some ray
+/// has a gap at each candidate of `separated`, some ray a reaction at each of `reaction`.
 struct Cone {
   Candidates reaction = 0;
   Candidates separated = 0;

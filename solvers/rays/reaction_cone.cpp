@@ -130,7 +130,7 @@ Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
     const auto contradicts = [&](Candidates zeros, long double value) {
       return (zeros & bit(i)) == 0 && !(value > 0);
     };
-    if (contradicts(zero.p, x(2 * i)) || contradicts(zero.q, x(2 * i + 1))) ++health.doubtful;
+    if (contradicts(zero.p, x(2 * i)) || contradicts(zero.q, x(2 * i + 1))) ++health.undecided;
   }
 
   LongVector reaction(2 * m);
@@ -153,7 +153,7 @@ Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
     const long double magnitude = gaps_.row(i).cwiseAbs().dot(x.cwiseAbs());
     const long double relative = magnitude > 0 ? gaps_.row(i).dot(x) / magnitude : 0;
     const bool vanishes = i >= m || (zero.u & bit(i)) != 0;
-    if (health.sign(static_cast<double>(relative)) != (vanishes ? 0 : 1)) ++health.doubtful;
+    if (health.sign(static_cast<double>(relative)) != (vanishes ? 0 : 1)) ++health.undecided;
     if (i < m && vanishes) displacement(2 * i) = 0;
   }
   return {reaction.cast<double>(), displacement.cast<double>()};

@@ -32,7 +32,7 @@ TEST(ReasonOf, ExhaustedMemoryIsASentence) {
   EXPECT_THAT(reason_of(std::bad_alloc().what()), StartsWith("out of memory; expected"));
 }
 
-TEST(ReasonOf, OtherErrorsIsTheirMessage) {
+TEST(ReasonOf, OfOtherErrorsIsTheirMessage) {
   EXPECT_EQ(reason_of("disk full"), "disk full");
   EXPECT_EQ(reason_of(""), "");
 }

@@ -62,9 +62,9 @@ class Recorded : public testing::Test {
   std::string file_;
 };
 
-using JournalTest = Recorded;
+using JournalFile = Recorded;
 
-TEST_F(JournalTest, ReadsAppendedRecords) {
+TEST_F(JournalFile, ReadsAppendedRecords) {
   keep_two();
   Journal journal(file_, these_facts);
   ASSERT_EQ(journal.size(), 2U);
@@ -75,7 +75,7 @@ TEST_F(JournalTest, ReadsAppendedRecords) {
   EXPECT_FALSE(journal.is_finished());
 }
 
-TEST_F(JournalTest, IsFinishedUntilSomethingIsAppended) {
+TEST_F(JournalFile, IsFinishedUntilSomethingIsAppended) {
   keep_two();
   Journal(file_, these_facts).finish();
   {
@@ -91,7 +91,7 @@ TEST_F(JournalTest, IsFinishedUntilSomethingIsAppended) {
   EXPECT_TRUE(journal.warnings().empty());
 }
 
-TEST_F(JournalTest, RefusesACallWithDifferentFacts) {
+TEST_F(JournalFile, RefusesACallWithDifferentFacts) {
   keep_two();
   const auto before = content();
   EXPECT_THAT(refusal({{"the problem", "7"}, {"--mu", "0.7"}, {"--thorough", ""}}),
@@ -103,12 +103,12 @@ TEST_F(JournalTest, RefusesACallWithDifferentFacts) {
   EXPECT_EQ(content(), before);
 }
 
-TEST_F(JournalTest, IsUsedByOneProcessAtATime) {
+TEST_F(JournalFile, IsUsedByOneProcessAtATime) {
   const Journal journal(file_, these_facts);
   EXPECT_THAT(refusal(these_facts), ThrowsMessage<CheckpointError>(HasSubstr("is in use")));
 }
 
-TEST_F(JournalTest, RefusesAFileThatIsNoJournal) {
+TEST_F(JournalFile, RefusesAFileThatIsNoJournal) {
   for (const auto* const text : {"name = \"truss\"\n", "kusabi-checkpoint 4 1 2 3\n"}) {
     write(text);
     EXPECT_THAT(refusal(these_facts), ThrowsMessage<CheckpointError>(HasSubstr("is not a state")));
@@ -116,7 +116,7 @@ TEST_F(JournalTest, RefusesAFileThatIsNoJournal) {
   }
 }
 
-TEST_F(JournalTest, TruncatedAnywhereKeepsWholeRecordsOrIsRefused) {
+TEST_F(JournalFile, TruncatedAnywhereKeepsWholeRecordsOrIsRefused) {
   keep_two();
   const auto whole = content();
   std::array<int, 3> found{};
@@ -136,7 +136,7 @@ TEST_F(JournalTest, TruncatedAnywhereKeepsWholeRecordsOrIsRefused) {
   EXPECT_GT(found[1], 0);
 }
 
-TEST_F(JournalTest, WithAnyBitFlippedKeepsWholeRecordsOrIsRefused) {
+TEST_F(JournalFile, WithAnyBitFlippedKeepsWholeRecordsOrIsRefused) {
   keep_two();
   const auto whole = content();
   int refused = 0;
@@ -170,7 +170,7 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-class AnalysisTest : public Recorded {
+class ResumedAnalysis : public Recorded {
  protected:
   // One run, which is stopped after `reductions` reductions.
   Answer run(int reductions = 1'000'000) {
@@ -212,19 +212,19 @@ class AnalysisTest : public Recorded {
 
 const Answer the_answer{4, 92, {0, 1, 4, 9}, 42, 153 + 2057};
 
-TEST_F(AnalysisTest, HasTheExpectedResultWithoutAnInterruption) {
+TEST_F(ResumedAnalysis, HasTheExpectedResultWithoutAnInterruption) {
   EXPECT_EQ(run(), the_answer);
   EXPECT_EQ(done_, 5);
 }
 
-TEST_F(AnalysisTest, RepeatsNoFinishedSearch) {
+TEST_F(ResumedAnalysis, RepeatsNoFinishedSearch) {
   run();
   EXPECT_EQ(run(), the_answer);
   EXPECT_EQ(done_, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);  // no checkpoint is left
 }
 
-TEST_F(AnalysisTest, OpensEachNodeOnceInAnyNumberOfRuns) {
+TEST_F(ResumedAnalysis, OpensEachNodeOnceInAnyNumberOfRuns) {
   int runs = 0;
   Answer answer;
   do {
@@ -235,13 +235,13 @@ TEST_F(AnalysisTest, OpensEachNodeOnceInAnyNumberOfRuns) {
   EXPECT_EQ(answer, the_answer);
 }
 
-TEST_F(AnalysisTest, RecordsNoStoppedSearchAsFinished) {
+TEST_F(ResumedAnalysis, RecordsNoStoppedSearchAsFinished) {
   run(0);
   EXPECT_EQ(Journal(file_, these_facts).size(), 0U);
   EXPECT_EQ(run(), the_answer);
 }
 
-TEST_F(AnalysisTest, ComputesDamagedRecordsAgain) {
+TEST_F(ResumedAnalysis, ComputesDamagedRecordsAgain) {
   run();
   const auto kept = content();
   for (const double share : {0.3, 0.6, 0.9}) {
@@ -255,7 +255,7 @@ TEST_F(AnalysisTest, ComputesDamagedRecordsAgain) {
 }
 
 // A search with a limit of its own, which may be larger than what the run has left.
-TEST_F(AnalysisTest, RecordsNoSearchOfOneRankThatTheLimitOfTheRunEnded) {
+TEST_F(ResumedAnalysis, RecordsNoSearchOfOneRankThatTheLimitOfTheRunEnded) {
   const auto opened = [this](std::uint64_t nodes) {
     Journal journal(file_, these_facts);
     SingleProcess alone;
@@ -275,7 +275,7 @@ TEST_F(AnalysisTest, RecordsNoSearchOfOneRankThatTheLimitOfTheRunEnded) {
   EXPECT_EQ(opened(1000), 153U);
 }
 
-TEST_F(AnalysisTest, RefusesTheRecordsOfAnotherBuild) {
+TEST_F(ResumedAnalysis, RefusesTheRecordsOfAnotherBuild) {
   {
     Journal journal(file_, these_facts);
     journal.append("search of something else", {});

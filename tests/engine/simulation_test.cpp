@@ -62,7 +62,7 @@ TEST(Simulation, ManyRanksShareATinyTree) {
   }
 }
 
-TEST(Simulation, HundredsOfRanksFindTheSame) {
+TEST(Simulation, HundredsOfRanksHaveTheOutcomeOfOne) {
   Queens queens(8);
   const auto alone = search(queens);
   expect_the_same(alone, simulate(Queens(8), 500, 1), "500 ranks");

@@ -57,6 +57,14 @@ kusabi patterns nowhere.toml --mu 2
 
     2.501
     3
+
+<!-- printed by:
+head -n 1 two.txt
+echo end
+-->
+
+    1
+    end
 """
 
 
@@ -101,6 +109,8 @@ class Docs(unittest.TestCase):
                 ("…\nIt can", "It can", "page.md:13: "), ("stick …", "stick", "page.md:13: 'nothing'; expected"),
                 ("2.501", "2.5100", "page.md:"), ("    3\n", "    4\n", "'4'; expected '3'"),
                 ("code: 2", "code: 0", "exit code 2; expected 0: nowhere.toml"), ("a year -->", "a month -->", "'year'; expected 'month'"),
+                ("printed by:\n", "printed by\n", "page.md:47: comment is not read; expected <!-- printed by: "),
+                ("head -n 1", "head -n 2", "'end'; expected '2.500 end'"),
                 ("needs: no-such-program", "needs: bash", "exit code 2; expected 0: no-such-file.toml"),
                 ("not run: nobody", "note: nobody", "exit code 127; expected 0: "),
                 ("(#a-page)", "(#a-side)", "page.md:3: link to '#a-side': there is no such heading"),

@@ -356,22 +356,6 @@ TEST_F(LimitCommand, HasTheSameCertificateOnTwoRanks) {
   EXPECT_THAT(verified.output, HasSubstr("no load factor is carried under every admissible load"));
 }
 
-// The complete analysis takes seconds at the root alone; partial results must be valid.
-TEST_F(LimitCommand, AppliesTheTimeLimitToTheRoot) {
-  shell(command + " example grid --bays 14 --output " + argument("grid.toml"));
-  const auto whole = result_of(argument("grid.toml") + " --alpha 40");
-  const auto json = result_of(argument("grid.toml") + " --alpha 40 --time-limit 0.2", 3);
-  EXPECT_EQ(json["status"], "time-limit");
-  if (!json["result"].contains("worst_case")) return;  // no nominal factor was found
-  const auto& truth = whole["result"]["worst_case"];
-  const auto& ends = json["result"]["worst_case"];
-  EXPECT_EQ(ends["proved"], false);
-  EXPECT_GE(ends["upper"], truth["lower"]);
-  if (!ends["lower"].is_null()) {
-    EXPECT_LE(ends["lower"], truth["upper"]);
-  }
-}
-
 TEST_F(LimitCommand, RefusesAnInvalidWidth) {
   for (const char* alpha : {"nan", "-1", "inf", "1e400", "x"}) {
     const auto run =

@@ -171,8 +171,8 @@ class Warnings(Problems):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
             if file.name not in ("dup.toml", "long_lever_critical.toml", "lever_1e12.toml"):
                 message = self.kusabi("show", file).stderr
-                for doubt in ("nothing joins", "candidates are not on", "former name of friction_factor"):
-                    self.assertNotIn(doubt, message, file.name)
+                for fault in ("nothing joins", "candidates are not on", "former name of friction_factor"):
+                    self.assertNotIn(fault, message, file.name)
 
 
 class Messages(Problems):

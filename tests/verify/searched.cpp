@@ -5,12 +5,15 @@
 #include <variant>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "engine/search.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "support/sha1.hpp"
+#include "verify/structure/condensation.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/consistency.hpp"
 #include "verify/wedged/cover.hpp"
@@ -69,6 +72,20 @@ std::string node_line(const wedged::Evidence& evidence) {
 }
 
 }  // namespace
+
+void expect_same_stiffness(const problems::Structure& structure) {
+  const auto problem = problems::wedged_problem(checked(structure));
+  const auto result = condensed_stiffness(evidence::verified_structure(structure));
+  ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
+  const auto& matrix = std::get<EnclosedMatrix>(result);
+  const double size = problem.compliance.stiffness.norm();
+  ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.compliance.stiffness.rows()));
+  for (Eigen::Index i = 0; i < problem.compliance.stiffness.size(); ++i) {
+    EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
+                problem.compliance.stiffness(i), 1e-11 * size);
+  }
+  EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
+}
 
 std::string written(const problems::WedgedProblem& problem, double mu) {
   auto friction = problem.friction;

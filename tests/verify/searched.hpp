@@ -37,6 +37,9 @@ problems::WedgedProblem example(const std::string& name);
 
 problems::Structure example_structure(const std::string& name);
 
+/// Expects that the enclosure of K is narrow, and that of the solver up to rounding.
+void expect_same_stiffness(const problems::Structure& structure);
+
 /// The certificate as written by `kusabi patterns --certificate`, also for unconstrained bodies.
 std::string written(const problems::WedgedProblem& problem, double mu);
 

@@ -3,7 +3,6 @@
 #include <random>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -15,27 +14,12 @@
 #include "searched.hpp"
 #include "tests/problems/bodies.hpp"
 #include "tests/problems/corners.hpp"
-#include "verify/structure/condensation.hpp"
 #include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 namespace {
 
 using testing::IsEmpty;
-
-void expect_same_stiffness(const problems::Structure& structure) {
-  const auto problem = problems::wedged_problem(checked(structure));
-  const auto result = condensed_stiffness(evidence::verified_structure(structure));
-  ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
-  const auto& matrix = std::get<EnclosedMatrix>(result);
-  const double size = problem.compliance.stiffness.norm();
-  ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.compliance.stiffness.rows()));
-  for (Eigen::Index i = 0; i < problem.compliance.stiffness.size(); ++i) {
-    EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
-                problem.compliance.stiffness(i), 1e-11 * size);
-  }
-  EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
-}
 
 TEST(SeveralNormals, HaveTheStiffnessOfTheSolver) {
   std::mt19937 bits(6);

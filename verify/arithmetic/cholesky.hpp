@@ -31,8 +31,9 @@ class Cholesky {
 };
 
 /// A proved lower bound s > 0 of the least eigenvalue of a symmetric matrix (docs/theory/proofs.md,
-/// "K is positive definite"). @return nothing if the matrix is not positive definite, or too close
-/// to singular for a proof in double precision
+/// "K is positive definite").
+/// @return nothing if the matrix is not positive definite, or too close to singular for a proof in
+///   double precision
 /// @param matrix the entries of its profile
 std::optional<Dyadic> min_eigenvalue(const Profile& profile, const DyadicList& matrix);
 

@@ -28,8 +28,8 @@ class Elimination {
   /// the equations.
   [[nodiscard]] Rationals products(const Rationals& row) const;
 
-  /// Adds the equation row'x = 0. @return true if the dimension of the solution space decreases by
-  /// one
+  /// Adds the equation row'x = 0.
+  /// @return true if the dimension of the solution space decreases by one
   bool add_equation(const Rationals& row);
 
   /// Adds all these equations, each time the one with the largest product with a basis vector. No

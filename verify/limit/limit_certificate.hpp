@@ -87,9 +87,9 @@ struct LimitStatement {
 /// The keyword of a claim in a file.
 std::string_view claim_word(LimitClaim claim);
 
-/// The text of a file. @param statements of one truss, at least one; those of a load case are
-///        adjacent and have the same loads up to the sign of the reference load; those at
-///        residual strength come last
+/// The text of a file.
+/// @param statements of one truss, at least one; those of a load case are adjacent and have the
+///   same loads up to the sign of the reference load; those at residual strength come last
 std::string limit_certificate_text(std::span<const LimitStatement> statements);
 
 /// The statements of a file. A load case has the claim `none` alone, or `largest` and optionally

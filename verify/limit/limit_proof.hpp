@@ -53,8 +53,8 @@ class LimitProof {
   const LimitCertificate& certificate_;
   LimitTruss truss_;
   std::vector<LimitColumn> uncertain_;  // T
-  std::vector<SparseDyadic>
-      column_errors_;            // bounds of the distance of B from the doubles of the certificate
+  // Bounds of the distance of B from the doubles of the certificate.
+  std::vector<SparseDyadic> column_errors_;
   std::vector<Sparse> defects_;  // of each cut, nonzero entries, rounded up
 };
 

@@ -8,8 +8,8 @@
 
 namespace kusabi::verify {
 
-/// Checks that the nodes cover all combinations of signs. @return the fault; nothing if every
-/// combination is below a node
+/// Checks that the nodes cover all combinations of signs.
+/// @return the fault; nothing if every combination is below a node
 std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate);
 
 }  // namespace kusabi::verify

@@ -44,8 +44,8 @@ struct CarriedFactor {
 
 /// A load factor that the members of the support carry under every admissible load: forces close to
 /// those of the state are in exact equilibrium and within the yield forces. Nothing if there are
-/// none. Forces of members outside the support are left out. @pre indices are in range, forces are
-/// finite
+/// none. Forces of members outside the support are left out.
+/// @pre indices are in range, forces are finite
 std::optional<CarriedFactor> carried_factor(const ExactTruss& truss, const StressState& state);
 
 }  // namespace kusabi::verify

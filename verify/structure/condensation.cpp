@@ -83,9 +83,9 @@ std::optional<std::string> Condensation::factorise() {
       rounded[profile_.at(row, entry.column)] = Dyadic(entry.value, stiffness_grid).nearest();
     }
   }
-  support::leave_if(work_.stop);
+  support::throw_if_requested(work_.stop);
   const auto minimum = min_eigenvalue(profile_, entries);
-  support::leave_if(work_.stop);
+  support::throw_if_requested(work_.stop);
   factor_ = Cholesky::of(profile_, rounded);
   if (!minimum || !factor_) return too_ill_conditioned;
   minimum_ = *minimum;
@@ -104,8 +104,8 @@ void Condensation::solve_dependent() {
     }
   }
   for (std::size_t column = 0; column < parts_.contact; ++column) {
-    work_.reached("enclosing K for the proof, columns",
-                  static_cast<double>(column) / static_cast<double>(parts_.contact));
+    work_.report_share("enclosing K for the proof, columns",
+                       static_cast<double>(column) / static_cast<double>(parts_.contact));
     refine(column);
   }
 }
@@ -175,7 +175,7 @@ void Condensation::complement() {
   }
   for (std::size_t i = 0; i < c; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(c);
-    work_.reached("enclosing K for the proof, products", part * part);
+    work_.report_share("enclosing K for the proof, products", part * part);
     for (std::size_t j = 0; j <= i; ++j) {
       auto* const sum = sums[c * i + j].get_mpz_t();
       for (std::size_t row = 0; row < parts_.rest; ++row) {
@@ -235,7 +235,7 @@ EnclosedMatrix Condensation::in_contact_frames() {
   std::vector<Dyadic> half(d);
   long largest = stiffness_grid;
   for (std::size_t i = 0; i < c; ++i) {
-    support::leave_if(work_.stop);
+    support::throw_if_requested(work_.stop);
     for (std::size_t j = 0; j <= i; ++j) {
       const auto& left = frames[i / d];
       const auto& right = frames[j / d];

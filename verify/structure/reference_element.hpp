@@ -14,8 +14,8 @@ namespace kusabi::verify {
 /// An integration point.
 struct ReferencePoint {
   Enclosure weight;
-  std::vector<std::array<Enclosure, 3>>
-      slopes;  ///< of each node's shape function along xi, eta, zeta
+  /// Of each node's shape function along xi, eta, zeta.
+  std::vector<std::array<Enclosure, 3>> slopes;
 };
 
 /// The integration points of the shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10,

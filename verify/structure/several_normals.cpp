@@ -155,8 +155,8 @@ class Corner {
   const Freedom& freedom_;
   std::size_t node_;
   std::vector<std::size_t> candidates_;
-  std::vector<std::size_t>
-      own_;  // displacement numbers of the node: at first by axis, then by normal
+  // Displacement numbers of the node: at first by axis, then by normal.
+  std::vector<std::size_t> own_;
   std::vector<Frame> frames_;
   Enclosure spring_;
 };

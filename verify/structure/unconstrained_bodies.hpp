@@ -12,8 +12,8 @@
 
 namespace kusabi::verify {
 
-/// Rigid-body modes of all unconstrained bodies, side by side. @pre the structure outlives this
-/// object
+/// Rigid-body modes of all unconstrained bodies, side by side.
+/// @pre the structure outlives this object
 class UnconstrainedBodies {
  public:
   explicit UnconstrainedBodies(const Structure& structure);

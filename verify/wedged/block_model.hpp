@@ -121,13 +121,13 @@ class BlockModel {
  private:
   ContactBlock block_;
   std::vector<double> near_motions_;  // G, dm x p, rounded
-  std::vector<double>
-      own_of_recorded_;           // p x p: coefficients of the recorded modes in the block's modes
+  // p x p: coefficients of the recorded modes in the block's modes.
+  std::vector<double> own_of_recorded_;
   std::vector<Dyadic> friction_;  // mu
   Dyadic steepest_;
   std::optional<Dyadic> minimum_;  // s
-  mutable std::list<RegularisedStiffness>
-      regularised_;  // the first for infeasible nodes; others for leaves
+  // The first for infeasible nodes; others for leaves.
+  mutable std::list<RegularisedStiffness> regularised_;
 };
 
 /// True if a candidate is in a set of them.

@@ -62,8 +62,8 @@ class BlockProof {
   [[nodiscard]] bool leaves_a_contact_unloaded(const support::IndexSet& contact,
                                                const support::IndexSet& separated) const;
 
-  /// Proves that the leaf with the contacts U has a configuration in its interior. @return the
-  /// reason if not
+  /// Proves that the leaf with the contacts U has a configuration in its interior.
+  /// @return the reason if not
   /// @param numbers tangential reactions of U, d - 1 each, and p coefficients of the mean motion
   /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> refusal_of_feasible(

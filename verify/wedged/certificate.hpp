@@ -73,8 +73,8 @@ struct Certificate {
   std::size_t dimension = 0;       ///< d: 2 or 3
   std::vector<std::string> names;  ///< of the m candidates, m >= 1, all distinct
   std::vector<double> friction;    ///< m, each >= 0
-  std::vector<support::IndexSet>
-      blocks;                         ///< a partition of the candidates; K is zero between blocks
+  /// A partition of the candidates; K is zero between blocks.
+  std::vector<support::IndexSet> blocks;
   std::vector<double> stiffness;      ///< K, dm x dm, by rows, symmetric
   std::size_t motions = 0;            ///< p, number of rigid-body modes of unconstrained bodies
   std::vector<double> motion_values;  ///< G, dm x p, by rows; each column belongs to one block

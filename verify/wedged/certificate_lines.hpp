@@ -22,8 +22,8 @@ struct Version {
 /// @throws CertificateError, as do all functions below
 std::size_t read_block_number(Lines& lines, const Certificate& certificate);
 
-/// Name of the numbers of a node `infeasible` or of a bound in messages. @param motions of its
-/// block
+/// Name of the numbers of a node `infeasible` or of a bound in messages.
+/// @param motions of its block
 std::string multipliers_of(std::size_t motions);
 
 /// Refuses the line if a multiplier of a cut is negative.

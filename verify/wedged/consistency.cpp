@@ -129,8 +129,8 @@ std::optional<std::string> other_motions(const Certificate& certificate,
   return {};
 }
 
-// Candidates, friction and blocks of the header. @return the friction coefficient, or the
-// difference
+// Candidates, friction and blocks of the header.
+// @return the friction coefficient, or the difference
 std::variant<double, std::string> friction_of_header(const Certificate& certificate,
                                                      const Structure& structure) {
   if (auto why = other_candidates(certificate, structure)) return *why;

@@ -21,8 +21,9 @@ struct Multipliers {
 
 class EquilibriumMultipliers {
  public:
-  /// @param contact U  @param multipliers y, m  @param shares coefficients of u_n in the
-  ///        inequalities besides the multipliers, m
+  /// @param contact U
+  /// @param multipliers y, m
+  /// @param shares coefficients of u_n in the inequalities besides the multipliers, m
   /// @pre all arguments outlive this object
   EquilibriumMultipliers(const BlockModel& model, const support::IndexSet& contact,
                          std::span<const double> multipliers, std::span<const Dyadic> shares)

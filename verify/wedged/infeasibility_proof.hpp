@@ -58,8 +58,9 @@ class InfeasibilityProof {
                                                              const Dyadic& off) const;
   [[nodiscard]] ProofResult prove_unconstrained() const;
   // Proves by a rigid motion alone that no load of the combination is held, although there may be
-  // wedged configurations. @param mean the motion, in the block's modes  @param small relative
-  // displacement below which a candidate is to be at rest
+  // wedged configurations.
+  // @param mean the motion, in the block's modes
+  // @param small relative displacement below which a candidate is to be at rest
   [[nodiscard]] std::optional<std::string> refusal_of_rigid_motion(const std::vector<double>& mean,
                                                                    double small) const;
   [[nodiscard]] std::optional<std::string> check_unconstrained(const Multipliers& y,

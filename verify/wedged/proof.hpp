@@ -16,8 +16,8 @@ namespace kusabi::verify {
 
 class Proof {
  public:
-  /// Proves that K of the certificate is positive definite up to its rigid-body modes. @pre the
-  /// certificate outlives this object
+  /// Proves that K of the certificate is positive definite up to its rigid-body modes.
+  /// @pre the certificate outlives this object
   explicit Proof(const Certificate& certificate);
 
   /// The same for every K within `stiffness` instead of the certificate's. K must be zero exactly
@@ -32,8 +32,8 @@ class Proof {
   /// proved then.
   [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
-  /// Proves a bound with those added before, and adds it for all later proofs. @return the
-  /// reason if it is not proved
+  /// Proves a bound with those added before, and adds it for all later proofs.
+  /// @return the reason if it is not proved
   /// @param bound with as many numbers as its claim requires, its candidate in its block
   /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> add_bound(const CandidateBound& bound);
@@ -48,8 +48,8 @@ class Proof {
   std::optional<Dyadic> minimum_;
 };
 
-/// The problem of a block. @param loads of the structure, in their order; none: no states under
-/// load are proved
+/// The problem of a block.
+/// @param loads of the structure, in their order; none: no states under load are proved
 ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix& stiffness,
                            const ContactMotions& motions, const support::IndexSet& block,
                            const std::vector<EnclosedLoad>& loads = {});

@@ -129,8 +129,8 @@ class Frontier {
   /// Depth of the node opened last; 0 for the root.
   [[nodiscard]] std::size_t depth() const { return depth_; }
 
-  /// Number of children of the node opened last. @pre its expansion has ended, and all of them are
-  /// open
+  /// Number of children of the node opened last.
+  /// @pre its expansion has ended, and all of them are open
   [[nodiscard]] std::uint32_t branches() const {
     return empty() || nodes_.back().depth <= depth_ ? 0 : trail_[depth_].branches;
   }

@@ -167,7 +167,7 @@ LossPiece LossOpener::open(const LossNode& node) {
          piece_.nodes < nodes_of_a_piece) {
     auto next = std::move(stack_.back());
     stack_.pop_back();
-    const bool whole = open_one(next) && !support::asked(stop_);
+    const bool whole = open_one(next) && !support::is_requested(stop_);
     ++piece_.nodes;
     if (whole) continue;
     stack_.push_back(std::move(next));

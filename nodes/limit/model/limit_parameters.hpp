@@ -22,7 +22,7 @@ enum class LimitMethod {
 
 /// Minimum number of uncertain loads for operator splitting, which is then faster than a linear
 /// program for each cut (bench/README.md).
-inline constexpr int usual_split_from = 150;
+inline constexpr int default_split_from = 150;
 
 /// The least load factor over all losses of up to `maximum` members.
 struct LossParameters {
@@ -42,7 +42,7 @@ struct LimitParameters {
   /// after its tree. All other methods always prove them.
   bool evidence = false;
   /// Minimum number of uncertain loads for static cuts by operator splitting.
-  int split_from = usual_split_from;
+  int split_from = default_split_from;
   /// Number of random dead loads for comparison; `fixed` and `disjunctive` start from the best of
   /// them.
   std::uint64_t samples = 0;

@@ -65,12 +65,12 @@ struct LoadCurve {
 
 /// Relative width of the bracket of the end of a curve: the simplex method accepts forces with
 /// equilibrium errors of 1e-9 of a yield force.
-inline constexpr double usual_end_width = 1e-7;
+inline constexpr double default_end_width = 1e-7;
 
 /// The curve from 0 to `end`, or to its own end.
 /// @param sample the curve at a place, which is not called for the same place twice in succession
 /// @param tolerance for equal factors
 LoadCurve concave_curve(const std::function<CurveSample(double)>& sample, double end,
-                        double tolerance, double end_width = usual_end_width);
+                        double tolerance, double end_width = default_end_width);
 
 }  // namespace kusabi::limit

@@ -75,8 +75,8 @@ struct Worst {
 
 /// Result of a descent.
 struct Descent {
-  /// undetermined: the simplex method failed on the first load; not_carried: some load has no
-  /// factor
+  /// undetermined: the simplex method failed on the first load.
+  /// not_carried: some load has no factor.
   LoadStatus status = LoadStatus::undetermined;
   Worst worst;                          ///< of `collapses`
   Eigen::VectorXd overpowering_load;    ///< of `not_carried`: zeta

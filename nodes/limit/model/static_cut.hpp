@@ -54,7 +54,7 @@ class StaticPricing {
   std::optional<StaticCut> cut(int column);
 
   /// True if the run is to stop.
-  [[nodiscard]] bool stopped() const { return support::asked(stop_); }
+  [[nodiscard]] bool stopped() const { return support::is_requested(stop_); }
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 

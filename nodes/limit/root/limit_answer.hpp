@@ -51,8 +51,8 @@ struct LimitZeroOne {
   std::uint64_t cut_programs = 0;                                 ///< (51)
   std::uint64_t cuts = 0;                                         ///< disjunctive ones kept
   std::uint64_t root_programs = 0;  ///< other linear programs before the tree
-  std::uint64_t nodes = 0;          ///< of Algorithm 4.2; depends on the number of ranks, as do
-  std::uint64_t programs = 0;       ///< its linear programs
+  std::uint64_t nodes = 0;          ///< of Algorithm 4.2; depends on the number of ranks
+  std::uint64_t programs = 0;  ///< linear programs of Algorithm 4.2; depends on the number of ranks
 };
 
 /// Result on the worst case.
@@ -70,8 +70,9 @@ struct LimitWorstCase {
   std::optional<LimitCollapse> collapse;
   Eigen::VectorXd overpowering_motion;  ///< of not_carried: its proof, n^d; may be empty
   std::uint64_t cuts = 0;               ///< static ones
-  std::uint64_t nodes = 1;              ///< of the tree of signs, and
-  std::uint64_t tree_programs = 0;      ///< its linear programs; both depend on the number of ranks
+  std::uint64_t nodes = 1;              ///< of the tree of signs; depends on the number of ranks
+  /// Linear programs of the tree of signs; depends on the number of ranks.
+  std::uint64_t tree_programs = 0;
   WorstCaseCounts counts;
   engine::Status search = engine::Status::solved;  ///< reason of an early end
 };
@@ -89,7 +90,7 @@ struct LimitAnswer {
   // Requested curves over beta; nothing: the run was stopped, or there is no worst case.
   std::optional<LoadCurve> curve;        ///< lambda*(f_D + beta T zeta), zeta the critical one
   std::optional<LoadCurve> worst_curve;  ///< lambda_min(beta alpha), proved
-  std::optional<LoadCurve> load_curve;   ///< lambda*(f_D + beta g), g a load of one's own
+  std::optional<LoadCurve> load_curve;   ///< lambda*(f_D + beta g), g the load of --curve-load
   /// Reason of an early end of the other results (nominal factor, samples, curves).
   engine::Status rest = engine::Status::solved;
 

@@ -87,19 +87,19 @@ Master::Master(const problems::LimitModel& model, double alpha, support::Stop st
     : model_(model),
       alpha_(alpha),
       stop_(std::move(stop)),
-      room_(Eigen::VectorXd::Zero(model.member_count())),
+      reduction_(Eigen::VectorXd::Zero(model.member_count())),
       signs_(model.uncertain.size(), 0),
       along_(motions_along(model, first_motion_along(model))),
       simplex_(relaxation(model, alpha)),
       first_cut_row_(simplex_.rows()) {}
 
-void Master::leave_room(const Eigen::VectorXd& room) {
-  if (room == room_) return;
-  room_ = room;
+void Master::reduce_yield_forces(const Eigen::VectorXd& reduction) {
+  if (reduction == reduction_) return;
+  reduction_ = reduction;
   for (int i = 0; i < model_.member_count(); ++i) {
     const int column = model_.free_count() + i;
-    simplex_.set_cost(column, model_.tension(i) - room_(i));
-    simplex_.set_cost(column + model_.member_count(), model_.compression(i) - room_(i));
+    simplex_.set_cost(column, model_.tension(i) - reduction_(i));
+    simplex_.set_cost(column + model_.member_count(), model_.compression(i) - reduction_(i));
   }
 }
 
@@ -114,7 +114,7 @@ std::vector<int> Master::members_without_choice() const {
     const double maximum =
         std::max(simplex_.value(column), simplex_.value(column + model_.member_count()));
     to_the_end = to_the_end || maximum >= far;
-    if (room_(i) != 0 && maximum >= along) members.push_back(i);
+    if (reduction_(i) != 0 && maximum >= along) members.push_back(i);
   }
   if (!to_the_end) members.clear();
   return members;
@@ -122,13 +122,13 @@ std::vector<int> Master::members_without_choice() const {
 
 // True if the optimal dual, within the tolerances of the simplex method, keeps at least half of the
 // margin of each member, and gives the cuts of each column their share.
-bool Master::has_room(double share) const {
+bool Master::has_margin(double share) const {
   constexpr double kept = 0.5;
   for (int i = 0; i < model_.member_count(); ++i) {
-    if (room_(i) == 0) continue;
+    if (reduction_(i) == 0) continue;
     for (const int side : {0, model_.member_count()}) {
       const double slack = simplex_.reduced_cost(model_.free_count() + side + i);
-      if (slack < -kept * room_(i)) return false;
+      if (slack < -kept * reduction_(i)) return false;
     }
   }
   // A too small share is scaled, at the expense of the members.
@@ -141,16 +141,17 @@ bool Master::has_room(double share) const {
   return true;
 }
 
-bool Master::make_room(double first, bool for_all) {
+bool Master::solve_with_margin(double first, bool for_all) {
   const double maximum = std::max(2e-7, first);
   Eigen::VectorXd has_choice = Eigen::VectorXd::Ones(model_.member_count());
   for (double share = first; share <= maximum;) {
-    leave_room(share * has_choice);  // forces are of the order of one, or of their yield force
+    // Forces are of the order of one, or of their yield force.
+    reduce_yield_forces(share * has_choice);
     if (solve() != linear::LinearStatus::optimal) return false;
     const auto without = for_all ? std::vector<int>() : members_without_choice();
     for (const int member : without) has_choice(member) = 0;
     if (!without.empty()) continue;
-    if (has_room(share)) return true;
+    if (has_margin(share)) return true;
     share *= 10;
   }
   return true;  // decided by the exact proof
@@ -177,7 +178,7 @@ void Master::drop_cuts_from(std::size_t first) {
 }
 
 void Master::decide(const Signs& signs) {
-  leave_room(Eigen::VectorXd::Zero(model_.member_count()));
+  reduce_yield_forces(Eigen::VectorXd::Zero(model_.member_count()));
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const auto at = static_cast<std::size_t>(j);
     if (signs[at] == signs_[at]) continue;

@@ -9,9 +9,11 @@
 //
 // Its dual is a static statement, which proves the bound without the simplex method: forces q and a
 // factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
-//   -q^c + sum_c mu_c |y_c| <= q <= q^t - sum_c mu_c |y_c|,   sum of mu_c over the cuts of j =
-//   alpha weight_j,
-// give lambda - sum_c mu_c |k_c|.
+//
+//   -q^c + s <= q <= q^t - s,   s = sum_c mu_c |y_c|,
+//   sum of mu_c over the cuts of j = alpha weight_j.
+//
+// The bound is lambda - sum_c mu_c |k_c|.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +54,7 @@ class Master {
   void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
   /// Reduces the yield forces by this, n^m; decide() removes the reduction.
-  void leave_room(const Eigen::VectorXd& room);
+  void reduce_yield_forces(const Eigen::VectorXd& reduction);
 
   /// After an optimal solve(): solves again with yield forces reduced by `first`, by ten times that
   /// and so on, until the proof holds for the actual ones with a margin for rounding. The bound
@@ -60,7 +62,7 @@ class Master {
   /// are not reduced.
   /// @param for_all those as well: they are identified by the size of motions, which may be wrong
   /// @return false if the simplex method fails
-  bool make_room(double first, bool for_all = false);
+  bool solve_with_margin(double first, bool for_all = false);
 
   /// Adds q^y'(c+ + c-) <= maximum, which keeps the first points near relevant motions while there
   /// are too few cuts. Infinity: no limit. The optimum is a bound only if the limit is not active.
@@ -95,7 +97,7 @@ class Master {
 
  private:
   [[nodiscard]] std::vector<int> members_without_choice() const;
-  [[nodiscard]] bool has_room(double share) const;
+  [[nodiscard]] bool has_margin(double share) const;
   [[nodiscard]] int dissipation_row() const { return model_.member_count() + 1; }
   [[nodiscard]] int first_cut_row() const { return first_cut_row_; }
   [[nodiscard]] int gamma_column(int j) const {
@@ -105,7 +107,7 @@ class Master {
   const problems::LimitModel& model_;
   double alpha_;
   support::Stop stop_;
-  Eigen::VectorXd room_;  // n^m
+  Eigen::VectorXd reduction_;  // n^m
   Signs signs_;
   std::vector<int> along_;  // the variable d_j'u, by column of T
   linear::Simplex simplex_;

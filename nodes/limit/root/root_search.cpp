@@ -57,7 +57,7 @@ LoadStatus RootSearch::set_up(problems::LimitModel model) {
   return status;
 }
 
-void RootSearch::settle_for(double alpha) {
+void RootSearch::choose_units(double alpha) {
   double load = 0;
   for (const auto& column : problem_.uncertain) load = std::max(load, alpha * column.largest());
   const double before = model().force_unit;
@@ -143,10 +143,10 @@ RootResult RootSearch::solve(double alpha) {
 RootResult RootSearch::solve_balanced(double alpha) {
   RootResult result = solve(scaled(alpha));
   for (int time = 0; time < max_balances; ++time) {
-    const bool doubtful = result.status == RootStatus::open ||
-                          result.status == RootStatus::unbounded ||
-                          result.status == RootStatus::failed;
-    if (!doubtful || !result.worst) break;
+    const bool undecided = result.status == RootStatus::open ||
+                           result.status == RootStatus::unbounded ||
+                           result.status == RootStatus::failed;
+    if (!undecided || !result.worst) break;
     const double size = dissipation(problem_, model(), result.worst->collapse.motion);
     if (!is_out_of_balance(size)) break;
     if (set_up(rebalanced(problem_, model(), size, alpha)) != LoadStatus::collapses) break;

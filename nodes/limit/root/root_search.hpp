@@ -24,7 +24,7 @@ class RootSearch {
   /// @pre both outlive this object. Every rank makes the same calls.
   /// @param split_from as in LimitParameters
   RootSearch(engine::Analysis& analysis, const problems::LimitProblem& problem,
-             int split_from = usual_split_from)
+             int split_from = default_split_from)
       : analysis_(analysis), problem_(problem), split_from_(split_from) {}
 
   /// Solves the nominal load in a model, which is used from then on.
@@ -32,9 +32,9 @@ class RootSearch {
   /// True if the result of the last set_up() was `collapses`, which the other functions require.
   [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
 
-  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them. @param
-  /// alpha in the unit of force
-  void settle_for(double alpha);
+  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them.
+  /// @param alpha in the unit of force
+  void choose_units(double alpha);
 
   /// Splitting ends at a load with a factor below this, since only the upper bound matters then.
   void set_enough(double factor) { enough_ = factor; }

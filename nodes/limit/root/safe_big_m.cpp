@@ -12,7 +12,7 @@ std::optional<Eigen::VectorXd> safe_big_m(engine::Analysis& analysis,
   const bool collapses = search.set_up(problems::limit_model(problem)) == LoadStatus::collapses ||
                          search.set_up(balanced_model(problem, 0)) == LoadStatus::collapses;
   if (!collapses) return std::nullopt;
-  search.settle_for(alpha);
+  search.choose_units(alpha);
   const auto root = search.solve_balanced(alpha);
   if (!root.worst) return std::nullopt;
   const auto& model = search.model();

@@ -26,17 +26,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using problems::LimitModel;
 
-/// Steps between two evaluations of the motion and the bound: the first motions lead to different
-/// collapses. Steps between two polls for a stop.
+/// Steps between two evaluations of the motion and the bound.
 constexpr int steps_per_evaluation = 50;
+/// The same during the first `first_steps` steps, whose motions lead to different collapses.
 constexpr int first_steps_per_evaluation = 10;
 constexpr int first_steps = 50;
+/// Steps between two polls for a stop.
 constexpr int steps_per_poll = 10;
 
-/// Random motions near the known collapse from which a worse one is searched: at the beginning and
-/// after a face that is not the worst case's, and at each evaluation. Their sizes, relative to the
-/// largest displacement, are this and nine larger ones by this factor each.
+/// Number of random motions near the known collapse from which a worse one is searched, at the
+/// beginning and after a face that is not the worst case's.
 constexpr int first_tries = 10;
+/// Ten sizes of such a motion, relative to the largest displacement: the smallest is
+/// min_disturbance, each further one larger by disturbance_ratio.
 constexpr double min_disturbance = 0.005;
 constexpr double disturbance_ratio = 1.45;
 
@@ -110,7 +112,7 @@ class SplitRoot {
   void bound(const splitting::ColumnBlocks& y);
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
-  [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
+  [[nodiscard]] bool stopped() const { return support::is_requested(control_.stop); }
   [[nodiscard]] bool is_low_enough() const {
     return result_.worst->collapse.factor < control_.enough;
   }
@@ -166,12 +168,12 @@ bool SplitRoot::try_disturbed(int times) {
 // Share of the best certificate so far in a combination with the new one, such that no member
 // exceeds its yield force; 1: no other is possible.
 double SplitRoot::share_of_best(const std::vector<double>& taken) const {
-  constexpr double room = 2e-9;  // remaining margin for a proof, if possible
+  constexpr double margin = 2e-9;  // remaining margin for a proof, if possible
   double share = 0;
   for (int i = 0; i < program_.members(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     double maximum = program_.capacity(i);
-    if (best_ && best_taken_[at] < maximum - room) maximum -= room;
+    if (best_ && best_taken_[at] < maximum - margin) maximum -= margin;
     if (taken[at] <= maximum) continue;
     if (!best_) return 1;
     share = std::max(share, std::min(1.0, (taken[at] - maximum) / (taken[at] - best_taken_[at])));

@@ -57,7 +57,7 @@ class Rounds {
   bool cut_off(const Relaxed& point);
   bool remove_dissipation_limit();
   void bound_at_the_end();
-  [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
+  [[nodiscard]] bool stopped() const { return support::is_requested(control_.stop); }
   RootStatus rounds();
 
   const LimitModel& model_;
@@ -132,7 +132,7 @@ void Rounds::bound_at_the_end() {
   master_.limit_dissipation(linear::infinity);
   if (master_.solve() != LinearStatus::optimal || master_.box_is_active()) return;
   result_.lower = master_.objective();
-  if (master_.make_room(first_room)) result_.proof = master_.proof();
+  if (master_.solve_with_margin(first_room)) result_.proof = master_.proof();
 }
 
 RootStatus Rounds::rounds() {
@@ -177,7 +177,7 @@ RootResult Rounds::run(const Collapse& nominal) {
     case RootStatus::closed:
       // At the box of the relaxation the bound is that of the box.
       if (master_.box_is_active()) result_.status = RootStatus::unbounded;
-      if (master_.make_room(first_room)) result_.proof = master_.proof();
+      if (master_.solve_with_margin(first_room)) result_.proof = master_.proof();
       if (stopped()) result_.status = RootStatus::stopped;
       result_.basis = master_.basis();
       break;
@@ -257,14 +257,15 @@ std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha
                                            double share, bool for_all) {
   const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
   // The master program is too large for such problems and has weaker proofs.
-  if (!decided && model.uncertain_count() >= usual_split_from && is_one_for_each(cuts, model)) {
+  if (!decided && model.uncertain_count() >= default_split_from && is_one_for_each(cuts, model)) {
     splitting::SafeStates states(model);
     return proof_of_fixed_shares(states, model, alpha, cuts, share, for_all);
   }
   Master master(model, alpha);
   for (const auto& cut : cuts) master.add(cut);
   master.decide(signs);
-  if (master.solve() != LinearStatus::optimal || !master.make_room(share, for_all)) return {};
+  if (master.solve() != LinearStatus::optimal || !master.solve_with_margin(share, for_all))
+    return {};
   return master.proof();
 }
 

@@ -35,8 +35,8 @@ verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
                            evidence.cuts, nodes);
 }
 
-// Replaces the proof of a node by one with a larger margin, if its bound is better. @return the
-// proved bound
+// Replaces the proof of a node by one with a larger margin, if its bound is better.
+// @return the proved bound
 double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& truss,
                       ClosedNode& node, double shown, double wanted) {
   auto cuts = evidence.cuts;

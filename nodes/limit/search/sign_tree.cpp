@@ -117,7 +117,7 @@ double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& 
 void SignTree::close(const Signs& signs) {
   ++tally_.closed;
   if (!keep_evidence_) return;
-  if (master_.make_room(first_room)) {
+  if (master_.solve_with_margin(first_room)) {
     tally_.evidence.push_back(closed_node(master_.proof(), own_cuts_));
   } else {
     tally_.evidence.push_back({signs, 0, {}, {}, {}, own_cuts_});
@@ -144,7 +144,7 @@ void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out
 void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   const auto found = bounded(node);
   // A stopped search keeps the node, since its bound is incomplete.
-  if (support::asked(stop_)) {
+  if (support::is_requested(stop_)) {
     out.branch(std::move(node));
     return;
   }

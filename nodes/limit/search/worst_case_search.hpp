@@ -33,8 +33,10 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha);
 /// One worst case. Every rank makes the same calls.
 class WorstCaseSearch {
  public:
-  /// @pre all but `start` outlive this object. @param truss for the proofs @param start initial
-  /// point of (29) @pre parameters.alpha
+  /// @pre all but `start` outlive this object.
+  /// @param truss for the proofs
+  /// @param start initial point of (29)
+  /// @pre parameters.alpha
   WorstCaseSearch(RootSearch& search, const LimitParameters& parameters,
                   const verify::Structure& truss, std::optional<ZeroOneStart> start = {})
       : search_(search), parameters_(parameters), truss_(truss), start_(std::move(start)) {}

@@ -31,8 +31,10 @@ class BoundRecord {
   virtual void end(std::span<const ProvedBound> bounds, BoundClaim claim, bool holds) = 0;
 };
 
-/// Begins a record, on every rank alike. @param factor the friction coefficient @param friction
-/// that of each candidate @return null: this bound is not recorded
+/// Begins a record, on every rank alike.
+/// @param factor the friction coefficient
+/// @param friction that of each candidate
+/// @return null: this bound is not recorded
 using BoundRecorder = std::function<std::unique_ptr<BoundRecord>(BracketSide side, double factor,
                                                                  std::span<const double> friction)>;
 

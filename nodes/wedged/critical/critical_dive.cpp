@@ -57,9 +57,9 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
   const auto maximum = std::min<std::uint64_t>(
       dive_nodes_per_candidate * problem.contact_names.size(), analysis.budget().left().nodes);
   std::vector<SignPatternTree::Node> open{tree.root()};
-  bool doubtful = false;
+  bool undecided = false;
   try {
-    while (!open.empty() && result.opened < maximum && !support::asked(stop)) {
+    while (!open.empty() && result.opened < maximum && !support::is_requested(stop)) {
       const auto node = open.back();
       open.pop_back();
       auto decision = tree.decide(node);
@@ -71,14 +71,14 @@ void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, st
       if (decision.leaf) {
         if (decision.leaf->is_cone()) locate(problem, *decision.leaf, multiple, grid, stop, result);
         if (std::isfinite(result.feasible)) return;
-        doubtful = true;
+        undecided = true;
       }
       open.insert(open.end(), decision.children.rbegin(), decision.children.rend());
     }
   } catch (const support::Stopped&) {
     return;
   }
-  result.all_infeasible = open.empty() && !doubtful;
+  result.all_infeasible = open.empty() && !undecided;
 }
 
 }  // namespace

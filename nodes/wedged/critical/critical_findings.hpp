@@ -118,8 +118,8 @@ struct CriticalFindings {
   /// upper bound, first the one that proves it, and all if requested.
   std::vector<CriticalEntry> patterns;
   double lower = 0;  ///< no leaf is feasible at this coefficient or below
-  std::optional<double>
-      upper;  ///< a leaf is feasible at this coefficient; nothing: none up to the largest
+  /// A leaf is feasible at this coefficient; nothing: none up to the largest.
+  std::optional<double> upper;
   bool lower_proved = false;    ///< every sign pattern was proved infeasible at `lower`
   bool upper_proved = false;    ///< a solid cone was proved feasible at `upper`
   bool exact = false;           ///< proved in exact arithmetic; otherwise by the solver's bounds

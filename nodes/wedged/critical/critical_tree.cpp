@@ -67,7 +67,7 @@ void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) 
     }
     if (const auto known = one_sided(free, bounds)) return split(node, *known, out);
   }
-  const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(maximum_)));
+  const auto bound = bound_of(block, node, std::min(out.cutoff(), block.critical.at(maximum_)));
   if (!bound) {
     ++tally_.infeasible;
     return;
@@ -85,7 +85,7 @@ void CriticalTree::split(const Node& node, int candidate, engine::Expansion<Crit
   out.branch({{node.place.block, {contact, separated | own, {}}}, node.bound});
 }
 
-std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {
+std::optional<double> CriticalTree::bound_of(Block& block, const Node& node, double cutoff) const {
   // Nodes infeasible at the lower bound of the best cell cannot improve the bracket.
   const double maximum = block.critical.at(maximum_);
   const double lowest = cutoff < maximum ? cutoff - grid_.width() : maximum;
@@ -110,8 +110,8 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
     return;
   }
   if (cell.feasible == CriticalCell::nowhere || cell.feasible - cell.infeasible > 1) {
-    ++tally_.doubtful;
-    tally_.doubt += {critical.at(cell.infeasible)};
+    ++tally_.undecided;
+    tally_.undecided_from += {critical.at(cell.infeasible)};
   }
   if (cell.feasible == CriticalCell::nowhere) return;
   ++tally_.leaves;

@@ -63,15 +63,17 @@ class CriticalTree {
     std::uint64_t branched = 0;
     std::uint64_t infeasible = 0;  ///< proved infeasible up to the upper limit
     std::uint64_t leaves = 0;      ///< patterns with a bracketed critical coefficient
-    std::uint64_t doubtful = 0;  ///< leaves with a cell wider than the width or without upper bound
+    /// Leaves with a cell wider than the width or without upper bound.
+    std::uint64_t undecided = 0;
     /// The least coefficient from which on an undecided leaf is not known to be infeasible.
-    engine::Least doubt;
+    engine::Least undecided_from;
     std::uint64_t programs = 0;  ///< cone programs solved
 
     static constexpr auto fields() {
-      return std::tuple{field("branched", &Tally::branched), field("dead", &Tally::infeasible),
-                        field("leaves", &Tally::leaves),     field("doubtful", &Tally::doubtful),
-                        field("doubt", &Tally::doubt),       field("programs", &Tally::programs)};
+      return std::tuple{
+          field("branched", &Tally::branched),    field("dead", &Tally::infeasible),
+          field("leaves", &Tally::leaves),        field("doubtful", &Tally::undecided),
+          field("doubt", &Tally::undecided_from), field("programs", &Tally::programs)};
     }
   };
 
@@ -109,7 +111,7 @@ class CriticalTree {
 
   void open(const Node& node, engine::Expansion<CriticalTree>& out);
   /// The coefficient below which the node is infeasible; nothing if it is not worth branching.
-  std::optional<double> worth(Block& block, const Node& node, double cutoff) const;
+  std::optional<double> bound_of(Block& block, const Node& node, double cutoff) const;
   void split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out);
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
 

@@ -40,7 +40,7 @@ SmallestCoefficient smallest_coefficient(const engine::OutcomeOf<CriticalTree>& 
     smallest.leaf = leaf;
   }
   // Every schedule opens the undecided leaves below the upper bound, so the result is the same.
-  smallest.lower = std::min(smallest.lower, outcome.tally().doubt.value);
+  smallest.lower = std::min(smallest.lower, outcome.tally().undecided_from.value);
   return smallest;
 }
 

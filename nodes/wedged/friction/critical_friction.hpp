@@ -25,8 +25,8 @@ namespace kusabi::wedged {
 struct FrictionProbe {
   conic::Sign sign = conic::Sign::unproved;  ///< at the requested coefficient
   bool degenerate = false;  ///< if undecided: the bracket of t* is within the tolerance
-  double infeasible_below =
-      0;  ///< infeasible for every smaller coefficient, by the multipliers; 0: none
+  /// Infeasible for every smaller coefficient, by the multipliers; 0: none.
+  double infeasible_below = 0;
   double feasible_from = 0;  ///< feasible from here on, by the configuration; infinity: nowhere
   double newton = 0;         ///< zero of the tangent of t*; infinity if there is none
   double margin = 0;         ///< the middle of the bracket of t*
@@ -131,8 +131,9 @@ class CriticalFriction {
   CriticalCell feasible_from(const SignPattern& pattern, CriticalCell cell, std::int64_t maximum);
 
   /// A coefficient below which the node, and so all nodes below it, is proved infeasible; nearly
-  /// the largest such. @param from known bound @param cutoff the search for a larger bound ends
-  /// here
+  /// the largest such.
+  /// @param from known bound
+  /// @param cutoff the search for a larger bound ends here
   double bound(const SignPattern& node, double from, double cutoff);
 
   /// A coefficient below which the node is proved infeasible, by one program: `factor` if it is

@@ -29,8 +29,9 @@ class MarginCurve {
   /// The least coefficient of a degenerate point; infinity: none.
   [[nodiscard]] double min_degenerate() const { return min_degenerate_; }
 
-  /// The next estimate, in [floor, top). @param floor t* is negative there  @param top t* is not
-  /// negative there; infinity: no such coefficient is known
+  /// The next estimate, in [floor, top).
+  /// @param floor t* is negative there
+  /// @param top t* is not negative there; infinity: no such coefficient is known
   [[nodiscard]] Estimate next(double floor, double top) const;
 
  private:

@@ -26,11 +26,11 @@ double min_of_factors(const problems::WedgedProblem& problem) {
 // Takes a state of a tree at a coefficient as the upper bound: a proved one, or one at a limit.
 // False if it has none.
 bool BlockHold::take_upper(HoldingFriction& found, const HoldOutcome& outcome, double mu) {
-  const bool proved = !outcome.leaf.empty();
+  const bool proved = !outcome.leaves.empty();
   if (!proved && outcome.tally.limits.empty()) return false;
   found.upper = mu;
   found.upper_proved = proved;
-  found.pattern = (proved ? outcome.leaf.front() : outcome.tally.limits.front()).pattern;
+  found.pattern = (proved ? outcome.leaves.front() : outcome.tally.limits.front()).pattern;
   return true;
 }
 
@@ -57,7 +57,7 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
       return true;
     }
     const bool last = step == steps_below.back();
-    if (!outcome.leaf.empty() || (last && !outcome.tally.limits.empty())) {
+    if (!outcome.leaves.empty() || (last && !outcome.tally.limits.empty())) {
       found = before;
       return !take_upper(found, outcome, mu);
     }
@@ -85,7 +85,7 @@ void BlockHold::narrow(HoldingFriction& found) {
     const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return;
-    const bool is_open = proved && outcome.leaf.empty() && !outcome.is_infeasible();
+    const bool is_open = proved && outcome.leaves.empty() && !outcome.is_infeasible();
     if (is_open) {
       if (!below || open == *found.upper) last_open = mu;
       if (below) open = mu;

@@ -51,10 +51,10 @@ HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, doub
 
 bool BlockHold::wedges(double mu) {
   const auto outcome = search({}, mu, 0, 0);
-  if (outcome.leaf.empty() ||
-      !resists_all(block_.problem, outcome.leaf.front().pattern.contact, mu))
+  if (outcome.leaves.empty() ||
+      !resists_all(block_.problem, outcome.leaves.front().pattern.contact, mu))
     return false;
-  wedged_ = outcome.leaf.front().pattern;
+  wedged_ = outcome.leaves.front().pattern;
   return true;
 }
 
@@ -66,12 +66,12 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     const LoadShare share{0, static_cast<double>(direction)};
     const auto outcome = search(std::array{share}, mu, direction < 0 ? -unbounded_end : 0,
                                 direction < 0 ? 0 : unbounded_end);
-    for (const auto& leaf : outcome.leaf)
+    for (const auto& leaf : outcome.leaves)
       pieces_.push_back(
           {leaf.pattern, direction < 0 ? -unbounded_end : 0, direction < 0 ? 0 : unbounded_end, 0});
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
-    const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
-    const bool held = !outcome.leaf.empty() || at_limit;
+    const bool at_limit = outcome.leaves.empty() && !outcome.tally.limits.empty();
+    const bool held = !outcome.leaves.empty() || at_limit;
     if (at_limit) all.proved = false;
     if (!held && !outcome.is_infeasible()) found.proved = false;
     if (!held && outcome.is_unresolved()) found.unresolved = true;
@@ -79,7 +79,7 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     if (!held) continue;
     (direction < 0 ? all.low : all.high) = direction * unbounded_end;
     (direction < 0 ? all.low_out : all.high_out) = direction * unbounded_end;
-    all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
+    all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
   }
   found.intervals.push_back(all);
   return found;
@@ -132,8 +132,8 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
       for (const FactorRange& each : unknown) empty_ranges.push_back({each.low, each.high, false});
       return;
     }
-    if (!outcome.leaf.empty()) {
-      take(outcome.leaf.front(), low, high, Standard::proved, found, unknown, mu);
+    if (!outcome.leaves.empty()) {
+      take(outcome.leaves.front(), low, high, Standard::proved, found, unknown, mu);
       if (unknown.empty() || !(unknown.back() == FactorRange{low, high, true})) continue;
       found.unresolved = true;
     } else if (take_limits(outcome.tally.limits, low, high, found, unknown, mu)) {
@@ -227,16 +227,16 @@ HeldFactors BlockHold::dead_alone(double mu) {
   HeldFactors found;
   const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
   found.status = outcome.status;
-  const bool at_limit = outcome.leaf.empty() && !outcome.tally.limits.empty();
-  if (outcome.leaf.empty() && !at_limit) {
+  const bool at_limit = outcome.leaves.empty() && !outcome.tally.limits.empty();
+  if (outcome.leaves.empty() && !at_limit) {
     found.proved = outcome.is_infeasible();
     found.unresolved = outcome.is_unresolved();
     return found;
   }
-  if (!at_limit) pieces_.push_back({outcome.leaf.front().pattern, 0, 0, 0});
+  if (!at_limit) pieces_.push_back({outcome.leaves.front().pattern, 0, 0, 0});
   HeldInterval all{-unbounded_end, -unbounded_end, unbounded_end, unbounded_end};
   all.proved = !at_limit;
-  all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaf.front()).pattern;
+  all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
   all.state = state(all.pattern, 0, mu);
   found.intervals.push_back(all);
   return found;

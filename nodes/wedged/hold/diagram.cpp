@@ -73,7 +73,7 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
       found.unresolved = found.unresolved || outcome.tally.undecided > 0 || at_limit;
       found.proved = found.proved && outcome.tally.undecided + outcome.tally.computed == 0 &&
                      outcome.tally.limits.empty();
-      for (const auto& leaf : outcome.leaf) {
+      for (const auto& leaf : outcome.leaves) {
         const bool known = std::ranges::any_of(
             all, [&](const Begin& each) { return each.pattern == leaf.pattern; });
         if (known) continue;

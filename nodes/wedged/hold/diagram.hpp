@@ -22,8 +22,11 @@ struct Diagram {
   std::vector<HoldCost> costs{};
 };
 
-/// Every rank makes the same call and gets the same result.
+/// Pairs of factors of both reference loads that are held at one coefficient. Every rank makes the
+/// same call and gets the same result. At a limit `status` names it, and the result has what is
+/// known.
 /// @param loaded with two reference loads
+/// @param mu friction coefficient, which multiplies the own one of each candidate
 Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                    Precision precision = Precision::escalating);
 

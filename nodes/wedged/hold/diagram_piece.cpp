@@ -173,8 +173,8 @@ Polygon PieceSearch::sampled() {
 }
 
 // The part of the enclosing polygon that is held, with further half-planes where it is smaller.
-// @param sample of a few directions, for a half-plane or a strip @param fine set: nothing is
-// missing
+// @param sample of a few directions, for a half-plane or a strip
+// @param fine set: nothing is missing
 Polygon PieceSearch::held_part(const Polygon& sample, bool& fine) {
   fine = true;
   const auto outer = intersection(planes_);

@@ -148,9 +148,9 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
         end.out_proved = false;
         return end;
       }
-      if (!outcome.leaf.empty()) {
+      if (!outcome.leaves.empty()) {
         end.held = out;
-        end.pattern = outcome.leaf.front().pattern;
+        end.pattern = outcome.leaves.front().pattern;
         again = true;
         break;
       }
@@ -175,9 +175,9 @@ std::optional<GripOfBlock> BlockGrip::range() {
   const auto wedged = search({}, {});
   // A wedged pattern whose contacts resist all modes has a state. Without a dead load its
   // configurations are states.
-  own.maximum.unbounded = !wedged.leaf.empty() &&
+  own.maximum.unbounded = !wedged.leaves.empty() &&
                           (!is_under_dead(block_) ||
-                           resists_all(block_.problem, wedged.leaf.front().pattern.contact, mu_));
+                           resists_all(block_.problem, wedged.leaves.front().pattern.contact, mu_));
   const bool known = own.maximum.unbounded || wedged.is_infeasible();
   own.maximum.out_proved = known;
   if (!is_under_dead(block_)) {
@@ -186,14 +186,14 @@ std::optional<GripOfBlock> BlockGrip::range() {
   }
   const auto first = search(std::array{dead_load}, {});
   if (first.is_infeasible()) return {};
-  if (first.leaf.empty()) {  // degenerate states, if any: no bound but zero
+  if (first.leaves.empty()) {  // degenerate states, if any: no bound but zero
     if (!own.maximum.unbounded) own.maximum = unknown_end;
     own.minimum.held_proved = false;
     return own;
   }
-  own.minimum = end(Kind::below, first.leaf.front());
+  own.minimum = end(Kind::below, first.leaves.front());
   if (own.maximum.unbounded) return own;
-  own.maximum = end(Kind::above, first.leaf.front());
+  own.maximum = end(Kind::above, first.leaves.front());
   // With wedged configurations an end that is not proved may be that of a pattern only.
   if (!known && !own.maximum.unbounded && !own.maximum.out_proved) own.maximum = unknown_end;
   return own;

@@ -39,7 +39,11 @@ struct GripRange {
   std::vector<HoldCost> costs{};
 };
 
-/// Every rank makes the same call and gets the same result.
+/// Range of the sum of the normal reactions under the dead load at one coefficient. Every rank
+/// makes the same call and gets the same result. At a limit `status` names it, and the result has
+/// what is known.
+/// @param mu friction coefficient, which multiplies the own one of each candidate
+/// @param record of the certificate, or null
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                      const HoldParameters& parameters = {}, HoldRecord* record = nullptr);
 

@@ -13,10 +13,10 @@ namespace {
 HoldOutcome outcome_of(const engine::OutcomeOf<HoldTree>& outcome) {
   HoldOutcome result;
   result.status = outcome.status;
-  for (const auto& each : outcome.solutions) result.leaf.push_back(each.solution);
+  for (const auto& each : outcome.solutions) result.leaves.push_back(each.solution);
   result.tally = outcome.tally();
   result.opened = outcome.opened();
-  for (auto* const list : {&result.leaf, &result.tally.limits}) {
+  for (auto* const list : {&result.leaves, &result.tally.limits}) {
     std::ranges::sort(*list, {}, [](const auto& each) {
       return std::pair(each.pattern.contact, each.pattern.separated);
     });
@@ -55,7 +55,7 @@ HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std:
     return outcome_of(analysis.search_alone(tree, options));
   });
   analysis.count_nodes(outcome.opened);
-  if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;
+  if (!outcome.leaves.empty()) outcome.status = engine::Status::solved;
   return outcome;
 }
 
@@ -65,7 +65,7 @@ HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree, TreeEvidence*
   // A search with a journal may begin where an earlier run ended, whose evidence is lost.
   if (evidence != nullptr && !analysis.has_journal()) report_nodes(tree, *evidence);
   auto outcome = on_all_ranks(analysis, analysis.search(tree, options));
-  if (!outcome.leaf.empty()) outcome.status = engine::Status::solved;
+  if (!outcome.leaves.empty()) outcome.status = engine::Status::solved;
   return outcome;
 }
 

@@ -20,13 +20,13 @@ namespace kusabi::wedged {
 /// The outcome of one tree, on all ranks.
 struct HoldOutcome {
   engine::Status status = engine::Status::solved;
-  std::vector<LoadedLeaf> leaf{};  ///< with states that are proved; of first_leaf() at most one
+  std::vector<LoadedLeaf> leaves{};  ///< with states that are proved; of first_leaf() at most one
   HoldTally tally{};
   std::uint64_t opened = 0;
 
   /// True if there is no state below the root, proved.
   [[nodiscard]] bool is_infeasible() const {
-    return status == engine::Status::solved && leaf.empty() && tally.computed == 0 &&
+    return status == engine::Status::solved && leaves.empty() && tally.computed == 0 &&
            tally.of_other_leaves == 0 && tally.unresolved() == 0 && tally.limits.empty();
   }
 
@@ -37,7 +37,7 @@ struct HoldOutcome {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaf& tally& opened;
+    archive& status& leaves& tally& opened;
   }
 };
 

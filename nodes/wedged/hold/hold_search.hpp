@@ -88,12 +88,16 @@ struct HoldParameters {
   HoldRecorder recorder{};  ///< of certificates of a coefficient; empty: none
 };
 
-/// Every rank makes the same call and gets the same result.
+/// Load factors that are held at one coefficient, as intervals with their standing. Every rank
+/// makes the same call and gets the same result. At a limit `status` names it, and the result has
+/// what is known.
+/// @param mu friction coefficient, which multiplies the own one of each candidate
 /// @param record of the certificate, or null
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldParameters& parameters = {}, HoldRecord* record = nullptr);
 
-/// Every rank makes the same call and gets the same result.
+/// Bracket of the smallest coefficient at which the dead load is held. Every rank makes the same
+/// call and gets the same result. At a limit `status` names it, and the result has what is known.
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                                  const HoldParameters& parameters = {});
 

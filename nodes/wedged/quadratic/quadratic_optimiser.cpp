@@ -110,7 +110,7 @@ class Optimiser {
   void leave_diagonal(double best);
   void round(double weight);
 
-  [[nodiscard]] bool ended() const { return support::asked(stop_); }
+  [[nodiscard]] bool ended() const { return support::is_requested(stop_); }
   [[nodiscard]] int evaluations() const { return evaluations_; }
   /// 0 if it is not above a given one.
   [[nodiscard]] double factor(double above = 0) {

@@ -41,7 +41,7 @@ RayListTree::Node RayListTree::continued(const Node& list) {
   const auto steps =
       rays::resume(next, cone_, {.max_rays = longest_, .stop = interruption_.stop()});
   if (steps.stopped) throw support::Stopped();
-  tally_.effort += steps.effort;
+  tally_.cost += steps.cost;
   tally_.health += steps.health;
   return next;
 }

@@ -62,35 +62,35 @@ RayFindings searched(engine::Analysis& analysis, Tree tree) {
 
 // Common steps of all ranks until double description is complete, the run is stopped, or the list
 // is longer than `maximum`. Each rank ends its pieces by itself; rank 0 decides between the steps.
-rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& cone,
-                         rays::RayList& list, std::uint64_t maximum, RayTrial* trial) {
+rays::StepsResult steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& cone,
+                               rays::RayList& list, std::uint64_t maximum, RayTrial* trial) {
   auto& transport = analysis.transport();
-  rays::Conduct conduct{.max_rays = maximum, .stop = analysis.budget().stop()};
+  rays::EnumerationOptions options{.max_rays = maximum, .stop = analysis.budget().stop()};
   if (trial != nullptr) {
-    conduct.give_up = [&transport, trial](const rays::Effort& effort) {
-      return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
+    options.give_up = [&transport, trial](const rays::Cost& cost) {
+      return engine::from_first_rank(transport, [&] { return trial->succeeds(cost.pairs); });
     };
   }
   if (transport.size() > 1) {
-    conduct.share = [&](std::uint64_t count, const auto& piece) {
+    options.share = [&](std::uint64_t count, const auto& piece) {
       return engine::share_work<rays::NewRays>(transport, count, piece);
     };
-    conduct.agree = [&](bool own) {
+    options.agree = [&](bool own) {
       return engine::from_first_rank(transport, [&] { return own; });
     };
   }
-  return rays::resume(list, cone, conduct);
+  return rays::resume(list, cone, options);
 }
 
 // Divides a long list, and adds the costs of the previous steps.
 RayFindings by_parts(engine::Analysis& analysis, SignPatternTree tree,
                      const rays::ReactionCone& cone, rays::RayList list,
-                     const rays::Steps& before) {
+                     const rays::StepsResult& before) {
   analysis.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
   auto found = searched(analysis, RayListTree(std::move(tree), cone, std::move(list)));
   if (!analysis.is_first()) return found;
   found.health += before.health;
-  found.tree->ranks.front().tally.effort += before.effort;
+  found.tree->ranks.front().tally.cost += before.cost;
   return found;
 }
 
@@ -122,7 +122,7 @@ RayFindings by_double_description(engine::Analysis& analysis,
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   found.rays = std::move(list.zeros);
   found.health = steps.health;
-  found.effort = steps.effort;
+  found.cost = steps.cost;
   found.seconds = time.count();
   return found;
 }

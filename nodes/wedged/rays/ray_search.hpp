@@ -46,7 +46,7 @@ struct RayFindings {
   rays::Health health;                               ///< of the search
   RayMethod method = RayMethod::double_description;  ///< the chosen method
   std::optional<RayTreeReport> tree;                 ///< of a tree of either kind; nothing: no tree
-  rays::Effort effort;                               ///< of double description without a tree
+  rays::Cost cost;                                   ///< of double description without a tree
   double seconds = 0;  ///< duration of double description without a tree
 };
 

@@ -10,7 +10,7 @@ namespace kusabi::wedged {
 
 RayTally& RayTally::operator+=(const RayTally& other) {
   patterns += other.patterns;
-  effort += other.effort;
+  cost += other.cost;
   health += other.health;
   return *this;
 }
@@ -58,7 +58,7 @@ RayTree::Opened RayTree::open(const Node& node) {
   const auto leaf = RayLeaf::of(node, opened.decision);
   const auto found = rays::rays_of_pattern(cone_, leaf.in_contact, interruption_.stop());
   if (!found) throw support::Stopped();
-  tally_.effort += found->effort;
+  tally_.cost += found->cost;
   tally_.health += found->health;
   opened.own = {leaf.own(found->rays, cone_.all())};
   return opened;

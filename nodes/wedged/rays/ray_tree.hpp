@@ -37,14 +37,14 @@ struct PatternRays {
 /// Statistics of a rank.
 struct RayTally {
   SignPatternTally patterns;
-  rays::Effort effort;  ///< over all cones; the peak is the maximum
+  rays::Cost cost;  ///< over all cones; the peak is the maximum
   rays::Health health;
 
   RayTally& operator+=(const RayTally& other);
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& patterns& effort& health;
+    archive& patterns& cost& health;
   }
 };
 

@@ -37,7 +37,7 @@ double closed_before(const engine::Path& path) {
 
 std::uint64_t cost(const SignPatternTally& nodes, std::uint64_t opened) {
   const auto degenerate = nodes.flat + nodes.faces + nodes.marginal + nodes.undecided +
-                          nodes.doubtful + nodes.escalated;
+                          nodes.branched_undecided + nodes.escalated;
   return pairs_for_a_node * opened + pairs_for_a_degenerate_node * degenerate;
 }
 
@@ -116,12 +116,12 @@ bool RayTrial::enumerates(std::uint64_t worth) {
   for (; done_ < leaves_.size(); ++done_) {
     const RayLeaf& leaf = leaves_[done_];
     const auto maximum = std::min(worth, first_leaf * worth / leaves_.size() * (done_ + 1));
-    if (effort_.pairs > maximum || (stop_ && stop_())) return false;
+    if (cost_.pairs > maximum || (stop_ && stop_())) return false;
     if (!turns_) turns_.emplace(cone_, leaf.in_contact, stop_);
-    if (!turns_->resume(maximum - effort_.pairs)) return false;
+    if (!turns_->resume(maximum - cost_.pairs)) return false;
     const auto rays = std::move(*turns_).result();
     turns_.reset();
-    effort_ += rays.effort;
+    cost_ += rays.cost;
     found_.health += rays.health;
     const auto own = leaf.own(rays.rays, cone_.all());
     found_.rays.insert(found_.rays.end(), own.begin(), own.end());
@@ -131,8 +131,7 @@ bool RayTrial::enumerates(std::uint64_t worth) {
 
 RayFindings RayTrial::found() && {
   auto& tree = *found_.tree;
-  tree.ranks.front().tally = {
-      .patterns = tree.patterns, .effort = effort_, .health = found_.health};
+  tree.ranks.front().tally = {.patterns = tree.patterns, .cost = cost_, .health = found_.health};
   return std::move(found_);
 }
 

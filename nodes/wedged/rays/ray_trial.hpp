@@ -55,7 +55,7 @@ class RayTrial {
   RayFindings found_;                         // its tree is empty until all leaves are known
   std::vector<RayLeaf> leaves_;               // leaves not yet processed
   std::size_t done_ = 0;                      // leaves
-  rays::Effort effort_;                       // for these, and for the next one
+  rays::Cost cost_;                           // for these, and for the next one
   std::optional<rays::PatternRaysByTurns> turns_;
 };
 

@@ -48,8 +48,8 @@ enum class LargeDisplacements { left_out, counted };
 class EvidenceCheck {
  public:
   /// Proves that K is positive definite up to rigid-body modes.
-  /// @param friction of each candidate  @param bounds of candidates; the first one that is not
-  /// proved and all later ones are not used
+  /// @param friction of each candidate
+  /// @param bounds of candidates; the first one that is not proved and all later ones are not used
   EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedProblem& enclosed,
                 std::span<const double> friction, std::span<const ProvedBound> bounds = {},
                 LargeDisplacements large_displacements = LargeDisplacements::left_out);

@@ -18,13 +18,13 @@ class NodeInterruption {
  public:
   /// The condition for the solvers.
   [[nodiscard]] support::Stop stop() const {
-    return [asked = asked_] { return support::asked(*asked); };
+    return [asked = asked_] { return support::is_requested(*asked); };
   }
 
   void end_when(support::Stop stop) { *asked_ = std::move(stop); }
 
-  /// Does a node's work, during which the search is polled. @return nothing if the search is about
-  /// to end; the node is then put back
+  /// Does a node's work, during which the search is polled.
+  /// @return nothing if the search is about to end; the node is then put back
   template <class Tree, class Work>
   std::optional<std::invoke_result_t<Work>> within(engine::Expansion<Tree>& out,
                                                    const typename Tree::Node& node, Work work) {

@@ -22,20 +22,20 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
   std::uint64_t faces = 0;     ///< degenerate nodes closed: another node has all of their solutions
   std::uint64_t marginal = 0;  ///< leaves that are marginal
-  std::uint64_t undecided = 0;          ///< leaves that are undecided
-  std::uint64_t doubtful = 0;           ///< nodes branched although they are marginal or undecided
-  std::uint64_t escalated = 0;          ///< nodes solved at a higher precision level
-  std::uint64_t probed = 0;             ///< children solved for strong branching
-  std::uint64_t iterations = 0;         ///< interior-point iterations, over all nodes
-  std::uint64_t polyhedral_leaves = 0;  ///< leaves to test of Algorithm 5.8
-  std::vector<PolyhedralLeaf> tested;   ///< these leaves; not a count
-  std::vector<std::uint64_t> of_block;  ///< feasible leaves of each block; not a count
+  std::uint64_t undecided = 0;           ///< leaves that are undecided
+  std::uint64_t branched_undecided = 0;  ///< nodes branched although they are marginal or undecided
+  std::uint64_t escalated = 0;           ///< nodes solved at a higher precision level
+  std::uint64_t probed = 0;              ///< children solved for strong branching
+  std::uint64_t iterations = 0;          ///< interior-point iterations, over all nodes
+  std::uint64_t polyhedral_leaves = 0;   ///< leaves to test of Algorithm 5.8
+  std::vector<PolyhedralLeaf> tested;    ///< these leaves; not a count
+  std::vector<std::uint64_t> of_block;   ///< feasible leaves of each block; not a count
   /// Feasible leaves of largest margin if they are recorded elsewhere, at most `max_kept`.
   std::vector<Configuration> largest;
   std::uint64_t proved = 0;   ///< leaves proved feasible by the exact test
   std::uint64_t refused = 0;  ///< claims refused by it
-  std::uint64_t closed_unproved =
-      0;  ///< nodes closed as infeasible although the test refuses their evidence
+  /// Nodes closed as infeasible although the test refuses their evidence.
+  std::uint64_t closed_unproved = 0;
   std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
 
   SignPatternTally& operator+=(const SignPatternTally& other) {
@@ -75,7 +75,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
                       field("faces", &SignPatternTally::faces),
                       field("marginal_leaves", &SignPatternTally::marginal),
                       field("undecided_leaves", &SignPatternTally::undecided),
-                      field("doubtful_branched", &SignPatternTally::doubtful),
+                      field("doubtful_branched", &SignPatternTally::branched_undecided),
                       field("climbed", &SignPatternTally::escalated),
                       field("probed", &SignPatternTally::probed),
                       field("iterations", &SignPatternTally::iterations),

@@ -190,7 +190,7 @@ SignPatternTree::NodeResult SignPatternTree::decide_undecided(const Node& node,
   if (free.empty())
     return close(node, block.configuration(
                            node, degenerate ? LeafState::marginal : LeafState::undecided, answer));
-  ++tally_.doubtful;
+  ++tally_.branched_undecided;
   return branch(node, free);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 support::LongWork long_work(engine::Analysis& analysis) {
   return {
-      .stop = analysis.budget().stop(), .report = [&analysis](const char* work, double share) {
+      .stop = analysis.budget().stop(), .on_share = [&analysis](const char* work, double share) {
         analysis.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
       }};
 }

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/files/draft/facet_doubt.hpp"
+#include "problems/files/draft/facet_warning.hpp"
 #include "problems/files/meshes/mesh_texts.hpp"
 #include "problems/files/toml/toml_reader.hpp"
 #include "problems/structure/model/structure.hpp"
@@ -83,7 +83,7 @@ class ProblemDraft {
   int add_file(const std::string& name);
 
   /// Normals that are means over faces, one entry for each contact group.
-  std::vector<FacetDoubt>& facets() { return facets_; }
+  std::vector<FacetWarning>& facets() { return facets_; }
 
   /// Supports a node along some axes.
   /// @throws InputError if it is supported already
@@ -107,7 +107,7 @@ class ProblemDraft {
   std::map<std::string, NamedGroup, std::less<>> groups_;
   std::map<std::string, NamedMesh, std::less<>> meshes_named_;
   std::map<int, support::SourcePosition> supported_;
-  std::vector<FacetDoubt> facets_;
+  std::vector<FacetWarning> facets_;
   std::map<int, Eigen::VectorXd> displaced_;
 };
 

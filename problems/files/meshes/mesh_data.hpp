@@ -119,8 +119,8 @@ struct MeshPair {
   std::string against;             ///< group; empty: an analytical rigid surface
   std::optional<double> friction;  ///< coefficient
   bool tied = false;
-  std::optional<double>
-      tolerance;  ///< distance of nodes that count as touching, in the unit of the mesh
+  /// Distance of nodes that count as touching, in the unit of the mesh.
+  std::optional<double> tolerance;
   MeshPlace at;
 };
 

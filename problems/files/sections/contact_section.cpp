@@ -92,7 +92,7 @@ void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& sur
   const auto listed = draft.nodes_listed(group);
   const auto normal_position = reader.position(*group.table->get("normal"));
   auto places = against(draft, group, listed);
-  FacetDoubt facets{.position = normal_position, .factor = friction};
+  FacetWarning facets{.position = normal_position, .factor = friction};
   for (std::size_t i = 0; i < listed.size(); ++i) {
     const Eigen::VectorXd direction = normal.at(listed[i]);
     if (normal.facets)

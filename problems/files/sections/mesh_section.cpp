@@ -121,7 +121,9 @@ void add_edges(ProblemDraft& draft, const StructuredMesh& mesh, const std::vecto
 void structured_mesh(ProblemDraft& draft, const TomlTable& group, Edges& edges, MeshPlan& plan) {
   const TomlReader& reader = draft.reader();
   if (draft.structure().dimension != 2) {
-    reader.fail(*group.table, "a mesh in space; expected dimension = 2, or members only");
+    reader.fail(*group.table,
+                "a mesh with corners is plane; expected dimension = 2, or file = \"...\" of a mesh "
+                "in space");
   }
   reader.allow_only(group, {"name", "corners", "divisions", "join", "E", "nu", "thickness", "plane",
                             "density", "expansion"});

@@ -22,8 +22,10 @@ Eigen::MatrixXd weight(const Structure& structure, const Eigen::VectorXd& gravit
 /// temperature rises by `rise`, uniformly. @pre as above
 Eigen::MatrixXd forces_of_temperature(const Structure& structure, double rise);
 
-/// d x nodes, force. @param displaced displacements of supported nodes, d each; not of nodes of
-/// superelements or masters of dependent nodes @pre as above
+/// d x nodes, force.
+/// @param displaced displacements of supported nodes, d each; not of nodes of superelements or
+///   masters of dependent nodes
+/// @pre as above
 Eigen::MatrixXd forces_of_displaced(const Structure& structure,
                                     const std::map<int, Eigen::VectorXd>& displaced);
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/bodies/null_space.hpp"
 #include "problems/structure/model/elongation.hpp"
 
 namespace kusabi::problems {

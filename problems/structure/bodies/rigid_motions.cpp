@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "problems/structure/bodies/connected_bodies.hpp"
+#include "problems/structure/bodies/null_space.hpp"
 #include "problems/structure/model/superelement.hpp"
 
 namespace kusabi::problems {
@@ -23,9 +22,6 @@ using numbers::PreciseVector;
 
 /// Bound of the rounding errors of an elimination with at most six steps.
 constexpr double elimination_roundings = 256;
-
-/// Components of a mode below this are left out of its description.
-constexpr double visible_part = 1e-6;
 
 /// d x q: the displacement of a place is this times (velocity of the centre, size times angular
 /// velocity).
@@ -46,115 +42,6 @@ PreciseMatrix lever(const Eigen::VectorXd& centre, double size, const Eigen::Vec
     result(last, 3 + axis) = arm(next);
   }
   return result;
-}
-
-struct Place {
-  Eigen::Index row;
-  Eigen::Index column;
-};
-
-/// The largest entry, starting from a row and a column.
-Place largest(const PreciseMatrix& matrix, Eigen::Index row, Eigen::Index column) {
-  Place place{row, column};
-  const Eigen::MatrixXd sizes = matrix.cast<double>().cwiseAbs();
-  for (Eigen::Index j = column; j < matrix.cols(); ++j) {
-    for (Eigen::Index i = row; i < matrix.rows(); ++i) {
-      if (sizes(i, j) > sizes(place.row, place.column)) place = {i, j};
-    }
-  }
-  return place;
-}
-
-/// The first entry, row by row, that is at least half of the largest: x before y before z.
-Place first_large(const PreciseMatrix& matrix) {
-  const Eigen::MatrixXd sizes = matrix.cast<double>().cwiseAbs();
-  const double minimum = sizes.size() == 0 ? 0 : sizes.maxCoeff() / 2;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      if (sizes(i, j) >= minimum) return {i, j};
-    }
-  }
-  return {0, 0};
-}
-
-/// True if the elimination continues with a pivot.
-/// @return nothing if numerically undecided
-std::optional<bool> continues(double pivot) {
-  if (pivot <= largest_zero_pivot) return false;
-  if (pivot >= smallest_nonzero_pivot) return true;
-  return {};
-}
-
-/// The null space of a matrix with q columns, and its smallest pivot; no columns and a pivot of
-/// zero if numerically undecided.
-struct NullSpace {
-  PreciseMatrix columns;
-  double min_pivot = 1;
-};
-
-NullSpace null_space(PreciseMatrix matrix) {
-  const Eigen::Index q = matrix.cols();
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(q));
-  for (Eigen::Index k = 0; k < q; ++k) order[static_cast<std::size_t>(k)] = k;
-  NullSpace result;
-  Eigen::Index rank = 0;
-  for (; rank < std::min(q, matrix.rows()); ++rank) {
-    const auto [row, column] = largest(matrix, rank, rank);
-    const double pivot = std::abs(numbers::rounded(matrix(row, column)));
-    const auto more = continues(pivot);
-    if (!more) return {PreciseMatrix(q, 0), 0};
-    if (!*more) break;
-    result.min_pivot = std::min(result.min_pivot, pivot);
-    matrix.row(row).swap(matrix.row(rank));
-    matrix.col(column).swap(matrix.col(rank));
-    std::swap(order[static_cast<std::size_t>(column)], order[static_cast<std::size_t>(rank)]);
-    const PreciseVector own = matrix.row(rank).transpose() / matrix(rank, rank);
-    matrix.row(rank) = own.transpose();
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      if (i == rank || matrix(i, rank).is_zero()) continue;
-      const Precise factor = matrix(i, rank);
-      for (Eigen::Index j = rank; j < q; ++j) matrix(i, j) -= factor * own(j);
-    }
-  }
-  result.columns = PreciseMatrix::Zero(q, q - rank);
-  for (Eigen::Index free = rank; free < q; ++free) {
-    result.columns(order[static_cast<std::size_t>(free)], free - rank) = 1.0;
-    for (Eigen::Index i = 0; i < rank; ++i)
-      result.columns(order[static_cast<std::size_t>(i)], free - rank) = -matrix(i, free);
-  }
-  return result;
-}
-
-/// Combines columns such that the given rows are in echelon form.
-/// @return the number of columns with entries in these rows, which come last, and the least pivot;
-///         nothing if numerically undecided
-std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
-                                                       Eigen::Index first_row, Eigen::Index rows) {
-  Eigen::Index left = columns.cols();  // columns [left, end) are done
-  double minimum = 1;
-  while (left > 0) {
-    const PreciseMatrix part = columns.block(first_row, 0, rows, left);
-    const auto [row, column] = first_large(part);
-    const double pivot = std::abs(numbers::rounded(part(row, column)));
-    const auto more = continues(pivot);
-    if (!more) return {};
-    if (!*more) break;
-    minimum = std::min(minimum, pivot);
-    --left;
-    columns.col(column).swap(columns.col(left));
-    const PreciseVector own = columns.col(left) / columns(first_row + row, left);
-    columns.col(left) = own;
-    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-      if (j == left) continue;
-      const Precise factor = columns(first_row + row, j);
-      if (!factor.is_zero()) columns.col(j) -= factor * own;
-    }
-  }
-  // The eliminated entries are zero.
-  columns.block(first_row, 0, rows, left).setConstant(Precise(0.0));
-  const PreciseMatrix done = columns.rightCols(columns.cols() - left);
-  columns.rightCols(done.cols()) = done.rowwise().reverse();  // the first pivot first
-  return std::pair(done.cols(), minimum);
 }
 
 /// Nodes of a connected component and its supports.
@@ -309,30 +196,6 @@ UnconstrainedBody SupportedBody::body() && {
   return std::move(body_);
 }
 
-/// "x", or "(0.6, 0.8)" for a direction that is not an axis.
-std::string direction_name(const Eigen::VectorXd& direction) {
-  Eigen::Index axis = 0;
-  const double size = direction.cwiseAbs().maxCoeff(&axis);
-  if (direction.size() == 1) return "";
-  const auto parts = (direction.cwiseAbs().array() > visible_part * size).count();
-  if (parts == 1) return std::string(axis_name(static_cast<int>(axis)));
-  const Eigen::VectorXd unit = direction / direction.norm();
-  std::string text;
-  for (const double part : unit)
-    text +=
-        fmt::format("{}{:.4g}", text.empty() ? "" : ", ", std::abs(part) > visible_part ? part : 0);
-  return "(" + text + ")";
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    text += k == 0 ? "" : k + 1 == words.size() ? " and " : ", ";
-    text += words[k];
-  }
-  return text;
-}
-
 }  // namespace
 
 Eigen::Index UnconstrainedBody::translations() const {
@@ -362,24 +225,6 @@ std::vector<UnconstrainedBody> unconstrained_bodies(const Structure& structure) 
     if (body.count() > 0) bodies.push_back(std::move(body));
   }
   return bodies;
-}
-
-std::string described(const UnconstrainedBody& body) {
-  const Eigen::MatrixXd motions = body.motions.cast<double>();
-  const Eigen::Index d = body.centre.size();
-  const Eigen::Index shifts = body.translations();
-  std::vector<std::string> along;
-  std::vector<std::string> about;
-  for (Eigen::Index k = 0; k < shifts; ++k) along.push_back(direction_name(motions.col(k).head(d)));
-  for (Eigen::Index k = shifts; k < motions.cols(); ++k)
-    about.push_back(direction_name(motions.col(k).tail(motions.rows() - d)));
-  std::string text = "can";
-  if (!along.empty()) text += " move along " + joined(along);
-  if (about.empty()) return text;
-  if (!along.empty()) text += " and";
-  text += " turn";
-  if (d == 3) text += " about " + joined(about);
-  return text;
 }
 
 }  // namespace kusabi::problems

@@ -16,12 +16,6 @@
 
 namespace kusabi::problems {
 
-/// A pivot below this is zero: exact linear dependence of coordinates leaves 1e-29.
-inline constexpr double largest_zero_pivot = 1e-24;
-/// A pivot above this is not zero, since rounding of the file could not cause it. Structures with
-/// pivots between both are refused.
-inline constexpr double smallest_nonzero_pivot = 1e-8;
-
 /// A component connected by members and elements that admits rigid-body modes. Nodes supported
 /// along every axis belong to the ground and connect nothing; nor do candidates `against` another
 /// body.

@@ -18,8 +18,8 @@ Structure in_load_case(Structure structure, const std::string& name);
 /// Text of error messages with the available cases.
 std::string choice_of_load_cases(const Structure& structure);
 
-/// For analyses of one load. @throws InputError at the first uncertain load whose half-width is in
-/// the file
+/// For analyses of one load.
+/// @throws InputError at the first uncertain load whose half-width is in the file
 void check_certain(const Structure& structure);
 
 }  // namespace kusabi::problems

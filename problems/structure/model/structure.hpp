@@ -61,8 +61,8 @@ struct UncertainComponent {
 /// A parameter zeta_j of the dead load with an unknown value within its half-width, and its column
 /// of T (limit paper (6), (7)).
 struct UncertainParameter {
-  std::string
-      name;  ///< empty: a single component, which serves as its name, with a positive weight
+  /// Empty: a single component, which serves as its name, with a positive weight.
+  std::string name;
   std::vector<UncertainComponent> components;
   std::optional<double> half_width{};  ///< of zeta_j, force; nothing: the value of alpha
   std::string group{};                 ///< name of its group in the file; may be empty
@@ -185,10 +185,10 @@ struct Sources {
   std::vector<support::SourcePosition> uncertain;
   std::vector<support::SourcePosition> superelements;  ///< of each superelement: its file
   std::vector<support::SourcePosition> springs;        ///< of each spring: its node in the list
-  std::vector<support::SourcePosition>
-      ties;  ///< of each multi-point constraint: its node in the list
-  std::vector<support::SourcePosition>
-      inclined;  ///< of each inclined support: its node in the list
+  /// Of each multi-point constraint: its node in the list.
+  std::vector<support::SourcePosition> ties;
+  /// Of each inclined support: its node in the list.
+  std::vector<support::SourcePosition> inclined;
 };
 
 struct Structure {
@@ -215,7 +215,7 @@ struct Structure {
   /// reference load, with weight 1.
   std::optional<std::vector<UncertainParameter>> uncertain;
   Sources sources;
-  /// Doubtful or ignored entries of the file, a line each, with their places.
+  /// Questionable or ignored entries of the file, a line each, with their places.
   std::vector<std::string> warnings;
 };
 

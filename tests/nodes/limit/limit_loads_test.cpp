@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/model/load_factor.hpp"
+#include "problems/families/grid_truss.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::limit {
@@ -263,6 +265,37 @@ TEST(LimitLoads, CurvesAreProvedAtTheWorstVerticesOfRandomTrusses) {
   }
   EXPECT_LE(open, count / 20);  // where little more than the nominal load has a factor
   EXPECT_GE(compared, count / 3);
+}
+
+TEST(LimitLoads, HaveValidBoundsWhereverTheyAreStopped) {
+  const auto truss = problems::grid_truss(6);
+  const auto problem = problems::limit_problem(checked(truss));
+  std::uint64_t polls = 0;
+  const auto stopped_at = [&](std::uint64_t last) {
+    engine::SingleProcess alone;
+    polls = 0;
+    engine::Analysis analysis(alone, {.interrupt = [&] {
+                                return ++polls > last ? engine::Interrupt::stop
+                                                      : engine::Interrupt::none;
+                              }});
+    return limit_loads(analysis, truss, problem, {.alpha = 40}).answer;
+  };
+  const auto whole = stopped_at(std::numeric_limits<std::uint64_t>::max());
+  ASSERT_TRUE(whole.whole());
+  const auto& truth = whole.worst->ends;
+  const auto all = polls;
+  int bounded = 0;
+  for (std::uint64_t part = 0; part < 16; ++part) {
+    SCOPED_TRACE(part);
+    const auto found = stopped_at(part * all / 16);
+    EXPECT_EQ(found.ended(), engine::Status::interrupted);
+    EXPECT_FALSE(found.whole());
+    if (!found.worst) continue;
+    EXPECT_GE(found.worst->ends.upper, truth.lower);
+    EXPECT_LE(found.worst->ends.lower, truth.upper);
+    if (!found.worst->proved) ++bounded;
+  }
+  EXPECT_GE(bounded, 4);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(LoadModel, IsProvedByTheLinearProgramsOfAllSigns) {
       if (status == linear::LinearStatus::infeasible) break;  // no motion has these signs
       ASSERT_EQ(status, linear::LinearStatus::optimal);
       bound = std::min(bound, master.objective() * model.factor_unit);
-      ASSERT_TRUE(master.make_room(first_room));
+      ASSERT_TRUE(master.solve_with_margin(first_room));
       nodes.push_back(closed_node(master.proof(), {}));
     }
     if (nodes.size() < 1U << m) continue;
@@ -108,7 +108,7 @@ double factor_at(const LoadCurve& curve, double beta) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-TEST(LoadModel, IsThatOfCurvesAndSamples) {
+TEST(LoadModel, AgreesWithCurvesAndSamples) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 15; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

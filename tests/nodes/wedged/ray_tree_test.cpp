@@ -45,7 +45,7 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
       const auto whole = rays::complementary_rays(cone);
       EXPECT_EQ(sorted(together), sorted(whole.rays)) << size.rows << ' ' << size.bays << ' ' << mu;
       EXPECT_TRUE(tree.tally().health.sound());
-      EXPECT_LE(tree.tally().effort.peak_rays, whole.effort.peak_rays);
+      EXPECT_LE(tree.tally().cost.peak_rays, whole.cost.peak_rays);
     }
   }
 }
@@ -88,9 +88,9 @@ TEST(RayTrial, SucceedsOnSmallTreesOnly) {
   const auto outlasts = [](const problems::Structure& truss) {
     const RayProblem given(truss);
     auto trial = given.trial();
-    rays::Conduct conduct;
-    conduct.give_up = [&](const rays::Effort& effort) { return trial.succeeds(effort.pairs); };
-    const bool ended = rays::complementary_rays(given.cone, conduct).has_value();
+    rays::EnumerationOptions options;
+    options.give_up = [&](const rays::Cost& cost) { return trial.succeeds(cost.pairs); };
+    const bool ended = rays::complementary_rays(given.cone, options).has_value();
     EXPECT_NE(ended, trial.has_succeeded());
     return ended;
   };
@@ -133,7 +133,7 @@ TEST(RayListTree, FindsTheSameRaysForAnyDivisionOfTheList) {
         const Divided parts(given, longest);
         EXPECT_EQ(parts.rays, sorted(whole.rays)) << longest << ' ' << mu;
         opened += parts.opened;
-        EXPECT_LE(parts.tally.effort.peak_rays, whole.effort.peak_rays);
+        EXPECT_LE(parts.tally.cost.peak_rays, whole.cost.peak_rays);
         EXPECT_TRUE(parts.tally.health.sound());
       }
     }

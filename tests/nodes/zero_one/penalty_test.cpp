@@ -183,7 +183,7 @@ Said check(const MixedProgram& mixed, const tests::ExactOptimum& truth, const Wa
   return Said::optimal;
 }
 
-TEST(ZeroOneTree, IsRightAboutProgramsWithLargePenalties) {
+TEST(ZeroOneTree, SolvesProgramsWithLargePenalties) {
   const unsigned programs = from_environment("KUSABI_PENALTY_PROGRAMS", 120);
   const unsigned first = from_environment("KUSABI_PENALTY_SEED", 1);
   const auto all = ways();

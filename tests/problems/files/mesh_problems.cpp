@@ -1,8 +1,11 @@
 #include "tests/problems/files/mesh_problems.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 #include "problems/files/structure_file.hpp"
@@ -25,6 +28,23 @@ std::vector<std::string> promises(const std::string& folder) {
 
 std::string promised_file(const std::string& promise) {
   return promise.substr(0, promise.find(':'));
+}
+
+std::string parameter_name(const testing::TestParamInfo<std::string>& promise) {
+  std::string name = promised_file(promise.param);
+  std::ranges::replace_if(
+      name, [](unsigned char character) { return std::isalnum(character) == 0; }, '_');
+  return name;
+}
+
+void expect_all_listed(const std::string& folder) {
+  std::set<std::string> promised{"expected.txt"};
+  for (const auto& promise : promises(folder)) promised.insert(promised_file(promise));
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(source_path(folder)))
+    files.insert(entry.path().filename().string());
+  EXPECT_EQ(files, promised);
+  EXPECT_GT(files.size(), 50U);
 }
 
 std::string head(int dimension) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "problems/files/problem_text.hpp"
 #include "problems/structure/model/structure.hpp"
 
@@ -17,6 +19,12 @@ std::vector<std::string> promises(const std::string& folder);
 
 /// The file of such a line.
 std::string promised_file(const std::string& promise);
+
+/// The name of the test of such a line: its file, with _ for all but letters and digits.
+std::string parameter_name(const testing::TestParamInfo<std::string>& promise);
+
+/// Expects a line for each file of the folder, of which there are more than fifty.
+void expect_all_listed(const std::string& folder);
 
 /// The keys name, dimension and units.
 std::string head(int dimension);

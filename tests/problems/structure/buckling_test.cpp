@@ -14,7 +14,7 @@ namespace kusabi::problems {
 namespace {
 
 // HEB 200 of S235 about its weak axis, 4 m; units m and kN.
-TEST(Buckling, OfARolledSection) {
+TEST(Buckling, ResistanceOfARolledSectionIsThatOfTheWorkedExample) {
   const CompressedBar bar{.modulus = 210e6,
                           .area = 78.08e-4,
                           .yield_stress = 235e3,
@@ -25,7 +25,7 @@ TEST(Buckling, OfARolledSection) {
 }
 
 // CHS 114.3 x 5 of S355, 3 m, hot finished and cold formed.
-TEST(Buckling, OfATube) {
+TEST(Buckling, ResistanceOfATubeIsThatOfTheWorkedExample) {
   CompressedBar bar{.modulus = 210e6,
                     .area = 0.0017168803851868209,
                     .yield_stress = 355e3,
@@ -39,7 +39,7 @@ TEST(Buckling, OfATube) {
   EXPECT_NEAR(buckling_resistance(bar), 323.829 / 1.1, 1e-3);
 }
 
-TEST(Buckling, ReductionFactors) {
+TEST(Buckling, ReductionFactorsAreThoseOfTheTable) {
   const auto chi = [](double slenderness, const char* curve) {
     const double modulus = 1000;
     return buckling_resistance({.modulus = modulus,

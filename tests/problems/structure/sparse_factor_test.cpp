@@ -83,7 +83,7 @@ TEST(SparseFactor, SolvesAsEigensFactorInDoubles) {
   expect_solutions<numbers::Precise>(grid(9, 9, 1, 2), -0.5);
 }
 
-TEST(SparseFactor, OfNothingExists) {
+TEST(SparseFactor, ExistsForAMatrixWithoutRows) {
   const SparseFactor<double> factor{Sparse(0, 0)};
   EXPECT_TRUE(factor.exists());
   EXPECT_EQ(factor.rows().maximum_entries, 0);

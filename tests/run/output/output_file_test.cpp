@@ -2,7 +2,6 @@
 // files_test.cpp.
 #include "run/output/output_file.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -16,35 +15,21 @@
 #include <unistd.h>
 
 #include "run/output/wrong_input.hpp"
+#include "tests/run/folder.hpp"
 
 namespace kusabi::run {
 namespace {
 
 namespace fs = std::filesystem;
+using test::content;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-class OutputFiles : public testing::Test {
+class OutputFiles : public test::InFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string in_folder(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-  [[nodiscard]] static std::string content(const std::string& name) {
-    std::ifstream file(name);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
   static auto opened(const std::string& name, const std::string& input = "") {
     return [=] { OutputFile("--output", name, input); };
   }
-
-  fs::path folder_;
 };
 
 TEST_F(OutputFiles, WithoutANameAreNotWanted) {

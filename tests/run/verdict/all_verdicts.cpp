@@ -13,9 +13,9 @@ using Standings = std::initializer_list<std::optional<Standing>>;
 constexpr auto all_grounds = {Grounds::exact_arithmetic, Grounds::solver_bounds};
 constexpr Standings standings{std::nullopt, Standing::computed, Standing::proved};
 
-const std::initializer_list<std::optional<ExactDoubt>> doubts{
-    std::nullopt, ExactDoubt{.scale_ratio = 3e11, .why = "the exact test leaves patterns open"},
-    ExactDoubt{.scale_ratio = 1, .nodes = 1}};
+const std::initializer_list<std::optional<ExactRemainder>> remainders{
+    std::nullopt, ExactRemainder{.scale_ratio = 3e11, .why = "the exact test leaves patterns open"},
+    ExactRemainder{.scale_ratio = 1, .nodes = 1}};
 
 std::optional<Bound> bound(double value, std::optional<Standing> standing) {
   if (!standing) return std::nullopt;
@@ -35,7 +35,7 @@ void add_sticking(std::vector<AnyAnswer>& all) {
     for (const std::uint64_t undecided : {0U, 1U, 6U}) {
       for (const auto standing : {Standing::computed, Standing::proved}) {
         for (const bool ambiguous : {false, true}) {
-          for (const auto& doubt : doubts) {
+          for (const auto& remainder : remainders) {
             for (const auto grounds : all_grounds) {
               all.push_back(Sticking{.thing = "way",
                                      .friction = 0.65,
@@ -46,7 +46,7 @@ void add_sticking(std::vector<AnyAnswer>& all) {
                                      .grounds = grounds,
                                      .degenerate = standing == Standing::computed ? undecided : 0,
                                      .ambiguous = ambiguous,
-                                     .doubt = doubt});
+                                     .remainder = remainder});
             }
           }
         }
@@ -162,7 +162,7 @@ void add_steps(std::vector<AnyAnswer>& all) {
   for (const auto& standing : standings) {
     for (const char* const count : {"0", "1", "340282366920938463463374607431768211456"}) {
       for (const std::uint64_t open : {0U, 1U, 3U}) {
-        for (const auto& doubt : doubts) {
+        for (const auto& remainder : remainders) {
           all.push_back(FrictionSteps{.maximum = 2,
                                       .factor = false,
                                       .infeasible = bound(count[0] == '0' ? 2 : 0.5, standing),
@@ -170,7 +170,7 @@ void add_steps(std::vector<AnyAnswer>& all) {
                                       .open_at_most = open,
                                       .open_patterns = open,
                                       .undecided_points = open,
-                                      .doubt = doubt});
+                                      .remainder = remainder});
         }
       }
     }

@@ -38,8 +38,8 @@ bool is_computed(const std::optional<Bound>& bound) {
   return bound && bound->standing == Standing::computed;
 }
 
-bool is_refuted(const std::optional<ExactDoubt>& doubt) {
-  return doubt && !doubt->why.empty();
+bool is_refuted(const std::optional<ExactRemainder>& remainder) {
+  return remainder && !remainder->why.empty();
 }
 
 /// True if a bound in the headline is not proved.
@@ -47,7 +47,7 @@ bool names_what_is_not_proved(const Verdict& verdict) {
   if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
     return is_computed(found->bracket.lower) || is_computed(found->bracket.upper);
   if (const auto* const found = std::get_if<FrictionSteps>(&verdict.answer))
-    return is_computed(found->infeasible) && !is_refuted(found->doubt);
+    return is_computed(found->infeasible) && !is_refuted(found->remainder);
   if (const auto* const found = std::get_if<LoadInterval>(&verdict.answer)) {
     if (found->carried_at_none) return found->carried_at_none == Standing::computed;
     const bool empty = found->minimum.lower && found->maximum.upper &&
@@ -101,12 +101,12 @@ TEST(Verdicts, ClaimThatItCannotStickOnlyAfterACompleteSearchOrWithALowerBound) 
       EXPECT_EQ(verdict.ended, engine::Status::solved) << sentence;
       EXPECT_EQ(list->undecided, 0U) << sentence;
       EXPECT_EQ(list->count, support::ExactCount(0)) << sentence;
-      EXPECT_FALSE(list->doubt.has_value()) << sentence;
+      EXPECT_FALSE(list->remainder.has_value()) << sentence;
     } else if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer)) {
       EXPECT_TRUE(found->bracket.lower.has_value()) << sentence;
     } else if (const auto* const steps = std::get_if<FrictionSteps>(&verdict.answer)) {
       EXPECT_TRUE(steps->infeasible.has_value()) << sentence;
-      EXPECT_FALSE(is_refuted(steps->doubt)) << sentence;
+      EXPECT_FALSE(is_refuted(steps->remainder)) << sentence;
     }
   }
 }
@@ -208,7 +208,7 @@ TEST(StickingWords, CountNoPatternThatTheExactTestHasNotProved) {
   const Verdict verdict{
       .answer = Sticking{.friction = 0.5,
                          .count = 1,
-                         .doubt = ExactDoubt{3e11, "the exact test was stopped early", 0}}};
+                         .remainder = ExactRemainder{3e11, "the exact test was stopped early", 0}}};
   EXPECT_EQ(headline(verdict), "It is not known whether it can stick at friction coefficient 0.5.");
   EXPECT_EQ(exit_code(verdict), stopped_early);
 }
@@ -331,7 +331,7 @@ TEST(LossWords, NameTheMembersThatAreKept) {
               HasSubstr("while no strut falls below its residual strength"));
 }
 
-TEST(HoldingWords, SayAfterReadingThatTheRangeIsNotProved) {
+TEST(HoldingWords, KeepTheStandingOfTheRangeWhenRead) {
   const HoldingGrip grip{.minimum = {Bound{1, Standing::computed}, Bound{1, Standing::computed}}};
   const Verdict verdict{.answer = HoldingFactors{.friction = 0.4, .grip = grip}};
   EXPECT_EQ(all_words(read_back(verdict)), all_words(verdict));

@@ -84,8 +84,10 @@ TEST(PaperPlaneTruss, HasTheRaysAndConesOfThePaper) {
 TEST(DoubleDescription, StopsAtTooManyRaysOrOnRequest) {
   const auto cone = cone_of(problems::paper_plane_truss(9), 0.65);
   const auto whole = complementary_rays(cone);
-  const auto peak = whole.effort.peak_rays;
-  const auto ends = [&](const Conduct& conduct) { return !complementary_rays(cone, conduct); };
+  const auto peak = whole.cost.peak_rays;
+  const auto ends = [&](const EnumerationOptions& options) {
+    return !complementary_rays(cone, options);
+  };
   EXPECT_EQ(complementary_rays(cone, {.max_rays = peak})->rays, whole.rays);
   EXPECT_TRUE(ends({.max_rays = peak - 1}));
   EXPECT_TRUE(ends({.stop = [] { return true; }}));
@@ -137,9 +139,9 @@ TEST(DoubleDescription, HasTheSameListIfItsStepsAreShared) {
   const auto shared = complementary_rays(cone, {.share = backwards});
   EXPECT_GT(pieces, 100U);
   EXPECT_EQ(shared->rays, whole.rays);
-  EXPECT_EQ(shared->effort.peak_rays, whole.effort.peak_rays);
-  EXPECT_EQ(shared->effort.pairs, whole.effort.pairs);
-  EXPECT_EQ(shared->effort.adjacent, whole.effort.adjacent);
+  EXPECT_EQ(shared->cost.peak_rays, whole.cost.peak_rays);
+  EXPECT_EQ(shared->cost.pairs, whole.cost.pairs);
+  EXPECT_EQ(shared->cost.adjacent, whole.cost.adjacent);
   EXPECT_EQ(shared->health.smallest_nonzero, whole.health.smallest_nonzero);
   EXPECT_FALSE(complementary_rays(cone, {.share = [&](std::uint64_t count, const auto& piece) {
                                     auto results = backwards(count, piece);
@@ -460,12 +462,12 @@ TEST(BitPatternTree, FindsASupersetIfThereIsOne) {
     for (auto* word : {&smaller.p, &smaller.q, &smaller.u}) {
       for (int more = trial % 7; more > 0; --more) *word &= bits();
     }
-    const std::array<int, 2> but_for{trial, trial / 2};
+    const std::array<int, 2> except{trial, trial / 2};
     const auto fits = [&](int member) {
-      return member != but_for[0] && member != but_for[1] &&
+      return member != except[0] && member != except[1] &&
              contains(sets[static_cast<std::size_t>(member)], smaller);
     };
-    const auto found = tree.superset(smaller, but_for);
+    const auto found = tree.superset(smaller, except);
     EXPECT_EQ(found.has_value(), std::any_of(members.begin(), members.end(), fits));
     EXPECT_TRUE(!found || fits(*found));
   }

@@ -10,7 +10,7 @@
 namespace kusabi::problems {
 
 /// Data of one `normal = "surface"`.
-struct FacetDoubt {
+struct FacetWarning {
   support::SourcePosition position;  ///< of the normal
   double between = 0;                ///< degrees: the largest angle between two faces at one node
   double off = 0;      ///< degrees: the largest angle between a mean normal and one of its faces
@@ -22,7 +22,7 @@ struct FacetDoubt {
 };
 
 /// One line for each group whose faces differ by more than the friction angle of a coefficient.
-std::vector<std::string> facet_warnings(const std::vector<FacetDoubt>& doubts, double friction,
-                                        const std::string& file);
+std::vector<std::string> warning_lines(const std::vector<FacetWarning>& facets, double friction,
+                                       const std::string& file);
 
 }  // namespace kusabi::problems

@@ -1,5 +1,5 @@
 // Comparison of the friction angle with the angle between faces.
-#include "problems/files/draft/facet_doubt.hpp"
+#include "problems/files/draft/facet_warning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ double tangent(double degrees) {
 
 }  // namespace
 
-void FacetDoubt::take(double faces_differ, double mean_is_off) {
+void FacetWarning::take(double faces_differ, double mean_is_off) {
   ++of;
   if (faces_differ <= one_plane) return;
   ++candidates;
@@ -27,19 +27,19 @@ void FacetDoubt::take(double faces_differ, double mean_is_off) {
   off = std::max(off, mean_is_off);
 }
 
-std::vector<std::string> facet_warnings(const std::vector<FacetDoubt>& doubts, double friction,
-                                        const std::string& file) {
+std::vector<std::string> warning_lines(const std::vector<FacetWarning>& facets, double friction,
+                                       const std::string& file) {
   std::vector<std::string> lines;
-  for (const auto& doubt : doubts) {
-    const double angle = std::atan(friction * doubt.factor) * 180 / std::numbers::pi;
-    if (doubt.candidates == 0 || doubt.between <= angle) continue;
+  for (const auto& group : facets) {
+    const double angle = std::atan(friction * group.factor) * 180 / std::numbers::pi;
+    if (group.candidates == 0 || group.between <= angle) continue;
     const auto error =
-        angle + doubt.off < 90
-            ? fmt::format("{:.2g}", tangent(angle + doubt.off) / doubt.factor - friction)
+        angle + group.off < 90
+            ? fmt::format("{:.2g}", tangent(angle + group.off) / group.factor - friction)
             : std::string("any amount");
     lines.emplace_back(
         support::InputError(
-            file, doubt.position,
+            file, group.position,
             fmt::format(
                 "normal = \"surface\" is the mean of faces that differ by up to {:.3g} "
                 "degrees at {} of {} candidates, more than the {:.3g} degrees of the "
@@ -47,7 +47,7 @@ std::vector<std::string> facet_warnings(const std::vector<FacetDoubt>& doubts, d
                 "coefficient may be off by up to {}; expected the true surface, normal = "
                 "{{ point = [...], axis = [...], half_angle = ..., body = \"inside\" }}, "
                 "or elements of second order with curved sides",
-                doubt.between, doubt.candidates, doubt.of, angle, friction, error))
+                group.between, group.candidates, group.of, angle, friction, error))
             .what());
   }
   return lines;
