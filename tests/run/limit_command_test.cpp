@@ -186,7 +186,8 @@ force = [-5.5, 0]
 )");
   const auto run = shell(command + " limit " + argument("disjoint.toml"));
   EXPECT_THAT(run.output, HasSubstr("No load factor is carried in each of 2 load cases"));
-  EXPECT_THAT(run.output, HasSubstr("in all cases: no factor is carried under the dead load, not proved"));
+  EXPECT_THAT(run.output,
+              HasSubstr("in all cases: no factor is carried under the dead load, not proved"));
 }
 
 // Minimum of (5) over all vertices of the uncertain loads, by another program (HiGHS in SciPy).
