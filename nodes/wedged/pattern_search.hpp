@@ -75,6 +75,9 @@ struct PatternFindings {
   /// Number of numerically undecided leaves.
   [[nodiscard]] std::size_t unresolved() const { return marginal + undecided; }
 
+  /// True if every pattern is on the list.
+  [[nodiscard]] bool is_complete() const { return whole() && unresolved() == 0; }
+
   /// The number of sign patterns of the whole structure: patterns of different blocks combine
   /// freely.
   [[nodiscard]] support::ExactCount count() const;

@@ -76,14 +76,15 @@ ordered_json PatternsReport::candidates_json() const {
 }
 
 Verdict PatternsReport::verdict() const {
-  // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
-  // test has decided them.
-  const auto& exact = findings_.exact;
-  const bool proved = exact.done ? !exact.is_open() && exact.unproved == 0
-                                 : findings_.flat == 0 && problem_.modes.bodies.empty();
   // A pattern answers --exists; a search that is complete has listed all of them.
   const bool example = options_.exists && findings_.count() != 0U &&
                        findings_.outcome.status == engine::Status::solution_limit;
+  // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
+  // test has decided them. An example does not depend on other nodes.
+  const auto& exact = findings_.exact;
+  const bool bounded = findings_.flat == 0 && (example || exact.unproved == 0);
+  const bool proved = exact.done ? !exact.is_open() && exact.unproved == 0
+                                 : bounded && problem_.modes.bodies.empty();
   Verdict verdict{
       .ended = example ? engine::Status::solved : findings_.outcome.status,
       .nodes_left = example ? 0 : findings_.outcome.open,
@@ -117,42 +118,66 @@ std::string PatternsReport::largest_margin() const {
   const bool listed = findings_.largest.empty();
   if (listed && leaves.empty()) return {};
   const auto& best = listed ? *this->best() : findings_.largest.front();
-  if (best.state == wedged::LeafState::flat)
-    return "None has a margin: in each, some inequality is an equality.";
+  const bool all = findings_.is_complete();
+  if (best.state == wedged::LeafState::flat) {
+    return fmt::format("None{} has a margin: in each, some inequality is an equality.",
+                       all ? "" : " of those known");
+  }
   if (best.state != wedged::LeafState::feasible) return {};
   const auto number =
       listed ? static_cast<std::size_t>(this->best() - leaves.begin()) + 1 : (*numbers_).front();
   const auto nearest = nearest_failure(problem_, options_.friction, best.block, best.pattern,
                                        best.reaction, best.displacement);
-  return fmt::format("{} has the largest margin, {:.3g} (in contact: {}). {}",
-                     number == 0 ? "One pattern" : fmt::format("Number {}", number), best.lower,
+  const auto name = number == 0 ? fmt::format("{} pattern", all ? "One" : "one")
+                                : fmt::format("{} {}", all ? "Number" : "number", number);
+  // Blocks have units of their own for gaps.
+  return fmt::format("{}{} has the largest margin{}, {:.3g} (in contact: {}). {}",
+                     all ? "" : "Of those known, ", name,
+                     findings_.blocks.size() > 1 ? " of its block" : "", best.lower,
                      contact_text(problem_, best.pattern), nearest_failure_text(problem_, nearest));
 }
 
-// The pattern that holds the largest factor, for each unit of its normal reactions.
+// The pattern that holds the largest factor, for each unit of its normal reactions. Patterns
+// without a known margin have no factors, and each block holds its own part of the load.
 std::string PatternsReport::largest_load() const {
+  const auto solid = std::ranges::count(findings_.leaves, wedged::LeafState::feasible,
+                                        &wedged::Configuration::state);
+  if (solid == 0)
+    return "None is known to have a margin, so the loads that they hold are not computed.";
+  const bool all = solid == std::ssize(findings_.leaves);
   std::size_t best = firmness_.size();
   for (std::size_t i = 0; i < firmness_.size(); ++i) {
     if (firmness_[i] && (best == firmness_.size() || firmness_[i]->high > firmness_[best]->high))
       best = i;
   }
-  if (best == firmness_.size()) return "The reference load acts on none of the patterns.";
+  if (best == firmness_.size()) {
+    return fmt::format("The reference load acts on none of the patterns{}.",
+                       all ? "" : " known to have a margin");
+  }
   const auto& [low_out, low, high, high_out] = *firmness_[best];
-  if (std::isinf(high))
-    return fmt::format("Number {} holds the reference load at any factor.", best + 1);
+  const auto held = fmt::format(
+      "{} holds the {}", best + 1,
+      findings_.blocks.size() > 1 ? "part of the reference load on its block" : "reference load");
+  if (std::isinf(high)) {
+    return fmt::format("Number {} at any factor{}.", held,
+                       std::isinf(low) ? "" : fmt::format(" from {} on", rounded_up(low)));
+  }
   return fmt::format(
-      "While its normal reactions add up to 1, number {} holds the reference load up to a factor "
-      "of {}, the largest of all patterns.",
-      best + 1, rounded_down(high));
+      "While its normal reactions add up to 1, number {} up to a factor of {}, the largest of {}.",
+      held, rounded_down(high), all ? "all patterns" : "those known to have a margin");
 }
 
 std::string PatternsReport::details() const {
   std::string text;
   auto out = std::back_inserter(text);
+  const auto count = findings_.count();
+  const auto known = [&](bool one) {
+    return findings_.whole() ? "" : one ? " is known" : " are known";
+  };
   fmt::format_to(out,
-                 "\n{} of wedged configurations at friction coefficient {}; {} marginal "
+                 "\n{} of wedged configurations{} at friction coefficient {}; {} marginal "
                  "(|t*| <= {})\n",
-                 patterns(findings_.count()), friction_text(problem_, options_.friction),
+                 patterns(count), known(count == 1U), friction_text(problem_, options_.friction),
                  findings_.marginal, options_.tolerance);
   if (findings_.flat != 0) {
     fmt::format_to(out,
@@ -167,7 +192,9 @@ std::string PatternsReport::details() const {
                    findings_.blocks.size());
     for (const auto& block : findings_.blocks) {
       fmt::format_to(out, "  {}: {}\n", with_ranges(candidate_names(problem_, block.candidates)),
-                     block.is_inactive() ? "always inactive" : patterns(block.cones));
+                     block.is_inactive() && findings_.whole()
+                         ? "always inactive"
+                         : patterns(block.cones) + known(block.cones == 1));
     }
     const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
                                        [](const auto& b) { return b.cones != 0; });

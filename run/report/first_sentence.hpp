@@ -6,16 +6,14 @@
 
 #include "run/report/answers.hpp"
 #include "run/report/short_names.hpp"
+#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
 /// Empty if there is nothing to say beyond the verdict: no answer is known.
-/// @param leading the first by rank; null: none
+/// @param verdict of the file  @param leading the first by rank; null: none
 /// @throws WrongInput
-std::string first_sentence(const ResultReader& reader, const Answer* leading,
-                           const ShortNames& names);
-
-/// "0.5774 (an angle of friction of 30°)", four digits.
-std::string friction_text(double coefficient);
+std::string first_sentence(const ResultReader& reader, const Verdict& verdict,
+                           const Answer* leading, const ShortNames& names);
 
 }  // namespace kusabi::run

@@ -87,18 +87,25 @@ class OlderVerdict {
     return product.log10() < safe_digits ? reader_.count(result_, "count") : product;
   }
 
+  // Nodes closed by cut-offs, of a list of patterns.
+  [[nodiscard]] bool has_degenerate_nodes() const {
+    const auto* const tree = ResultReader::find(result_, "tree");
+    return count(result_, "flat") + count(result_, "marginal") + count(result_, "undecided") > 0 ||
+           (tree != nullptr && count(*tree, "faces") + count(*tree, "flat_nodes") > 0);
+  }
+
   [[nodiscard]] Sticking sticking(const char* thing) const {
     const auto* const health = ResultReader::find(result_, "health");
-    return {.thing = thing,
-            .friction = reader_.number(result_, "friction"),
-            .factor = factor(),
-            .count = count_of_ways(),
-            .undecided = count(result_, "marginal") + count(result_, "undecided"),
-            .standing =
-                health != nullptr || count(result_, "flat") > 0 || has(problem_, "rigid_motions")
-                    ? Standing::computed
-                    : Standing::proved,
-            .ambiguous = health != nullptr && count(*health, "doubtful") > 0};
+    return {
+        .thing = thing,
+        .friction = reader_.number(result_, "friction"),
+        .factor = factor(),
+        .count = count_of_ways(),
+        .undecided = count(result_, "marginal") + count(result_, "undecided"),
+        .standing = health != nullptr || has_degenerate_nodes() || has(problem_, "rigid_motions")
+                        ? Standing::computed
+                        : Standing::proved,
+        .ambiguous = health != nullptr && count(*health, "doubtful") > 0};
   }
 
   [[nodiscard]] CriticalBracket critical() const {

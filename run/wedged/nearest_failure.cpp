@@ -8,6 +8,8 @@
 
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/name_ranges.hpp"
+#include "run/output/values.hpp"
+#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -46,12 +48,20 @@ std::string amount_in(double amount, const std::string& unit, const char* what) 
                       : fmt::format("{:.3g} {}", amount, unit);
 }
 
+// Friction of a candidate relative to the coefficient of the search.
+double relative_friction(const problems::WedgedProblem& problem, int candidate) {
+  return problem.friction.empty() ? 1.0 : problem.friction[static_cast<std::size_t>(candidate)];
+}
+
 std::string contact_text(const problems::WedgedProblem& problem, const Slack& slack) {
   const auto& name = problem.contact_names[static_cast<std::size_t>(slack.candidate)];
   const auto force = amount_in(slack.amount, problem.provenance.units.force, "force");
   constexpr double half = 0.5;
-  if (slack.used < half)
-    return fmt::format("{} is closest to separation, with mu r_n - |r_t| = {}", name, force);
+  if (slack.used < half) {
+    return fmt::format("{} is closest to separation, with {} = {}", name,
+                       relative_friction(problem, slack.candidate) == 0 ? "r_n" : "mu r_n - |r_t|",
+                       force);
+  }
   return fmt::format(
       "{} is closest to slipping, with mu r_n - |r_t| = {} ({:.0f} % of mu r_n used)", name, force,
       std::floor(100 * slack.used));
@@ -72,19 +82,16 @@ NearestFailure nearest_failure(const problems::WedgedProblem& problem, double co
   const auto d = static_cast<std::size_t>(problem.dimension);
   const auto r = of_all_candidates(problem, block, reaction);
   const auto u = of_all_candidates(problem, block, displacement);
-  const auto phi = [&](int i) {
-    return problem.friction.empty() ? 1.0 : problem.friction[static_cast<std::size_t>(i)];
-  };
   const auto needed = [&](int i) {
     const auto here = local(r, u, d, i);
-    const double cone = phi(i) * here.normal_reaction;
+    const double cone = relative_friction(problem, i) * here.normal_reaction;
     return cone > 0 ? here.tangential_reaction / cone : 0.0;
   };
   NearestFailure nearest;
   for (const int i : pattern.contact) {
     const auto here = local(r, u, d, i);
-    const double cone =
-        phi(i) == 0 ? here.normal_reaction : coefficient * phi(i) * here.normal_reaction;
+    const double phi = relative_friction(problem, i);
+    const double cone = (phi == 0 ? 1 : coefficient * phi) * here.normal_reaction;
     take_if_nearer(nearest.contact, {.candidate = i,
                                      .amount = cone - here.tangential_reaction,
                                      .used = needed(i) / coefficient});
@@ -118,8 +125,10 @@ std::string nearest_failure_text(const problems::WedgedProblem& problem,
   support::IndexSet slips;
   for (const int i : nearest.slips_there) slips |= support::IndexSet::single(i);
   return fmt::format(
-      "{} This configuration needs a friction coefficient of at least {:.4g}; with less, {} {}.",
-      text, nearest.holds_from, with_ranges(candidate_names(problem, slips)),
+      "{} This configuration needs a friction coefficient of at least {}{}; with less, {} {}.",
+      text, rounded_down(nearest.holds_from),
+      of_each_candidate(!problems::uniform_friction(problem)),
+      with_ranges(candidate_names(problem, slips)),
       nearest.slips_there.size() == 1 ? "slips" : "slip");
 }
 

@@ -14,7 +14,7 @@ namespace kusabi::run {
 /// Slack of one inequality, with normal reactions that sum to one unit of force.
 struct Slack {
   int candidate = 0;
-  double amount = 0;  ///< mu r_n - |r_t|, force, or u_n, length
+  double amount = 0;  ///< mu r_n - |r_t|, or r_n without friction, force; or u_n, length
   double used = 0;    ///< |r_t| / (mu r_n); 0 for a gap
 };
 

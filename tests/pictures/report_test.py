@@ -10,7 +10,7 @@ import re
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import KusabiCase, main, nested, without  # noqa: E402: beside the folder of this file
+from kusabi_case import EXAMPLES, KusabiCase, main, nested, without  # noqa: E402: beside the folder of this file
 
 VOID = {"meta", "input", "option", "link", "br", "img"}  # the end of an option may be left out
 EVIL = '<a> & "b" \'c\' </script><script>alert(1)</script>'
@@ -215,7 +215,7 @@ class Report(KusabiCase):
         self.solve("critical", "wedge-in-groove.toml")
         page = self.page()
         self.assertEqual(page.with_id("answer").text(),
-                         "It sticks from friction coefficient 0.2679 (an angle of friction of 15°) on, with contact at all 10 candidates; "
+                         "It sticks from friction coefficient 0.26795 (an angle of friction of 15°) on, with contact at all 10 candidates; "
                          "with less friction all 10 slip at once.")
         self.assertEqual(len(page.with_class("gallery")), 0)  # one pattern is large, and no card
         self.assertIn("viewBox=\"0 0 720", (self.folder / "page.html").read_text())
@@ -225,12 +225,29 @@ class Report(KusabiCase):
         leading = max(range(len(patterns)), key=lambda i: patterns[i]["margin"])
         self.assertIn(f"with the largest margin in pattern {leading + 1} (", self.page().with_id("answer").text())
 
+    def test_names_factors_and_open_brackets_as_such(self):
+        # Two bars of which both have 0.15 of the friction: they stick from 2 / 0.15 = 13.333… on.
+        bars = self.folder / "bars.toml"
+        bars.write_text((EXAMPLES / "two-bars.toml").read_text() + "friction_factor = 0.15\n")
+        self.solve("critical", bars)
+        self.assertEqual(self.page().with_id("answer").text(),
+                         "It sticks from friction coefficient 13.334 times that of each candidate on, with contact at tip; "
+                         "with less friction tip slips first.")
+        self.solve("patterns", bars, "--mu", 20)
+        self.assertIn("whose configuration needs friction coefficient 13.333 times that of each candidate: with less, ",
+                      self.page().with_id("answer").text())
+        # Two patterns of 27, and a bracket that is open below.
+        self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--node-limit", 60)
+        self.assertIn(" of those known (", self.page().with_id("answer").text())
+        self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--exists")
+        self.assertIn(" of those known (", self.page().with_id("answer").text())
+
     def test_shows_states_under_load(self):
         # A ladder that leans against a smooth wall: foot and top, and the coefficient at which it slips.
         result = self.solve("hold", "ladder.toml")
         holding = result["result"]["holding_friction"]
         page = self.page()
-        self.assertIn(f"It can hold the load from friction coefficient {holding['upper']:.4g} (an angle of friction of",
+        self.assertIn(f"It can hold the load from friction coefficient {math.ceil(1e5 * holding['upper']) / 1e5} (an angle of friction of",
                       page.with_id("answer").text())
         self.assertEqual(next(page.root.all("figure")).children[0].tag, "svg")
         self.assertIn("history of loading", next(page.root.all("header")).text())

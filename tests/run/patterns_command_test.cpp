@@ -167,8 +167,8 @@ TEST_F(PatternsCommand, ReportsTheLeastFrictionOfTheLargestMargin) {
     if (r[0] > 0) minimum = std::max(minimum, std::hypot(r[1], r[2]) / r[0]);
   }
   EXPECT_LT(minimum, 0.65);
-  EXPECT_THAT(run.output,
-              HasSubstr(fmt::format("needs a friction coefficient of at least {:.4g};", minimum)));
+  EXPECT_THAT(run.output, HasSubstr(fmt::format("needs a friction coefficient of at least {};",
+                                                std::floor(1e5 * minimum) / 1e5)));
   EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.3").output,
               HasSubstr("It cannot stick at friction coefficient 0.3."));
 }
@@ -283,6 +283,113 @@ TEST_F(PatternsCommand, SearchesDecoupledBlocksSeparately) {
   EXPECT_LE(result["tree"]["opened"], 3 * pieces + 1);
   EXPECT_EQ(result["patterns"][3]["block"], 4);
   EXPECT_EQ(result["patterns"][3]["contact"], std::vector<std::string>{"tip3"});
+}
+
+// By hand (its first lines): B wedges from 5 on.
+TEST_F(PatternsCommand, SaysNothingOfPatternsThatWereNotSearched) {
+  const auto pieces =
+      quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/two_pieces.toml") + " --mu ";
+  const auto patterns = [&](const std::string& more) {
+    return shell(command + " patterns " + pieces + more).output;
+  };
+  EXPECT_THAT(patterns("3"), HasSubstr("B: always inactive"));
+  EXPECT_THAT(patterns("6"), AllOf(HasSubstr("\n1 sign pattern of wedged configurations at"),
+                                   HasSubstr("B: 1 sign pattern\n"),
+                                   HasSubstr("Number 1 has the largest margin of its block, 4 ")));
+  for (const auto* const limit : {"--exists", "--node-limit 3"}) {
+    EXPECT_THAT(
+        patterns(std::string("6 ") + limit),
+        AllOf(HasSubstr("\n1 sign pattern of wedged configurations is known at"),
+              HasSubstr("A: 1 sign pattern is known\n"),
+              HasSubstr("B: 0 sign patterns are known\n"),
+              HasSubstr("Of those known, number 1 has the largest margin of its block, 4 ")))
+        << limit;
+  }
+}
+
+// The patterns of one bar alone have margins below 1e-14, which the list takes for zero.
+TEST_F(PatternsCommand, ClaimsNoProofOfAListWithDegenerateNodes) {
+  const auto file =
+      quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/weakly_coupled_bars.toml");
+  const auto call = command + " patterns " + file + " --mu 3 --output " + argument("result.json");
+  const auto answer = [&] {
+    return nlohmann::json::parse(content(in_folder("result.json")))["verdict"]["answer"];
+  };
+  EXPECT_THAT(shell(call).output, HasSubstr("The list is computed in floating point, not proved in "
+                                            "exact arithmetic: of 2 degenerate nodes, with a "
+                                            "margin of zero, nothing is proved.\n"));
+  EXPECT_EQ(answer()["standing"], "computed");
+  // A pattern that is shown as an example does not depend on other nodes.
+  shell(call + " --exists");
+  EXPECT_EQ(answer()["standing"], "proved");
+  EXPECT_THAT(shell(call + " --prove").output, HasSubstr("It can stick in 3 ways"));
+  EXPECT_EQ(answer()["standing"], "proved");
+}
+
+constexpr auto two_corners = R"(
+name = "two corners"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+left = [0.0, 0.0]
+topA = [1.0, 1.0]
+A = [1.0, 0.0]
+B = [2.0, 0.0]
+topB = [2.0, 1.0]
+right = [3.0, 0.0]
+[[members]]
+EA = 1.0
+between = [["left", "A"], ["right", "B"]TIE]
+[[members]]
+EA = 3.0
+between = [["topA", "A"], ["topB", "B"]]
+[[supports]]
+nodes = ["left", "right", "topA", "topB"]
+[[contact]]
+nodes = ["A"]
+normal = [-1.0, 1.0]
+[[contact]]
+nodes = ["B"]
+normal = NORMAL
+[[loads]]
+kind = "reference"
+nodes = ["B"]
+force = [0.0, 1.0]
+)";
+
+class Corners : public PatternsCommand {
+ protected:
+  /// Output for these corners. @param bar between them, or nothing  @param normal of B
+  std::string said(const std::string& bar, const std::string& normal, const std::string& mu) {
+    auto text = std::string(two_corners);
+    text.replace(text.find("TIE"), 3, bar);
+    text.replace(text.find("NORMAL"), 6, normal);
+    std::ofstream(in_folder("corners.toml")) << text;
+    return shell(command + " patterns " + argument("corners.toml") + " --mu " + mu).output;
+  }
+  const std::string bar_ = R"(, ["A", "B"])";
+};
+
+TEST_F(Corners, NameTheReactionOfACandidateWithoutFriction) {
+  EXPECT_THAT(said(bar_, "[-1.0, 1.0]\nfriction_factor = 0", "8"),
+              AllOf(HasSubstr("B is closest to separation, with r_n = 0.5 kN."),
+                    HasSubstr("a friction coefficient of at least 4 times that of each candidate; "
+                              "with less, A slips")));
+}
+
+// The load opens the candidate B and A holds any of it, or closes B against a gap. Without the bar
+// between them, A and B are two blocks; B, on a vertical wall, cannot wedge.
+TEST_F(Corners, NameTheLoadsThatPatternsHold) {
+  EXPECT_THAT(said(bar_, "[1.0, 1.0]", "4"), HasSubstr("Number 1 holds the reference load at any "
+                                                       "factor from -1.4142 on."));
+  EXPECT_THAT(said(bar_, "[1.0, 1.0]", "3"),
+              HasSubstr("None is known to have a margin, so the loads that they hold are not "
+                        "computed."));
+  EXPECT_THAT(said("", "[1.0, 1.0]", "4"),
+              HasSubstr("number 2 holds the part of the reference load on its block up to a factor "
+                        "of "));
+  EXPECT_THAT(said("", "[0.0, 1.0]", "4"),
+              HasSubstr("The reference load acts on none of the patterns."));
 }
 
 // By hand (docs/problem-files.md): these two bars wedge if and only if mu is at least 2.

@@ -45,6 +45,7 @@ STATES = (
     ("solved", 0, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65),
     ("none found", 0, "patterns", EXAMPLES / "two-bars.toml", "--mu", 0.5),
     ("ties", 0, "patterns", EXAMPLES / "two-bars.toml", "--mu", 2),
+    ("nodes with a margin below the tolerance", 0, "patterns", CASES / "weakly_coupled_bars.toml", "--mu", 3),
     ("ties, with a certificate", 3, "patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--certificate", CERTIFICATE),
     ("one exists", 0, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--exists"),
     ("none exists", 0, "patterns", EXAMPLES / "space-truss.toml", "--mu", 0.3, "--exists"),
@@ -138,7 +139,8 @@ class States(KusabiCase):
         """A file of an older version, which has no verdict, leads to the same one."""
         older = {key: value for key, value in result.items() if key not in ("verdict", "warnings")}
         self.result.write_text(json.dumps(older))
-        said = Header(self.kusabi("report", self.result).stdout).found["verdict"]
+        page = Header(self.kusabi("report", self.result).stdout).found
+        said = page["verdict"]
         # States that older versions do not have: one pattern instead of a list, degenerate nodes of a
         # certificate.
         answer = result["verdict"]["answer"]
@@ -146,6 +148,8 @@ class States(KusabiCase):
             return
         if result["command"] != "limit":  # older versions do not write least factors
             self.assertEqual(said, [result["verdict"]["sentence"]])
+        if answer["kind"] == "sticking" and not result["result"]["exact"]["done"]:
+            self.assertEqual(answer["standing"] == "computed", any("not proved in exact" in each for each in page["reservations"]))
         self.assertEqual(kusabi.load(self.result).partial, result["verdict"]["exit_code"] == 3)
 
     def check_facts(self, result):

@@ -101,7 +101,7 @@ std::string report_page(const ResultReader& reader) {
   begin_page(page, scenes.picture.title + " · kusabi " + command);
   page.open("header").element("h1", scenes.picture.title);
   const auto verdict = result_verdict(reader);
-  add_verdict(page, verdict, first_sentence(reader, leading, list.names));
+  add_verdict(page, verdict, first_sentence(reader, verdict, leading, list.names));
   page.close().open("main");
   if (leading != nullptr) add_leading(page, reader, list);
   if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
