@@ -138,9 +138,8 @@ TEST_F(TableText, HasTheMarginOfTheInequalityNearestToFailing) {
   EXPECT_THAT(said, HasSubstr(fmt::format("mu r_n - |r_t| = {:.3g} kN", slack)));
   EXPECT_THAT(said,
               HasSubstr(fmt::format("{} is closest to touching, at a gap of {:.3g} m", open, gap)));
-  EXPECT_THAT(said,
-              HasSubstr(fmt::format("a friction coefficient of at least {}; with less, {} ",
-                                    std::floor(1e5 * steepest) / 1e5, slips)));
+  EXPECT_THAT(said, HasSubstr(fmt::format("a friction coefficient of at least {}; with less, {} ",
+                                          std::floor(1e5 * steepest) / 1e5, slips)));
 }
 
 TEST_F(TableText, ReportsThatAFlatPatternHasNoMargin) {
