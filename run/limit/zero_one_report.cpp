@@ -77,11 +77,17 @@ nlohmann::ordered_json zero_one_json(const LimitZeroOne& zero_one) {
 }
 
 bool is_refuted(const LimitWorstCase& worst) {
-  if (!worst.zero_one || !worst.ends.upper_proved) return false;
-  if (worst.status == limit::RootStatus::not_carried) return true;
+  if (!worst.zero_one) return false;
+  double upper = worst.ends.upper;
+  if (!worst.ends.upper_proved) {
+    // The printed method: the load of its best point has a factor of its own.
+    if (!worst.as_printed || !worst.collapse) return false;
+    upper = worst.collapse->factor;
+  } else if (worst.status == limit::RootStatus::not_carried) {
+    return true;
+  }
   constexpr double visible = 1e-6;
-  const double size = std::max(1.0, std::abs(worst.ends.upper));
-  return worst.zero_one->lower > worst.ends.upper + visible * size;
+  return worst.zero_one->lower > upper + visible * std::max(1.0, std::abs(upper));
 }
 
 }  // namespace kusabi::run

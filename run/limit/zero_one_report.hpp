@@ -18,7 +18,8 @@ std::string zero_one_text(const limit::LimitWorstCase& worst);
 /// JSON without values that depend on the number of ranks.
 nlohmann::ordered_json zero_one_json(const limit::LimitZeroOne& zero_one);
 
-/// True if exact arithmetic refutes (29): its M is too small.
+/// True if its M is too small: exact arithmetic, or the load of the best point of the printed
+/// method, refutes (29).
 bool is_refuted(const limit::LimitWorstCase& worst);
 
 }  // namespace kusabi::run

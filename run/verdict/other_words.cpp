@@ -136,16 +136,17 @@ std::string of_held(const CertificateCheck::Held& held) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
-// "under every admissible load (alpha = 3)"; empty: the dead load is certain
-std::string loads_text(const CertificateCheck::Loss& loss, const char* quantity) {
-  if (!loss.uncertain) return loss.as_given ? " under the dead load as given" : "";
-  return fmt::format(" under {} admissible load ({})", quantity,
+// "admissible load (alpha = 3)"
+std::string admissible(const CertificateCheck::Loss& loss, const char* load) {
+  return fmt::format("admissible {} ({})", load,
                      loss.loads.half_width ? fmt::format("alpha = {}", *loss.loads.half_width)
                                            : "uncertain loads within these half-widths");
+}
+
+// " and under every admissible load (alpha = 3)"; empty: the dead load is certain
+std::string loads_text(const CertificateCheck::Loss& loss, const char* quantity) {
+  if (loss.uncertain) return fmt::format(" and under {} {}", quantity, admissible(loss, "load"));
+  return loss.as_given ? " and under the dead load as given" : "";
 }
 
 }  // namespace
@@ -156,8 +157,10 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
                                              : fmt::format("PROVED: in load case {}, ",
                                                            support::in_quotes(loss.load_case));
   if (loss.fatal)
-    return fmt::format("{}{}{} the dead load is carried at no load factor", proved, lost,
-                       loads_text(loss, "some"));
+    return fmt::format("{}{} {} is carried at no load factor", proved, lost,
+                       loss.uncertain  ? "some " + admissible(loss, "dead load")
+                       : loss.as_given ? "the dead load as given"
+                                       : "the dead load");
   if (!loss.lower)
     return fmt::format("{}{}{} the load factor is at most {:.17g}", proved, lost,
                        loads_text(loss, "some"), loss.upper);
@@ -165,8 +168,7 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
       loss.maximum == 1 ? "any member" : fmt::format("any {} members", loss.maximum);
   return fmt::format(
       "{}{}{}{}{} the load factor is at least {:.17g}; {} it is at most {:.17g}", proved,
-      after_loss_of(members + except_kept(loss.kept), loss.sudden),
-      (loss.uncertain || loss.as_given ? " and" : "") + loads_text(loss, "every"),
+      after_loss_of(members + except_kept(loss.kept), loss.sudden), loads_text(loss, "every"),
       loss.cases == 1 ? std::string() : fmt::format(" in each of {} load cases", loss.cases),
       loss.struts ? ", while no strut falls below its residual strength," : "", *loss.lower, lost,
       loss.upper);

@@ -304,6 +304,10 @@ TEST_F(LimitCommand, RefutesAnMThatIsTooSmall) {
             " --alpha 0.35 --cuts none --big-m 0.05 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("its M is too small"));
+  // The load of the best point of (29) has a smaller factor than the lower bound.
+  const auto printed = shell(command + " limit " + case_file("uplift.toml") +
+                             " --alpha 1.5 --cuts none --big-m 0.5");
+  EXPECT_THAT(printed.output, HasSubstr("its M is too small"));
 }
 
 // (29) is finite for every M; one program (5) shows that the load of its optimum is not carried.
