@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "nodes/wedged/critical/smallest_search.hpp"
-#include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/friction/friction_grid.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "problems/wedged/problem_block.hpp"
@@ -66,7 +65,8 @@ void CriticalBounds::prove_at_once() {
     }
   }
   const double factor = bracket_.lower();
-  if (!bracket_.lower_proved() && decisions_.roots_are_infeasible(factor)) {
+  if (!bracket_.lower_proved() && factor >= bracket_.minimum() &&
+      decisions_.roots_are_infeasible(factor)) {
     bracket_.prove_lower(factor);
     proved_lower_ = factor;
   }
@@ -124,7 +124,7 @@ engine::Status CriticalBounds::bisect() {
   const double width = parameters_.grid.width;
   const FrictionGrid grid(width);
   const auto maximum = multiples(parameters_.grid.maximum, width);
-  const double minimum = CriticalFriction::range(problem_).minimum;
+  const double minimum = bracket_.minimum();
   const std::array ends{multiples(bracket_.lower(), width),
                         bracket_.upper() ? multiples(*bracket_.upper(), width) : maximum, maximum};
   std::int64_t infeasible = 0;
@@ -150,10 +150,10 @@ engine::Status CriticalBounds::bisect() {
   auto status = engine::Status::solved;
   const auto goes_on = [&] { return status == engine::Status::solved; };
   for (const auto end : ends)
-    if (goes_on() && end > infeasible && end < not_infeasible && grid.at(end) > minimum)
+    if (goes_on() && end > infeasible && end < not_infeasible && grid.at(end) >= minimum)
       status = decide(end);
   while (goes_on() && not_infeasible <= maximum && not_infeasible - infeasible > 1 &&
-         grid.at(std::midpoint(infeasible, not_infeasible)) > minimum)
+         grid.at(std::midpoint(infeasible, not_infeasible)) >= minimum)
     status = decide(std::midpoint(infeasible, not_infeasible));
   return status;
 }
@@ -166,7 +166,7 @@ engine::Status CriticalBounds::prove_lower() {
     record_forms();
     return engine::Status::solved;
   }
-  const double minimum = CriticalFriction::range(problem_).minimum;
+  const double minimum = bracket_.minimum();
   const auto all_infeasible = [](const DecidedTree& decided) { return decided.all_infeasible(); };
   std::optional<double> infeasible;  // by the bounds of the solver
   double factor = bracket_.lower();
@@ -219,7 +219,8 @@ engine::Status CriticalBounds::prove_upper() {
     }
     factor += step;
   }
-  bracket_.move_upper(feasible);
+  // The list decides the known upper bound.
+  if (feasible || !parameters_.list) bracket_.move_upper(feasible);
   return prove_by_any(feasible.value_or(std::min(factor, parameters_.grid.maximum)));
 }
 
@@ -257,6 +258,8 @@ engine::Status CriticalBounds::list(CriticalFindings& findings) {
       if (known_.empty() || !(leaf.pattern == known_.front().pattern)) known_.push_back(leaf);
     return own_limit ? engine::Status::solved : decided.status;
   }
+  if (cones.size() < decided.leaves.size())
+    findings.open_points.push_back(OpenPoint::list_not_complete);
   if (cones.empty()) return engine::Status::solved;
   if (!bracket_.upper_proved() && decided.feasible != 0)
     bracket_.prove_upper(factor, *bracket_.leaf());

@@ -241,6 +241,15 @@ void pattern_by_pattern(engine::Analysis& analysis, const problems::WedgedProble
   findings.conclude(findings.status == engine::Status::solved ? maximum : 0);
 }
 
+// The first point of the grid at which the friction of every candidate has cone programs.
+double min_point(const problems::WedgedProblem& problem, double width) {
+  const double minimum = CriticalFriction::range(problem).minimum;
+  const FrictionGrid grid(width);
+  auto point = static_cast<std::int64_t>(std::floor(minimum / width));
+  while (grid.at(point) < minimum) ++point;
+  return grid.at(point);
+}
+
 // Narrows the bracket by the patterns with the smallest coefficients, on all ranks.
 void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                         const CriticalFindings& findings, NarrowingBracket& bracket) {
@@ -306,7 +315,7 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
   }
   const auto grid = grid_of(problem, parameters);
   CriticalFindings findings;
-  NarrowingBracket bracket(analysis, grid.maximum);
+  NarrowingBracket bracket(analysis, min_point(problem, grid.width), grid.maximum);
   CriticalBounds bounds(analysis, structure, problem,
                         {.grid = grid,
                          .tightening = parameters.tightening,

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "engine/collectives.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 
@@ -122,6 +123,11 @@ ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& param
     all.erase(all.begin(), all.upper_bound(0));
     return std::vector<double>(all.begin(), all.end());
   });
+  const double minimum = CriticalFriction::range(parameters.problem).minimum;
+  if (!coefficients.empty() && coefficients.front() < minimum) {
+    test.unable = fmt::format("friction coefficients below {:g} are not tested", minimum);
+    return test;
+  }
   if (coefficients.size() > max_tested) {
     test.unable = fmt::format("{} coefficients are more than are tested", coefficients.size());
     return test;

@@ -17,14 +17,14 @@ Bound bound(double value, bool proved) {
   return {value, proved ? Standing::proved : Standing::computed};
 }
 
-// The pattern that becomes feasible at the least coefficient, and its slipping candidates; in an
-// open bracket, the pattern known to stick with the least friction.
+// A pattern that is feasible at the upper bound, where others may be as well, and its slipping
+// candidates; in an open bracket, the pattern known to stick with the least friction.
 std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first,
                       bool closed) {
-  auto text = fmt::format(
-      "{} is number 1 (in contact: {})",
-      closed ? "The first pattern to stick" : "The pattern known to stick with the least friction",
-      contact_text(problem, first.pattern));
+  auto text = fmt::format("{} number 1 (in contact: {})",
+                          closed ? "It sticks there in pattern"
+                                 : "The pattern known to stick with the least friction is",
+                          contact_text(problem, first.pattern));
   if (!closed || first.reaction.empty() || !first.upper) return text + '.';
   const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
                                        first.reaction, first.displacement);
@@ -62,7 +62,8 @@ Verdict critical_verdict(const CriticalOptions& options, const problems::WedgedP
                          const wedged::CriticalFindings& findings) {
   const auto bracket = critical_bracket(options, problem, findings);
   Verdict verdict{.ended = findings.status, .answer = bracket};
-  const bool closed = findings.status == engine::Status::solved && !bracket.wide;
+  const bool closed =
+      findings.status == engine::Status::solved && !bracket.wide && bracket.bracket.lower;
   if (findings.upper && !findings.patterns.empty())
     verdict.details.push_back(first_way(problem, findings.patterns.front(), closed));
   if (!options.certificate.empty()) {

@@ -123,7 +123,9 @@ void PatternsOptions::describe_table(OptionTable& table) {
 
 void PatternsOptions::describe_limits(OptionTable& table) {
   table.search_limits(limits);
-  table.number("--pattern-limit", &limits.solutions, above(0), "maximum number of patterns")
+  table
+      .number("--pattern-limit", &limits.solutions, above(0),
+              "number of patterns after which the search ends; a few more may be found")
       .stops(engine::Status::solution_limit)
       .varies();
   table.resume(checkpoint);
@@ -136,6 +138,11 @@ void PatternsOptions::check(const OptionTable& table) const {
     throw WrongInput(
         "--certificate: --exists writes no certificate; expected --certificate without --exists, "
         "or kusabi critical --certificate");
+  }
+  if (exists && sort == PatternSort::critical) {
+    throw WrongInput(
+        "--sort critical: --exists ends with one pattern; expected --sort critical without "
+        "--exists, or kusabi critical");
   }
   if (probes > 0 && polyhedral) throw WrongInput("--probe: requires --method cones");
   const bool one_search_depth_first =
@@ -156,7 +163,7 @@ void PatternsOptions::check_lines(const OptionTable& table) const {
   for (const auto* const option : {"--csv", "--vtu", "--whole", "--group", "--exists"}) {
     if (table.find(option)->given) refuse(option);
   }
-  if (sort == PatternSort::critical) refuse("--sort critical");
+  if (sort != PatternSort::number) refuse("--sort");
   if (table.find("--output")->given == "-") refuse("--output -");
 }
 

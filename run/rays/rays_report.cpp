@@ -147,14 +147,18 @@ std::string RaysReport::summary() const {
   if (found_.cones.size() > longest_table) {
     fmt::format_to(out, "        and {} more (--output)\n", found_.cones.size() - longest_table);
   }
+  // The cones follow from all rays.
+  const bool whole = found_.status == engine::Status::solved;
   fmt::format_to(
-      out, "\n{}{} in {} at friction coefficient {}, by {}\n",
+      out, "\n{}{}{} at friction coefficient {}, by {}\n",
       counted(found_.rays.size(), "extremal ray"),
       problem_.modes.bodies.empty()
           ? ""
           : fmt::format(" and {} without reactions",
                         counted(found_.motions.size(), "extremal motion")),
-      counted(found_.cones.size(), "maximal cone"), friction_text(problem_, options_.friction),
+      whole ? " in " + counted(found_.cones.size(), "maximal cone")
+            : std::string(found_.rays.size() == 1 ? " is known" : " are known"),
+      friction_text(problem_, options_.friction),
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
   fmt::format_to(out,
                  "relative displacements up to {:.1e} are regarded as zero; the smallest other is "

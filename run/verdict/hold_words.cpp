@@ -131,7 +131,7 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
   }
   if (upper && upper->standing == Standing::computed) {
     all.push_back({fmt::format("Computed, not proved: it can hold the dead load at {:.12g}; some "
-                               "inequality holds only within the rounding of the file's "
+                               "inequality may hold only within the rounding of the file's "
                                "numbers.",
                                upper->value),
                    false});
@@ -304,7 +304,7 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
   if (std::ranges::any_of(found.intervals,
                           [](const auto& each) { return each.standing == Standing::computed; })) {
     all.push_back(
-        {"States at the ends of intervals are computed, not proved: some inequality holds only "
+        {"States at the ends of intervals are computed, not proved: some inequality may hold only "
          "within the rounding of the file's numbers.",
          false});
   }

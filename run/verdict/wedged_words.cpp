@@ -135,7 +135,7 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
   if (upper && !is_proved(upper)) {
     const auto claim = fmt::format(
         "Computed, not proved in exact arithmetic: it can stick at {:.12g}", upper->value);
-    all.push_back({solved ? claim + "; the pattern there is degenerate and exists only within the "
+    all.push_back({solved ? claim + "; some inequality may hold only as an equality, or within the "
                                     "rounding of the file's numbers."
                           : claim + '.',
                    !solved});

@@ -118,7 +118,7 @@ class Lines(KusabiCase):
         good = ("patterns", TRUSS, "--mu", 0.65, "--format", "jsonl")
         self.assertIn("requires --output", self.refused(*good))
         output = ("--output", self.lines)
-        for more in (("--csv", "-"), ("--whole",), ("--group", 1), ("--exists",), ("--sort", "critical"),
+        for more in (("--csv", "-"), ("--whole",), ("--group", 1), ("--exists",), ("--sort", "critical"), ("--sort", "margin"),
                      ("--vtu", self.folder / "vtu")):
             with self.subTest(more):
                 self.assertIn("--format jsonl", self.refused(*good, *output, *more))

@@ -209,6 +209,9 @@ TEST_F(PatternsCommand, DecidesTheExistenceOfAPattern) {
                           argument("certificate"));
   EXPECT_EQ(both.exit_code, 2) << both.output;
   EXPECT_THAT(both.output, HasSubstr("expected --certificate without --exists"));
+  const auto sorted = shell(command + " patterns " + file + " --exists --mu 1 --sort critical");
+  EXPECT_EQ(sorted.exit_code, 2) << sorted.output;
+  EXPECT_THAT(sorted.output, HasSubstr("expected --sort critical without --exists"));
 }
 
 TEST_F(PatternsCommand, FindsTheSamePatternsByPolyhedralFriction) {

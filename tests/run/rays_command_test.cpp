@@ -209,6 +209,7 @@ TEST_F(RaysCommand, StopsTheTreeAtALimitWithAPartialAnswer) {
   const auto run = shell(call + " --method tree");
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_THAT(run.output, HasSubstr("Stopped early (node-limit): the list is not complete."));
+  EXPECT_THAT(run.output, HasSubstr("\n0 extremal rays are known at friction coefficient 1, by"));
   const auto json = nlohmann::json::parse(content(file));
   EXPECT_EQ(json["status"], "node-limit");
   EXPECT_EQ(json["options"]["method"], "tree");

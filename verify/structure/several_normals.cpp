@@ -58,10 +58,14 @@ class Corner {
     });
   }
 
-  /// Sets the spring to the mean stiffness of the node before the transformation.
+  /// Sets the spring to the mean stiffness of the node before the transformation. An axis along
+  /// which nothing acts has no entry.
   void read_spring(const SparseEnclosure& stiffness) {
     Enclosure sum;
-    for (const auto number : own_) sum += stiffness[number].at(number);
+    for (const auto number : own_) {
+      const auto diagonal = stiffness[number].find(number);
+      if (diagonal != stiffness[number].end()) sum += diagonal->second;
+    }
     spring_ = sum / Enclosure(static_cast<double>(own_.size()));
   }
 

@@ -45,6 +45,7 @@ class CriticalDescent {
       if (start <= known_infeasible_ && start < maximum) continue;
       coarse_ = grid_.width;
       while (coarse_ < few_digits * start) coarse_ *= 2;
+      if (coarse_ * std::floor(start / coarse_) < bracket_.minimum()) coarse_ = grid_.width;
       infeasible_ = std::max(infeasible_, coarse_ * std::floor(known_infeasible_ / coarse_));
       // A search does not decide coefficients beyond the last point of its grid.
       const double top = coarse_ == grid_.width ? start : coarse_ * std::floor(start / coarse_);
@@ -79,8 +80,8 @@ class CriticalDescent {
           {CriticalPhase::dive, from_, found.opened, found.opened + bounds_.programs});
       bounds_.programs = 0;  // counted once
       if (std::isfinite(found.feasible)) {
-        feasible_ = found.feasible;
         bracket_.reduce_upper(found.feasible, found.leaf);
+        feasible_ = bracket_.upper();
       } else {
         (found.all_infeasible ? infeasible_ : undecided) = from_;
         if (found.all_infeasible) bracket_.raise_lower(from_);
@@ -94,11 +95,13 @@ class CriticalDescent {
   // Chooses the next coefficient below the feasible one. @return true: by a dive
   bool goes_on(double undecided) {
     const double last = coarse_ * static_cast<double>(std::llround(*feasible_ / coarse_) - 1);
-    if (last <= infeasible_) return false;
+    const double first = coarse_ * std::ceil(bracket_.minimum() / coarse_);
+    if (last <= infeasible_ || last < first) return false;
     const double minimum = std::max(infeasible_, undecided);
     const bool near = minimum > near_enough * *feasible_;
     const double next = minimum > 0 ? std::sqrt(minimum * *feasible_) : share_of_last * *feasible_;
-    const double below = std::max(coarse_ * std::floor(next / coarse_), infeasible_ + coarse_);
+    const double below =
+        std::max({coarse_ * std::floor(next / coarse_), infeasible_ + coarse_, first});
     from_ = near ? last : std::min(below, last);
     bounds_ = bounds_at(analysis_, problem_, from_, tightening_);
     return !near;
@@ -113,7 +116,7 @@ class CriticalDescent {
 
   bool search(CriticalPhase phase, double width, double from) {
     if (phase == CriticalPhase::fine || bounds_.blocks.empty())
-      bounds_ = bounds_at(analysis_, problem_, from, tightening_);
+      bounds_ = bounds_at(analysis_, problem_, std::max(from, bracket_.minimum()), tightening_);
     const auto found =
         find_smallest(analysis_, problem_,
                       {CriticalDirection::down,
@@ -123,8 +126,8 @@ class CriticalDescent {
                        bounds_},
                       findings_.costs, findings_.global_ranks);
     infeasible_ = std::max(infeasible_, found.lower);
-    if (std::isfinite(found.upper)) feasible_ = found.upper;
     found.narrow(bracket_, grid_.width);
+    if (std::isfinite(found.upper)) feasible_ = std::max(found.upper, bracket_.minimum());
     bracket_.show();
     findings_.status = found.status;
     if (found.status != engine::Status::solved) findings_.stopped_in = phase;

@@ -1,6 +1,7 @@
 // Updates of the bracket, and the line that reports it.
 #include "nodes/wedged/critical/narrowing_bracket.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -33,6 +34,7 @@ void NarrowingBracket::raise_lower(double lower) {
 }
 
 void NarrowingBracket::reduce_upper(double upper, const PatternNode& leaf) {
+  upper = std::max(upper, minimum_);
   if (!(upper < upper_or_infinity())) return;
   upper_ = upper;
   leaf_ = leaf;

@@ -12,8 +12,12 @@ namespace kusabi::wedged {
 /// The bracket, equal on all ranks.
 class NarrowingBracket {
  public:
-  NarrowingBracket(engine::Analysis& analysis, double maximum)
-      : analysis_(analysis), maximum_(maximum) {}
+  /// @param minimum of the coefficients that have programs; what sticks below it sticks there, too
+  /// @param maximum of the search
+  NarrowingBracket(engine::Analysis& analysis, double minimum, double maximum)
+      : analysis_(analysis), minimum_(minimum), maximum_(maximum) {}
+
+  [[nodiscard]] double minimum() const { return minimum_; }
 
   /// No configuration is wedged at this coefficient or below.
   [[nodiscard]] double lower() const { return lower_; }
@@ -48,7 +52,7 @@ class NarrowingBracket {
 
  private:
   engine::Analysis& analysis_;
-  double maximum_;
+  double minimum_, maximum_;
   double lower_ = 0;
   std::optional<double> upper_;
   std::optional<PatternNode> leaf_;

@@ -144,6 +144,8 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
     probe.infeasible_below = std::max(probe.infeasible_below, factor);
   if (probe.sign == conic::Sign::feasible)
     probe.feasible_from = std::min(probe.feasible_from, factor);
+  // Smaller coefficients have no programs that confirm it.
+  probe.feasible_from = std::max(probe.feasible_from, range_.minimum);
   return probe;
 }
 
@@ -163,6 +165,7 @@ void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
 }
 
 bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point) {
+  if (at(point) < range_.minimum) return false;
   const auto said = probe(pattern, at(point), sign_only);
   switch (said.sign) {
     case conic::Sign::infeasible:
@@ -190,7 +193,7 @@ CriticalCell CriticalFriction::feasible_from(const SignPattern& pattern, Critica
   const auto end = cell.feasible;
   cell.feasible = maximum;
   for (std::int64_t step = 0; end + step < maximum; step = std::max<std::int64_t>(1, 2 * step)) {
-    if (at(end + step) >= range_.minimum && decide(pattern, cell, end + step)) break;
+    if (decide(pattern, cell, end + step)) break;
   }
   return cell;
 }
@@ -224,6 +227,7 @@ CriticalCell CriticalFriction::bisect(const SignPattern& pattern, CriticalCell c
 
 CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell cell,
                                       CriticalMethod method, std::int64_t maximum) {
+  if (at(std::min(cell.feasible, maximum)) < range_.minimum) return cell;
   if (method == CriticalMethod::newton) return approach(pattern, cell, maximum);
   if (cell.feasible == CriticalCell::nowhere && !decide(pattern, cell, maximum)) return cell;
   return cell.feasible == CriticalCell::nowhere ? cell : bisect(pattern, cell);

@@ -27,9 +27,11 @@ struct FrictionProbe {
   bool degenerate = false;  ///< if undecided: the bracket of t* is within the tolerance
   /// Infeasible for every smaller coefficient, by the multipliers; 0: none.
   double infeasible_below = 0;
-  double feasible_from = 0;  ///< feasible from here on, by the configuration; infinity: nowhere
-  double newton = 0;         ///< zero of the tangent of t*; infinity if there is none
-  double margin = 0;         ///< the middle of the bracket of t*
+  /// Feasible from here on, by the configuration; at least the minimum of the range; infinity:
+  /// nowhere.
+  double feasible_from = 0;
+  double newton = 0;  ///< zero of the tangent of t*; infinity if there is none
+  double margin = 0;  ///< the middle of the bracket of t*
 };
 
 /// A bracket of a critical coefficient on the grid of multiples of a width: infeasible at the lower
@@ -147,6 +149,7 @@ class CriticalFriction {
   /// The solver with its last solution.
   [[nodiscard]] ContactSolver& solver() { return solver_; }
   [[nodiscard]] double width() const { return grid_.width(); }
+  [[nodiscard]] double min_factor() const { return range_.minimum; }
   [[nodiscard]] double at(std::int64_t multiple) const { return grid_.at(multiple); }
 
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
@@ -177,7 +180,8 @@ class CriticalFriction {
   [[nodiscard]] double coefficient_of_point(const SignPattern& node, double lower) const;
   // The bound of the program with cuts, if it proves one.
   std::optional<double> infeasible_below_with_cuts(const SignPattern& node, double factor);
-  // Moves a bound of the cell to a point within it, if its sign is decided there.
+  // Moves a bound of the cell to a point within it, if its sign is decided there. Points below the
+  // range are undecided.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
   void decide_around(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
   void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t maximum) const;

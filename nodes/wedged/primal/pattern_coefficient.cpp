@@ -40,6 +40,7 @@ std::optional<double> pattern_coefficient(CriticalFriction& critical,
       const double tangent = said.newton * (1 + digits / 4);
       const bool by_tangent = program % 2 == 0 && tangent > infeasible && tangent < feasible;
       factor = by_tangent ? tangent : middle;
+      if (factor < critical.min_factor()) break;
     } else {
       if (infeasible >= maximum) return {};
       const double next = std::isfinite(said.newton) ? said.newton * (1 + digits) : 0;

@@ -294,7 +294,7 @@ std::vector<Verdict> all_verdicts() {
       for (const bool more : {false, true}) {
         Verdict verdict{.ended = ended, .nodes_left = ended == solved ? 0U : 3U, .answer = answer};
         if (more) {
-          verdict.details = {"The first pattern to stick is number 1."};
+          verdict.details = {"It sticks there in pattern number 1."};
           verdict.missing = {"No certificate was written."};
           verdict.warnings = {"a.toml:3:1: a load is not part of the question"};
         }
