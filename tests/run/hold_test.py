@@ -331,7 +331,7 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
         held = {each["mu"]: len(each["intervals"]) for each in result["result"]["points"]}
         self.assertEqual(held, {0.31: 0, 0.32: 0, 0.33: 0, 0.34: 1, 0.35: 1})
         self.assertEqual(result["verdict"]["sentence"], "The dead load at 5 friction coefficients: at 0.31 it cannot be held, "
-                                                        "at 0.35 it can be held; the table has the factors at the other coefficients.")
+                                                        "at 0.35 it can be held; the table has the other coefficients.")
 
     def test_a_stopped_run_has_the_answers_of_searched_coefficients(self):
         mus = (0.4, 0.5, 0.6)

@@ -15,7 +15,7 @@ using namespace kusabi::run;
 std::string taken(OptionTable& table, const std::string& name, const std::string& text) {
   for (auto& row : table.rows()) {
     if (row.name != name) continue;
-    auto wrong = row.take(text);
+    auto wrong = row.store(text);
     if (wrong.empty()) row.given = text;
     return wrong;
   }
@@ -61,10 +61,10 @@ TEST(OptionTable, HasTheDefaultValuesOfOptions) {
   table.number("--required", &required, above(0), "").required();
   table.number("--usual", &usual, above(0), "").unit("m");
   table.number("--none", &none, above(0), "");
-  EXPECT_EQ(table.find("--no-limit")->usual, "");
-  EXPECT_EQ(table.find("--required")->usual, "");
-  EXPECT_EQ(table.find("--usual")->usual, "1e-08");
-  EXPECT_EQ(table.find("--none")->usual, "");
+  EXPECT_EQ(table.find("--no-limit")->default_value, "");
+  EXPECT_EQ(table.find("--required")->default_value, "");
+  EXPECT_EQ(table.find("--usual")->default_value, "1e-08");
+  EXPECT_EQ(table.find("--none")->default_value, "");
   EXPECT_EQ(table.find("--nothing"), nullptr);
 }
 
@@ -74,7 +74,7 @@ TEST(OptionTable, ReadsADurationInSecondsOrWithItsUnits) {
   OptionTable table;
   table.duration("--interval", interval, above(0), "");
   table.duration("--wait", wait, at_least(0), "");
-  EXPECT_EQ(table.find("--interval")->usual, "600s");
+  EXPECT_EQ(table.find("--interval")->default_value, "600s");
   EXPECT_EQ(taken(table, "--interval", "1e-6"), "");
   EXPECT_EQ(interval, 1e-6);
   EXPECT_EQ(taken(table, "--interval", "1h30m"), "");
@@ -112,7 +112,7 @@ TEST(OptionTable, ReadsAChoiceByItsName) {
   Way way = Way::there;
   OptionTable table;
   table.choice("--way", way, {{"here", Way::here}, {"there", Way::there}}, "");
-  EXPECT_EQ(table.find("--way")->usual, "there");
+  EXPECT_EQ(table.find("--way")->default_value, "there");
   EXPECT_EQ(table.find("--way")->value, "here|there");
   EXPECT_EQ(taken(table, "--way", "her"), "'her', expected one of here, there");
   EXPECT_EQ(way, Way::there);
