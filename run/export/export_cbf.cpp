@@ -75,7 +75,8 @@ support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view opti
                                    fmt::join(names, " or ")));
     }
     set.insert(static_cast<int>(longest));
-    text.remove_prefix(std::min(text.size(), names[longest].size() + 1));
+    text.remove_prefix(names[longest].size());
+    text.remove_prefix(std::min(text.size(), text.find_first_not_of(separators)));
   }
   return set;
 }

@@ -9,6 +9,7 @@
 #include "engine/analysis/analysis.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/root/safe_big_m.hpp"
+#include "problems/files/sections/residual_strength.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -50,6 +51,7 @@ class ExportMps final : public ExportedFile {
   std::string load_case_;
   std::string group_alpha_;
   std::optional<double> asked_m_;
+  bool struts_ = false;  // some members have a residual strength
   std::optional<problems::LimitProblem> problem_;
   Eigen::VectorXd big_m_;  // of the worst case, one per uncertain component
 };
@@ -78,7 +80,9 @@ void ExportMps::check() const {
 }
 
 void ExportMps::prepare(CommandRun& run) {
-  problem_ = problems::limit_problem(problems::in_chosen_case(input().structure(run), load_case_));
+  const auto structure = input().structure(run);
+  struts_ = problems::residual_strengths(input().text.toml, input().file, *structure).size() > 0;
+  problem_ = problems::limit_problem(problems::in_chosen_case(structure, load_case_));
   if (choice_ == Program::worst_case) set_half_widths();
   engine::require_equal_on_all_ranks(run.session().transport(), problem_->fingerprint);
 }
@@ -165,6 +169,8 @@ std::vector<std::string> ExportMps::comments() const {
                   hexadecimal(problem_->fingerprint)),
       fmt::format("Forces are in {}, lengths in {}, as in the problem file.", problem_->units.force,
                   problem_->units.length)};
+  if (struts_)
+    lines.emplace_back("All struts are at their strength, not at their residual strength.");
   switch (choice_) {
     case Program::statics:
       lines.emplace_back("The static principle (5) of limit analysis with the nominal dead load.");

@@ -24,7 +24,9 @@ mpirun kusabi $CALL --resume "$state" --time-limit "${TIME:-3h55m}" --output "$r
 code=$?
 
 if grep -Eqsx 'time-limit|interrupted' "$state.status" && [ "$turn" -lt "$most_turns" ]; then
-  qsub -N "$PBS_JOBNAME" -v "CALL=$CALL,TIME=${TIME:-3h55m},SCRIPT=$script,TURN=$((turn + 1))" "$script"
+  # Values from the environment, since they may contain commas.
+  export CALL TIME="${TIME:-3h55m}" SCRIPT="$script" TURN=$((turn + 1))
+  qsub -N "$PBS_JOBNAME" -v CALL,TIME,SCRIPT,TURN "$script"
   exit
 fi
 exit "$code"

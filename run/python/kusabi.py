@@ -235,7 +235,7 @@ def _execute(command, files, ranks, input, options):
             continue
         words.append("--" + name.replace("_", "-"))
         if value is not True:
-            words.append(repr(value) if isinstance(value, float) else str(value))
+            words.append(repr(float(value)) if isinstance(value, float) else str(value))
     if ranks is None:
         words.append("--serial")
     else:

@@ -67,7 +67,7 @@ std::string of_largest_margin(const Sticking& found, bool solved, bool ray, cons
   // Flat and undecided patterns have no margin.
   if (!leading.needed || !leading.state.empty()) return {};
   const bool complete =
-      solved && found.undecided == 0 && !found.example && !found.ambiguous && !found.doubt;
+      solved && found.undecided == 0 && !found.example && !found.ambiguous && !found.remainder;
   const auto head =
       ray ? fmt::format("The extremal ray{} that needs the least friction is number {} ({})",
                         complete ? "" : " known", leading.number, contact(leading, names))

@@ -52,8 +52,15 @@ class Python(KusabiCase):
         self.assertEqual(result["options"], {"cuts": "disjunctive", "branching": "paper", "tighten": False,
                                              "dive": True})
         self.assertEqual(kusabi.load(kept), result)
+        class Float64(float):
+            """As in NumPy 2."""
+
+            def __repr__(self):
+                return f"np.float64({float(self)})"
+
         mu = 0.1 + 0.2  # with all digits
-        self.assertEqual(kusabi.run("rays", EXAMPLES / "plane-truss.toml", mu=mu)["options"]["mu"], mu)
+        for same in (mu, Float64(mu)):
+            self.assertEqual(kusabi.run("rays", EXAMPLES / "plane-truss.toml", mu=same)["options"]["mu"], mu)
 
     def test_a_problem_may_be_a_text(self):
         for ranks in (None, 2):

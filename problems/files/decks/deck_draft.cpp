@@ -47,6 +47,16 @@ ChosenNodes DeckDraft::nodes_of(const MeshGroup& group) const {
   return result;
 }
 
+ChosenNodes DeckDraft::nodes_of_surface(const MeshGroup& group) const {
+  if (group.faces.empty() || group.nodes.empty()) return nodes_of(group);
+  MeshGroup surface = group;
+  surface.nodes.clear();
+  auto result = nodes_of(surface);
+  const std::set<int> listed(group.nodes.begin(), group.nodes.end());
+  if (listed != std::set<int>(result.all.begin(), result.all.end())) result.group.clear();
+  return result;
+}
+
 std::string DeckDraft::name(int node) const {
   return prefix_ + "." + mesh_name(mesh_, mesh_.nodes[static_cast<std::size_t>(node)]);
 }

@@ -38,6 +38,9 @@ class DeckDraft {
   const MeshGroup* group(const std::string& name) const;
   /// The used nodes of a group, all of them selected.
   ChosenNodes nodes_of(const MeshGroup& group) const;
+  /// The nodes of a surface: those of its faces, if it has some. A set of the same name may have
+  /// other nodes; then they are listed one by one.
+  ChosenNodes nodes_of_surface(const MeshGroup& group) const;
 
   /// Name of a node or of a group in the problem file.
   std::string name(int node) const;

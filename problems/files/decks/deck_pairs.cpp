@@ -76,7 +76,7 @@ class PairWriter {
 std::optional<PairWriter::Sides> PairWriter::sides(const MeshPair& pair) {
   const MeshGroup* own = draft_.group(pair.nodes);
   const MeshGroup* other = draft_.group(pair.against);
-  if (own == nullptr || draft_.nodes_of(*own).all.empty()) {
+  if (own == nullptr || draft_.nodes_of_surface(*own).all.empty()) {
     draft_.warn(pair.at, fmt::format("surface {} has no node of the body, and its pair is left out",
                                      pair.nodes));
     return std::nullopt;
@@ -230,7 +230,7 @@ void PairWriter::write_contact(const MeshPair& pair, const Sides& sides, ChosenN
 void PairWriter::write(const MeshPair& pair) {
   const auto found = sides(pair);
   if (!found) return;
-  const ChosenNodes nodes = draft_.nodes_of(*found->own);
+  const ChosenNodes nodes = draft_.nodes_of_surface(*found->own);
   if (pair.tied) {
     write_tie(pair, *found, nodes);
   } else {

@@ -100,6 +100,17 @@ DeckWeight weight_of(DeckDraft& draft) {
   return weight;
 }
 
+// The heading without control characters, cut to the length of a name between two characters.
+std::string name_of(std::string heading) {
+  const auto byte = [&](std::size_t place) { return static_cast<unsigned char>(heading[place]); };
+  for (std::size_t place = 0; place < heading.size(); ++place)
+    if (byte(place) < 0x20U || byte(place) == 0x7FU) heading[place] = ' ';
+  std::size_t end = std::min(heading.size(), longest_text);
+  while (end < heading.size() && (byte(end) & 0xC0U) == 0x80U) --end;
+  heading.resize(end);
+  return heading;
+}
+
 void write_head(DeckDraft& draft, const DeckChoices& choices, const std::string& prefix,
                 const Eigen::Vector3d& gravity) {
   const std::string& heading = draft.mesh().heading;
@@ -110,7 +121,7 @@ void write_head(DeckDraft& draft, const DeckChoices& choices, const std::string&
     draft.write(fmt::format("# Its largest friction coefficient is {0}: --mu {0}\n", friction));
   }
   draft.write(fmt::format("name = {}\ndimension = {}\nunits = {{ length = {}, force = {} }}\n",
-                          toml_text(heading.empty() ? prefix : heading), draft.dimension(),
+                          toml_text(heading.empty() ? prefix : name_of(heading)), draft.dimension(),
                           toml_text(choices.length), toml_text(choices.force)));
   if (!gravity.isZero(0)) draft.write(fmt::format("gravity = {}\n", vector_text(draft, gravity)));
   draft.write(fmt::format(

@@ -12,11 +12,18 @@
 namespace kusabi::problems {
 namespace {
 
+// True if a property of some element or member is not zero.
+template <class Part>
+bool has_some(const std::vector<Part>& parts, double Part::*property) {
+  return std::ranges::any_of(parts, [&](const Part& part) { return part.*property != 0; });
+}
+
 void add_weight(ProblemDraft& draft, const toml::node& entry) {
   Structure& structure = draft.structure();
   const auto forces =
       weight(structure, draft.reader().vector(entry, "gravity", structure.dimension));
-  if (forces.isZero(0))
+  if (!has_some(structure.elements, &Element::density) &&
+      !has_some(structure.members, &Member::mass))
     draft.reader().fail(entry, "gravity has no effect; expected the density of a material");
   if (!structure.superelements.empty()) {
     structure.warnings.emplace_back(
@@ -49,7 +56,8 @@ void add_temperature(ProblemDraft& draft, const toml::node& entry) {
                         "known; expected elements and members only");
   }
   const auto forces = forces_of_temperature(structure, draft.reader().number(entry, "temperature"));
-  if (forces.isZero(0))
+  if (!has_some(structure.elements, &Element::expansion) &&
+      !has_some(structure.members, &Member::expansion))
     draft.reader().fail(entry, "temperature has no effect; expected the expansion of a material");
   structure.imposed_forces += forces;
 }

@@ -259,6 +259,8 @@ void MeshFileSection::add_bar(const MeshElement& element, const MeshUse& use) {
     const double area = use.section->measure * scale_ * scale_;
     bar.axial_stiffness = use.section->modulus * area;
     bar.mass = use.section->density * area;
+    if (bar.mass == 0 && own_) bar.mass = own_->element.density * area;
+    if (own_) bar.expansion = own_->element.expansion;
     material_position = position(use.section->at);
   }
   bar.first = number(element.nodes[0]);

@@ -1,4 +1,5 @@
-// Members are found by the names of their nodes.
+// Members of [[members]] follow those of meshes in the structure, in the order of the file. Names of
+// their nodes would not do: a node may have several, and two bars the same two nodes.
 #include "problems/files/sections/residual_strength.hpp"
 
 #include <cstddef>
@@ -12,30 +13,29 @@ Eigen::VectorXd residual_strengths(std::string_view toml_text, const std::string
                                    const Structure& structure) {
   const TomlReader reader(toml_text, file_name);
   const toml::node* const section = reader.root().table->get("members");
-  Eigen::VectorXd strengths;
-  if (section == nullptr) return strengths;
-  for (const TomlTable& group : reader.groups(*section, "members")) {
+  if (section == nullptr) return {};
+  const auto count = static_cast<Eigen::Index>(structure.members.size());
+  Eigen::VectorXd strengths(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    strengths(i) =
+        structure.members[static_cast<std::size_t>(i)].yield.value_or(YieldForces{}).compression;
+  const auto groups = reader.groups(*section, "members");
+  const auto pairs = [&](const TomlTable& group) {
+    return static_cast<Eigen::Index>(
+        reader.elements(*group.table->get("between"), "between").size());
+  };
+  Eigen::Index first = count;
+  for (const TomlTable& group : groups) first -= pairs(group);
+  bool struts = false;
+  for (const TomlTable& group : groups) {
     const auto residual = bars_in(reader, group).residual;
-    if (!residual) continue;
-    if (strengths.size() == 0) {
-      strengths.resize(static_cast<Eigen::Index>(structure.members.size()));
-      for (std::size_t i = 0; i < structure.members.size(); ++i)
-        strengths(static_cast<Eigen::Index>(i)) =
-            structure.members[i].yield.value_or(YieldForces{}).compression;
+    if (residual) {
+      strengths.segment(first, pairs(group)) *= *residual;
+      struts = true;
     }
-    for (const toml::node* pair : reader.elements(*group.table->get("between"), "between")) {
-      const auto ends = reader.texts(*pair, "a member");
-      for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const auto& bar = structure.members[i];
-        const auto& first = structure.node_names[static_cast<std::size_t>(bar.first)];
-        const auto& second = structure.node_names[static_cast<std::size_t>(bar.second)];
-        if (first == ends[0].text && second == ends[1].text)
-          strengths(static_cast<Eigen::Index>(i)) =
-              *residual * bar.yield.value_or(YieldForces{}).compression;
-      }
-    }
+    first += pairs(group);
   }
-  return strengths;
+  return struts ? strengths : Eigen::VectorXd();
 }
 
 }  // namespace kusabi::problems

@@ -10,13 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "problems/files/toml/toml_text.hpp"
 #include "support/nearest.hpp"
 
 namespace kusabi::problems {
 namespace {
-
-/// Maximum length of a name, in bytes. Names are column headings of results.
-constexpr std::size_t longest_text = 64;
 
 support::SourcePosition position_in_file(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};

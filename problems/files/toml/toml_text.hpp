@@ -1,10 +1,14 @@
 // Values in the notation of TOML.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace kusabi::problems {
+
+/// Maximum length of a name, in bytes. Names are column headings of results.
+inline constexpr std::size_t longest_text = 64;
 
 /// The text in quotes.
 std::string toml_text(const std::string& text);

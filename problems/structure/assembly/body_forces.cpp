@@ -86,8 +86,7 @@ Eigen::MatrixXd weight(const Structure& structure, const Eigen::VectorXd& gravit
     forces.col(bar.first) += own;
     forces.col(bar.second) += own;
   }
-  for (int index = 0; index < body_elements(structure); ++index) {
-    const Element& element = body_element(structure, index);
+  for (const Element& element : structure.elements) {
     if (element.density == 0) continue;
     for (const auto& point : volume_points(structure, element)) {
       for (std::size_t a = 0; a < element.nodes.size(); ++a)

@@ -86,7 +86,8 @@ class Cells {
   std::multimap<Cell, int> nodes_;
 };
 
-/// Nodes that may coincide with others: supported ones and those in contact with another body.
+/// Nodes that may coincide with others: supported ones, those in contact with another body, and
+/// tied ones.
 std::set<int> meant_apart(const Structure& structure) {
   std::set<int> nodes;
   for (const auto& candidate : structure.contact) {
@@ -97,6 +98,7 @@ std::set<int> meant_apart(const Structure& structure) {
   for (int node = 0; node < std::ssize(structure.node_names); ++node) {
     if (is_ground(structure, node)) nodes.insert(node);
   }
+  for (const auto& tie : structure.ties) nodes.insert(tie.node);
   return nodes;
 }
 

@@ -60,6 +60,21 @@ std::vector<std::string> candidates(const Structure& structure) {
   return names;
 }
 
+TEST(DeckProblem, HasItsHeadingAsANameOfThePermittedLength) {
+  // 63 bytes and a letter of two.
+  auto deck = blocks;
+  deck.replace(deck.find("block on a block"), 16,
+               "Job\t1: " + std::string(56, 'x') + "\u00e9 and more");
+  EXPECT_EQ(structure_of(imported(deck), deck).name, "Job 1: " + std::string(56, 'x'));
+}
+
+// Sets and surfaces have name spaces of their own.
+TEST(DeckProblem, HasThePairsOfASurfaceThatHasTheNameOfASet) {
+  const auto with_set = blocks + "*NSET, NSET=FOOT\n2\n" + contact;
+  EXPECT_EQ(candidates(structure_of(imported(with_set), with_set)),
+            candidates(structure_of(imported(blocks + contact), blocks + contact)));
+}
+
 TEST(DeckProblem, HasTheLoadsAtTheEndOfTheLastStep) {
   // Node 6 has 1 + 2 in the second step instead of 7; the set keeps its load of the first one.
   const auto deck =

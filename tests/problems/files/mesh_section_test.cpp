@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/files/sections/residual_strength.hpp"
 #include "problems/files/structure_file.hpp"
 #include "tests/problems/files/mesh_problems.hpp"
 
@@ -367,6 +368,26 @@ TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreReported) {
   EXPECT_THAT(warnings[0], HasSubstr("the normal is 11.4 degrees off the surface of the body"));
   EXPECT_THAT(load_structure(KUSABI_SOURCE_DIR "/examples/elastic-body.toml")->warnings,
               ElementsAre());
+}
+
+// A node that a mesh shares with [nodes] has two names, and two bars may have the same two nodes.
+TEST(ResidualStrengths, AreThoseOfTheMembersOfTheirGroup) {
+  for (const std::string name : {"p", "b.0,0"}) {
+    const std::string text =
+        "name = \"t\"\ndimension = 2\nunits = { length = \"m\", force = \"kN\" }\n"
+        "[nodes]\np = [0, 0]\nq = [0, -1]\n"
+        "[[mesh]]\nname = \"b\"\ncorners = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
+        "divisions = [1, 1]\nE = 1\nnu = 0.2\nthickness = 1\nplane = \"stress\"\n"
+        "[[members]]\nEA = 1\nyield = 10\nbetween = [[\"p\", \"q\"]]\n"
+        "[[members]]\nEA = 1\nyield = { tension = 10, compression = 8, residual = 0.25 }\n"
+        "between = [[\"" +
+        name +
+        "\", \"q\"]]\n"
+        "[[supports]]\nnodes = [\"b.bottom\", \"q\"]\n"
+        "[[loads]]\nkind = \"reference\"\nnodes = [\"b.top\"]\nforce = [0, -1]\n";
+    const auto structure = read_structure(text, "t.toml");
+    EXPECT_EQ(residual_strengths(text, "t.toml", structure), Eigen::Vector2d(10, 2)) << name;
+  }
 }
 
 }  // namespace
