@@ -62,6 +62,8 @@ struct Sticking {
   std::uint64_t degenerate = 0;       ///< closed nodes with a margin of zero that are not proved
   bool ambiguous = false;             ///< numbers that cannot be distinguished from zero
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
+  /// Proved for displacements up to this many times the strains only; absent: for all.
+  std::optional<double> displacement_ratio{};
   /// `--exists`: one pattern is the answer, and the list is not complete.
   bool example = false;
 };
@@ -76,6 +78,7 @@ struct CriticalBracket {
   /// The patterns that stick at `upper` were requested, and are not known.
   bool patterns_open = false;
   Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
+  std::optional<double> displacement_ratio{};   ///< as in Sticking
 };
 
 /// Reason of an answer about loads that needs no search.
