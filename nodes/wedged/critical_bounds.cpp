@@ -319,6 +319,8 @@ void CriticalBounds::prove(CriticalFindings& findings) {
   findings.lower_proved = bracket_.lower_proved();
   findings.upper_proved = bracket_.upper_proved();
   findings.exact = decisions_.is_exact();
+  if (decisions_.leaves_out_large_displacements())
+    findings.displacement_ratio = verify::largest_displacement_ratio;
   if (findings.patterns.empty()) note_patterns(findings);
   note_undecided(findings);
 }

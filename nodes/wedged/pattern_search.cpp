@@ -151,13 +151,14 @@ void test_all_nodes(SignPatternTree& tree, const EvidenceCheck& check, bool unco
   if (!check.can_prove() && unconstrained)
     findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
   if (check.can_prove() || unconstrained)
-    tree.test_with([&check](const auto& evidence) { return check.holds(evidence); }, true);
+    tree.test_with([&check](const auto& evidence) { return check.proof(evidence); }, true);
 }
 
 void test_degenerate_nodes(SignPatternTree& tree, const EvidenceCheck& check) {
   tree.test_with(
       [&check](const auto& evidence) {
-        return evidence.kind != Evidence::Kind::no_claim || check.holds(evidence);
+        return evidence.kind == Evidence::Kind::no_claim ? check.proof(evidence)
+                                                         : NodeProof::complete;
       },
       false);
 }
@@ -178,6 +179,8 @@ void collect_leaves(PatternFindings& findings, std::vector<Configuration>& known
   findings.exact.refused = tally.refused;
   findings.exact.unproved = tally.unproved;
   findings.exact.closed_unproved = tally.closed_unproved;
+  if (tally.except_large_displacements > 0)
+    findings.exact.displacement_ratio = verify::largest_displacement_ratio;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,8 @@ struct ExactTest {
   /// Nodes closed nevertheless, since their subtrees are too large.
   std::uint64_t closed_unproved = 0;
   std::uint64_t unproved = 0;  ///< closed nodes without claim that it does not prove either
+  /// Proved for displacements up to this many times the strains only; absent: for all.
+  std::optional<double> displacement_ratio{};
 
   /// True if the list may be incomplete although all its patterns are decided.
   [[nodiscard]] bool is_open() const {

@@ -50,6 +50,7 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
   found.grounds = findings.exact ? Grounds::exact_arithmetic : Grounds::solver_bounds;
+  found.displacement_ratio = findings.displacement_ratio;
   using enum wedged::OpenPoint;
   found.wide = std::ranges::find(findings.open_points, wide_bracket) != findings.open_points.end();
   found.patterns_open =

@@ -96,6 +96,7 @@ Verdict PatternsReport::verdict() const {
                          .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
                          .degenerate = exact.unproved,
                          .remainder = remainder_of(exact),
+                         .displacement_ratio = exact.displacement_ratio,
                          .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (!options_.certificate.empty() && findings_.whole() && exact.unproved > 0 && !exact.asked) {

@@ -132,6 +132,7 @@ class WrittenVerdict {
             .degenerate = some_count(answer, "degenerate"),
             .ambiguous = truth(answer, "ambiguous"),
             .remainder = remainder(answer),
+            .displacement_ratio = some_number(answer, "displacement_ratio"),
             .example = ResultReader::find(answer, "example") != nullptr};
   }
   [[nodiscard]] HoldReason hold_reason(const ResultJson& answer) const {
@@ -200,7 +201,8 @@ class WrittenVerdict {
             .width = reader_.number(answer, "width"),
             .wide = truth(answer, "wide"),
             .patterns_open = truth(answer, "patterns_open"),
-            .grounds = grounds(answer, Grounds::exact_arithmetic)};
+            .grounds = grounds(answer, Grounds::exact_arithmetic),
+            .displacement_ratio = some_number(answer, "displacement_ratio")};
   }
   [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
     return {.maximum = reader_.number(answer, "most"),

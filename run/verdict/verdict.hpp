@@ -63,6 +63,8 @@ struct Sticking {
   bool ambiguous = false;        ///< numbers that cannot be distinguished from zero
   /// Absent: no exact test was requested, or nothing remains.
   std::optional<ExactRemainder> remainder{};
+  /// Proved for displacements up to this many times the strains only; absent: for all.
+  std::optional<double> displacement_ratio{};
   /// `--exists`: one pattern is the answer, and the list is not complete.
   bool example = false;
 };
@@ -77,6 +79,7 @@ struct CriticalBracket {
   /// The patterns that stick at `upper` were requested, and are not known.
   bool patterns_open = false;
   Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
+  std::optional<double> displacement_ratio{};   ///< as in Sticking
 };
 
 /// Reason of an answer about loads that needs no search.

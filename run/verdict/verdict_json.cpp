@@ -49,7 +49,8 @@ ordered_json answer_json(const Sticking& found) {
                     {"grounds", grounds_name(found.grounds)},
                     {"degenerate", found.degenerate},
                     {"ambiguous", found.ambiguous},
-                    {"doubt", remainder_json(found.remainder)}};
+                    {"doubt", remainder_json(found.remainder)},
+                    {"displacement_ratio", number_or_null(found.displacement_ratio)}};
   if (found.example) json["example"] = true;
   return json;
 }
@@ -62,7 +63,8 @@ ordered_json answer_json(const CriticalBracket& found) {
           {"width", found.width},
           {"wide", found.wide},
           {"patterns_open", found.patterns_open},
-          {"grounds", grounds_name(found.grounds)}};
+          {"grounds", grounds_name(found.grounds)},
+          {"displacement_ratio", number_or_null(found.displacement_ratio)}};
 }
 
 ordered_json answer_json(const HoldingBracket& found) {

@@ -19,6 +19,13 @@ bool is_refuted(const std::optional<ExactRemainder>& remainder) {
   return remainder && !remainder->why.empty();
 }
 
+void reserve_large_displacements(std::optional<double> ratio, std::vector<Reservation>& all) {
+  if (!ratio) return;
+  all.push_back(
+      {fmt::format("The proofs are for displacements up to {:.2g} times the strains.", *ratio),
+       false});
+}
+
 void reserve(const ExactRemainder& remainder, std::vector<Reservation>& all) {
   if (!remainder.why.empty()) {
     all.push_back(
@@ -88,6 +95,8 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
   } else if (found.grounds == Grounds::solver_bounds && ended == engine::Status::solved) {
     all.push_back({fmt::format("{}; --prove adds exact arithmetic.", proved_by_bounds), false});
   }
+  if (found.standing == Standing::proved)
+    reserve_large_displacements(found.displacement_ratio, all);
 }
 
 std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) {
@@ -145,6 +154,8 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
                                proved_by_bounds),
                    false});
   }
+  if (is_proved(lower) || is_proved(upper))
+    reserve_large_displacements(found.displacement_ratio, all);
   if (found.patterns_open) {
     all.push_back({fmt::format("The patterns that stick at {:.12g} were not determined.",
                                upper ? upper->value : found.maximum),

@@ -329,6 +329,39 @@ TEST_F(PatternsCommand, ClaimsNoProofOfAListWithDegenerateNodes) {
   EXPECT_EQ(answer()["standing"], "proved");
 }
 
+// A block between walls that are parallel up to the last digit: a slide along them by 1e16 times
+// the strain of the block is left out of the proofs, as `verify` says.
+TEST_F(PatternsCommand, NamesTheDisplacementsThatProofsLeaveOut) {
+  std::ofstream(in_folder("walls.toml")) << R"(
+name = "block between walls"
+dimension = 2
+units = { length = "mm", force = "N" }
+[[mesh]]
+name = "b"
+corners = [[0.0, 0.0], [0.9486832980505138, 0.31622776601683794], [0.6324555320336759, 1.2649110640673518], [-0.31622776601683794, 0.9486832980505138]]
+divisions = [1, 1]
+E = 1000.0
+nu = 0.3
+thickness = 1
+plane = "strain"
+[[contact]]
+nodes = ["b.left"]
+normal = [0.9486832980505138, 0.3162277660168379]
+[[contact]]
+nodes = ["b.right"]
+normal = [-3, -1]
+)";
+  const std::string sentence =
+      "\nThe proofs are for displacements up to 1e+06 times the strains.\n";
+  const auto walls = argument("walls.toml");
+  EXPECT_THAT(
+      shell(command + " patterns " + walls + " --mu 0.3 --prove").output,
+      AllOf(HasSubstr("\nIt cannot stick at friction coefficient 0.3.\n"), HasSubstr(sentence)));
+  EXPECT_THAT(shell(command + " critical " + walls).output, HasSubstr(sentence));
+  EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.3 --prove").output,
+              Not(HasSubstr(sentence)));
+}
+
 constexpr auto two_corners = R"(
 name = "two corners"
 dimension = 2

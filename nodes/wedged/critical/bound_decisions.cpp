@@ -51,10 +51,20 @@ std::shared_ptr<const EvidenceCheck> BoundDecisions::check(
       badly_scaled_ ? LargeDisplacements::counted : LargeDisplacements::left_out);
 }
 
-BoundDecisions::Test BoundDecisions::test(std::shared_ptr<const EvidenceCheck> check) const {
+ExactNodeTest BoundDecisions::test(std::shared_ptr<const EvidenceCheck> check) const {
   return [badly_scaled = badly_scaled_, check = std::move(check)](const Evidence& evidence) {
-    return check ? check->holds(evidence)
-                 : !badly_scaled && evidence.kind != Evidence::Kind::no_claim;
+    if (check) return check->proof(evidence);
+    return !badly_scaled && evidence.kind != Evidence::Kind::no_claim ? NodeProof::complete
+                                                                      : NodeProof::refused;
+  };
+}
+
+std::function<bool(const Evidence&)> BoundDecisions::acceptance(
+    std::shared_ptr<const EvidenceCheck> check) {
+  return [this, proof_of = test(std::move(check))](const Evidence& evidence) {
+    const auto proof = proof_of(evidence);
+    leaves_out_ = leaves_out_ || proof == NodeProof::except_large_displacements;
+    return proof != NodeProof::refused;
   };
 }
 
@@ -71,7 +81,7 @@ bool BoundDecisions::roots_are_infeasible(double factor) {
         problem_, friction,
         {.tolerances = CriticalFriction::tolerances, .precision = Precision::doubles});
     tree.end_when(analysis_.budget().stop());
-    const auto accepts = test(check(friction));
+    const auto accepts = acceptance(check(friction));
     bool holds = true;
     tree.report_to([&](const auto& evidence) {
       holds = holds && evidence.kind == Evidence::Kind::infeasible && accepts(evidence);
@@ -91,7 +101,7 @@ bool BoundDecisions::roots_are_infeasible(double factor) {
 
 bool BoundDecisions::are_proved(std::span<const Evidence> claims, double factor) {
   return analysis_.by_first_rank([&] {
-    return std::ranges::all_of(claims, test(check(candidate_friction(problem_, factor))));
+    return std::ranges::all_of(claims, acceptance(check(candidate_friction(problem_, factor))));
   });
 }
 
@@ -104,7 +114,7 @@ DecidedLeaf BoundDecisions::leaf(const PatternNode& leaf, double factor, LeafRec
     SignPatternTree tree(problem_, friction,
                          {.tolerances = tolerances(), .thorough = true, .precision = precision_});
     if (kind != LeafRecord::after_stop) tree.end_when(analysis_.budget().stop());
-    const auto accepts = test(check(friction));
+    const auto accepts = acceptance(check(friction));
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
       decided.holds = evidence.kind == Evidence::Kind::feasible && accepts(evidence);
@@ -155,8 +165,10 @@ DecidedTree BoundDecisions::tree(BracketSide side, double factor, CriticalPhase 
     return DecidedTree{.status = outcome.status,
                        .leaves = maximal_cones(std::move(leaves)),
                        .feasible = tally.proved,
-                       .unproved = tally.closed_unproved + tally.unproved};
+                       .unproved = tally.closed_unproved + tally.unproved,
+                       .except_large_displacements = tally.except_large_displacements > 0};
   });
+  leaves_out_ = leaves_out_ || decided.except_large_displacements;
   if (record) record->end(bounds, BoundClaim::all_patterns, decided.solved() && wanted(decided));
   return decided;
 }

@@ -32,10 +32,11 @@ struct DecidedTree {
   std::vector<Configuration> leaves;  ///< maximal cones and undecided leaves
   std::uint64_t feasible = 0;         ///< leaves that the exact test proves feasible
   std::uint64_t unproved = 0;         ///< nodes whose evidence it refuses, or which are undecided
+  bool except_large_displacements = false;  ///< some of its proofs leave these out
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaves& feasible& unproved;
+    archive& status& leaves& feasible& unproved& except_large_displacements;
   }
 
   [[nodiscard]] bool solved() const { return status == engine::Status::solved; }
@@ -82,6 +83,8 @@ class BoundDecisions {
   bool enclose();
   /// True if K is enclosed, so that decisions are exact.
   [[nodiscard]] bool is_exact() const;
+  /// True on the first rank if some proof so far leaves out large displacements.
+  [[nodiscard]] bool leaves_out_large_displacements() const { return leaves_out_; }
   /// True if the error of the search may exceed the largest relaxation of a bound, while the exact
   /// test is available. @pre enclose()
   [[nodiscard]] bool needs_bisection() const;
@@ -100,14 +103,14 @@ class BoundDecisions {
                    std::uint64_t nodes = engine::Limits{}.nodes);
 
  private:
-  /// True if evidence proves its claim.
-  using Test = std::function<bool(const Evidence&)>;
+  /// True if evidence proves its claim; notes proofs that leave out large displacements.
+  std::function<bool(const Evidence&)> acceptance(std::shared_ptr<const EvidenceCheck> check);
 
   /// Exact test at one coefficient. Null: K cannot be enclosed.
   [[nodiscard]] std::shared_ptr<const EvidenceCheck> check(
       std::span<const double> friction, std::span<const ProvedBound> bounds = {}) const;
   /// The exact test; if it is null, the claims of the solver count as proved, unless badly_scaled_.
-  [[nodiscard]] Test test(std::shared_ptr<const EvidenceCheck> check) const;
+  [[nodiscard]] ExactNodeTest test(std::shared_ptr<const EvidenceCheck> check) const;
   [[nodiscard]] conic::Tolerances tolerances() const;
 
   engine::Analysis& analysis_;
@@ -117,6 +120,7 @@ class BoundDecisions {
   Tightening tightening_;
   const BoundRecorder& recorder_;
   std::vector<CriticalCost>& costs_;
+  bool leaves_out_ = false;
   /// Enclosure of K, or the reason why there is none; nothing before it is computed.
   std::optional<StiffnessEnclosure> stiffness_;
   bool badly_scaled_;  ///< unconstrained bodies with very different scales: results of the solver

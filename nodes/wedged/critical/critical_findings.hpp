@@ -120,9 +120,11 @@ struct CriticalFindings {
   double lower = 0;  ///< no leaf is feasible at this coefficient or below
   /// A leaf is feasible at this coefficient; nothing: none up to the largest.
   std::optional<double> upper;
-  bool lower_proved = false;    ///< every sign pattern was proved infeasible at `lower`
-  bool upper_proved = false;    ///< a solid cone was proved feasible at `upper`
-  bool exact = false;           ///< proved in exact arithmetic; otherwise by the solver's bounds
+  bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
+  bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
+  bool exact = false;         ///< proved in exact arithmetic; otherwise by the solver's bounds
+  /// Proved for displacements up to this many times the strains only; absent: for all.
+  std::optional<double> displacement_ratio;
   bool lower_recorded = false;  ///< there is a certificate of `lower`
   bool upper_recorded = false;  ///< there is a certificate of `upper`
   std::vector<OpenPoint> open_points;

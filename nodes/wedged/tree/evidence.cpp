@@ -4,8 +4,9 @@
 namespace kusabi::wedged {
 
 bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const {
-  const bool accepted = !test_ || test_(claim);
-  if (!accepted) {
+  const auto proof = test_ ? test_(claim) : NodeProof::complete;
+  if (proof == NodeProof::except_large_displacements) ++tally.except_large_displacements;
+  if (proof == NodeProof::refused) {
     ++tally.refused;
     if (binding_) return false;
     if (claim.kind != Evidence::Kind::feasible) ++tally.closed_unproved;
@@ -17,7 +18,7 @@ bool EvidenceGate::passes(const Evidence& claim, SignPatternTally& tally) const 
 }
 
 void EvidenceGate::pass_open(const Evidence& node, SignPatternTally& tally) const {
-  if (!test_ || !test_(node)) ++tally.unproved;
+  if (!test_ || test_(node) == NodeProof::refused) ++tally.unproved;
   if (recorder_) recorder_(node);
 }
 

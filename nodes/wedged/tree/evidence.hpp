@@ -32,9 +32,13 @@ struct Evidence {
 /// Recorder of the evidence of every closed node.
 using EvidenceRecorder = std::function<void(const Evidence&)>;
 
-/// Exact test of the evidence of a node to be closed. For a node without claim: true if its
+/// Result of the exact test of a claim. Proofs may leave out large displacements
+/// (verify/wedged/block_model.hpp).
+enum class NodeProof : char { refused, except_large_displacements, complete };
+
+/// Exact test of the evidence of a node to be closed. For a node without claim: refused unless its
 /// configurations all belong to other nodes.
-using ExactNodeTest = std::function<bool(const Evidence&)>;
+using ExactNodeTest = std::function<NodeProof(const Evidence&)>;
 
 /// Exact test and recorder of evidence, either of which may be absent.
 class EvidenceGate {

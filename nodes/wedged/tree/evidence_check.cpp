@@ -66,8 +66,8 @@ verify::Claim claim_of(Evidence::Kind kind) {
 
 }  // namespace
 
-bool EvidenceCheck::holds(const Evidence& evidence) const {
-  if (!proof_->min_eigenvalue()) return false;
+NodeProof EvidenceCheck::proof(const Evidence& evidence) const {
+  if (!proof_->min_eigenvalue()) return NodeProof::refused;
   verify::Record record;
   record.claim = claim_of(evidence.kind);
   record.block = evidence.block;
@@ -75,9 +75,13 @@ bool EvidenceCheck::holds(const Evidence& evidence) const {
   record.separated = evidence.node.separated;
   record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
   const auto proof_result = proof_->proof_result(record);
-  if (record.claim == verify::Claim::none) return proof_result.unloaded;
-  return !proof_result.refusal && (large_displacements_ == LargeDisplacements::left_out ||
-                                   !proof_result.except_large_displacements);
+  if (record.claim == verify::Claim::none)
+    return proof_result.unloaded ? NodeProof::complete : NodeProof::refused;
+  if (proof_result.refusal) return NodeProof::refused;
+  if (!proof_result.except_large_displacements) return NodeProof::complete;
+  return large_displacements_ == LargeDisplacements::left_out
+             ? NodeProof::except_large_displacements
+             : NodeProof::refused;
 }
 
 }  // namespace kusabi::wedged

@@ -65,7 +65,12 @@ class EvidenceCheck {
 
   /// True if the evidence proves its claim. For a node without claim: true if a contact without
   /// reaction proves that all its configurations belong to other nodes.
-  [[nodiscard]] bool holds(const Evidence& evidence) const;
+  [[nodiscard]] bool holds(const Evidence& evidence) const {
+    return proof(evidence) != NodeProof::refused;
+  }
+
+  /// The same, with the extent of the proof.
+  [[nodiscard]] NodeProof proof(const Evidence& evidence) const;
 
  private:
   LargeDisplacements large_displacements_;

@@ -36,7 +36,8 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t refused = 0;  ///< claims refused by it
   /// Nodes closed as infeasible although the test refuses their evidence.
   std::uint64_t closed_unproved = 0;
-  std::uint64_t unproved = 0;  ///< closed nodes without claim and without proof
+  std::uint64_t unproved = 0;                    ///< closed nodes without claim and without proof
+  std::uint64_t except_large_displacements = 0;  ///< nodes whose proof leaves these out
 
   SignPatternTally& operator+=(const SignPatternTally& other) {
     Counts::operator+=(other);
@@ -44,6 +45,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
     refused += other.refused;
     closed_unproved += other.closed_unproved;
     unproved += other.unproved;
+    except_large_displacements += other.except_large_displacements;
     tested.insert(tested.end(), other.tested.begin(), other.tested.end());
     of_block.resize(std::max(of_block.size(), other.of_block.size()));
     for (std::size_t block = 0; block < other.of_block.size(); ++block)
@@ -64,7 +66,8 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   template <class Archive>
   void serialize(Archive& archive, unsigned version) {
     Counts::serialize(archive, version);
-    archive& tested& of_block& largest& proved& refused& closed_unproved& unproved;
+    archive& tested& of_block& largest& proved& refused& closed_unproved& unproved&
+        except_large_displacements;
   }
 
   static constexpr auto fields() {

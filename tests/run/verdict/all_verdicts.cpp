@@ -17,6 +17,11 @@ const std::initializer_list<std::optional<ExactRemainder>> remainders{
     std::nullopt, ExactRemainder{.scale_ratio = 3e11, .why = "the exact test leaves patterns open"},
     ExactRemainder{.scale_ratio = 1, .nodes = 1}};
 
+std::optional<double> ratio_of(Grounds grounds) {
+  if (grounds == Grounds::solver_bounds) return std::nullopt;
+  return 0x1p20;
+}
+
 std::optional<Bound> bound(double value, std::optional<Standing> standing) {
   if (!standing) return std::nullopt;
   return Bound{value, *standing};
@@ -46,7 +51,8 @@ void add_sticking(std::vector<AnyAnswer>& all) {
                                      .grounds = grounds,
                                      .degenerate = standing == Standing::computed ? undecided : 0,
                                      .ambiguous = ambiguous,
-                                     .remainder = remainder});
+                                     .remainder = remainder,
+                                     .displacement_ratio = ratio_of(grounds)});
             }
           }
         }
@@ -69,7 +75,9 @@ void add_critical(std::vector<AnyAnswer>& all) {
               .width = 1e-8,
               .wide = wide || (bracket.upper && !bracket.lower),
               .patterns_open = open,
-              .grounds = open ? Grounds::solver_bounds : Grounds::exact_arithmetic});
+              .grounds = open ? Grounds::solver_bounds : Grounds::exact_arithmetic,
+              .displacement_ratio =
+                  ratio_of(wide ? Grounds::solver_bounds : Grounds::exact_arithmetic)});
         }
       }
     }
