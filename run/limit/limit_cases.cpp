@@ -52,8 +52,10 @@ std::string found_text(const limit::LimitFindings& found) {
   if (const auto& loss = found.loss) {
     text += loss->is_fatal()
                 ? fmt::format(", no factor after a loss, {}", loss->proved ? "proved" : "open")
-                : fmt::format(", {:.10g} after a loss, {}", loss->ends.upper,
-                              loss->proved ? "proved" : "open");
+            : std::isfinite(loss->ends.upper)
+                ? fmt::format(", {:.10g} after a loss, {}", loss->ends.upper,
+                              loss->proved ? "proved" : "open")
+                : std::string(", open after a loss");
   }
   return text;
 }

@@ -137,11 +137,14 @@ Bracket bracket(const limit::FactorBracket& found) {
 // Bounds of the uncertain loads in all cases.
 LoadRange load_range(const LimitOptions& options, std::span<const LimitCase> cases) {
   LoadRange loads;
-  std::set<std::optional<double>> half_widths;
+  std::set<std::pair<std::optional<double>, std::optional<std::string_view>>> half_widths;
   for (const auto& each : cases)
-    half_widths.insert(problems::common_half_width(each.problem, *options.parameters.alpha));
-  if (half_widths.size() == 1) loads.half_width = *half_widths.begin();
-  if (const auto unit = unit_of_alpha(cases.front().problem)) loads.force = std::string(*unit);
+    half_widths.emplace(problems::common_half_width(each.problem, *options.parameters.alpha),
+                        unit_of_alpha(each.problem));
+  if (half_widths.size() > 1) return loads;
+  const auto& [half_width, unit] = *half_widths.begin();
+  loads.half_width = half_width;
+  if (unit) loads.force = std::string(*unit);
   return loads;
 }
 
@@ -195,6 +198,12 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
     const auto& loss = *governs.found.loss;
     if (loss.collapse) yields(*loss.collapse, "Then", loss.lost);
     verdict.answer = member_loss(cases, options.parameters.loss->kept);
+  } else if (options.parameters.loss && !interval.carried_at_none) {
+    verdict.details.clear();
+    const auto& loss = *options.parameters.loss;
+    verdict.answer = MemberLoss{.maximum = static_cast<std::uint64_t>(loss.maximum),
+                                .cases = cases.size(),
+                                .struts = struts};
   }
   if (auto text = strut_sentence(cases); !text.empty()) verdict.details.push_back(std::move(text));
   return verdict;
