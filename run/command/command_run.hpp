@@ -94,6 +94,8 @@ class CommandRun {
   // comes, and only if the output is requested, so an error in one step does not affect the others.
 
   [[nodiscard]] bool wants(const std::string& option) const { return outputs_.wants(option); }
+  /// @param files which the input file names @throws WrongInput if an output is one of them
+  void keep(const std::vector<std::string>& files) { outputs_.keep(session_, files); }
   /// @pre wants(option)
   [[nodiscard]] std::ostream& stream(const std::string& option) { return outputs_.stream(option); }
 

@@ -16,22 +16,34 @@ std::string place_of(const OptionRow& row) {
 
 }  // namespace
 
-void OutputSet::check(const std::string& input) const {
+std::vector<NamedFile> OutputSet::names() const {
   std::vector<NamedFile> outputs;
+  for (const auto& row : table_.rows()) {
+    if (!row.given || row.given->empty()) continue;
+    if (row.role != Role::output && row.role != Role::evidence && row.role != Role::folder)
+      continue;
+    for (const auto& ending : row.endings) outputs.push_back({row.name, place_of(row) + ending});
+  }
+  return outputs;
+}
+
+void OutputSet::check(const std::string& input) const {
   std::vector<NamedFile> others;
   std::vector<NamedFile> read_too;
   for (const auto& row : table_.rows()) {
     if (!row.given || row.given->empty()) continue;
-    if (row.role == Role::output || row.role == Role::evidence || row.role == Role::folder) {
-      for (const auto& ending : row.endings) outputs.push_back({row.name, place_of(row) + ending});
-    } else if (row.role == Role::input && row.named()) {
+    if (row.role == Role::input && row.named()) {
       read_too.push_back({row.name, *row.given});
     } else if (row.role == Role::state) {
       others.push_back({row.name, *row.given});
     }
   }
   others.insert(others.end(), read_too.begin(), read_too.end());
-  check_outputs(input, outputs, others);
+  check_outputs(input, names(), others);
+}
+
+void OutputSet::keep(Session& session, const std::vector<std::string>& read) const {
+  session.from_first_rank([&] { check_read_files(read, names()); });
 }
 
 void OutputSet::open(Session& session, const std::string& input) {

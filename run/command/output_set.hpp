@@ -11,6 +11,7 @@
 #include "run/command/subcommand.hpp"
 #include "run/output/output_file.hpp"
 #include "run/output/output_folder.hpp"
+#include "run/output/outputs.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -27,6 +28,10 @@ class OutputSet {
   /// @param input the first input file @throws WrongInput on every rank
   void open(Session& session, const std::string& input);
 
+  /// Checks that no output is one of these files, which the input file names.
+  /// @throws WrongInput on every rank
+  void keep(Session& session, const std::vector<std::string>& read) const;
+
   [[nodiscard]] bool wants(const std::string& option) const;
   /// @pre wants(option)
   [[nodiscard]] std::ostream& stream(const std::string& option);
@@ -42,6 +47,8 @@ class OutputSet {
   [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
 
  private:
+  /// All outputs of the call.
+  [[nodiscard]] std::vector<NamedFile> names() const;
   void check(const std::string& input) const;
 
   const OptionTable& table_;

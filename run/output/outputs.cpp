@@ -1,6 +1,7 @@
 // Names and the files that they lead to are compared; then each is opened.
 #include "run/output/outputs.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -72,6 +73,17 @@ void check_outputs(const std::string& input, const std::vector<NamedFile>& outpu
     const auto kind = status_of(name);
     if (!kind || S_ISREG(kind->st_mode)) OutputFile(option, name, input);
     if (kind && S_ISDIR(kind->st_mode)) OutputFile(option, name, input);
+  }
+}
+
+void check_read_files(const std::vector<std::string>& read, const std::vector<NamedFile>& outputs) {
+  for (const auto& file : outputs) {
+    const auto found = std::ranges::find_if(
+        read, [&](const std::string& name) { return !file.name.empty() && same(file.name, name); });
+    if (found == read.end()) continue;
+    throw WrongInput(fmt::format(
+        "{} {}: would overwrite {}, which the problem file names; expected another name",
+        file.option, file.name, *found));
   }
 }
 

@@ -25,4 +25,7 @@ struct NamedFile {
 void check_outputs(const std::string& input, const std::vector<NamedFile>& outputs,
                    const std::vector<NamedFile>& others = {});
 
+/// @param read files that the input file names @throws WrongInput if an output is one of them
+void check_read_files(const std::vector<std::string>& read, const std::vector<NamedFile>& outputs);
+
 }  // namespace kusabi::run

@@ -116,6 +116,18 @@ TEST_F(CommandOutput, DoesNotOverwriteTheProblem) {
   EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));
 }
 
+TEST_F(CommandOutput, DoesNotOverwriteAFileThatTheProblemNames) {
+  const std::string cases = std::string(KUSABI_SOURCE_DIR) + "/tests/cases/";
+  for (const auto* name : {"c_lc8_o1.toml", "plug_lc8_o1.msh"})
+    fs::copy_file(cases + name, in_folder(name));
+  const auto mesh = content(in_folder("plug_lc8_o1.msh"));
+  const auto run = shell(command + " export matrix " + argument("c_lc8_o1.toml") + " --output " +
+                         argument("plug_lc8_o1.msh"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("which the problem file names; expected another name\n"));
+  EXPECT_EQ(content(in_folder("plug_lc8_o1.msh")), mesh);
+}
+
 TEST_F(CommandOutput, IsWrittenToTheTargetOfALink) {
   std::ofstream(in_folder("old.json")) << "old";
   fs::create_symlink("old.json", in_folder("link"));

@@ -241,7 +241,9 @@ void AbaqusGroups::read_group(AbaqusText& text, const AbaqusCard& card, std::str
   enter(instance_of(text, card));
   read(set);
   enter(before);
-  group(text, *card.find(keyword), card.at).*members = std::move(set);
+  MeshGroup& all = group(text, *card.find(keyword), card.at);
+  all.*members = std::move(set);
+  refuse_other_members(text, *card.find(keyword), all, members);
 }
 
 void AbaqusGroups::read_node_set(AbaqusText& text, const AbaqusCard& card) {

@@ -71,10 +71,14 @@ class AbaqusGroups {
   void read_group(AbaqusText& text, const AbaqusCard& card, std::string_view keyword,
                   std::vector<int> MeshGroup::*members, Read read);
   void read_face(const MeshText& line, MeshGroup& surface);
+  /// @param all the group of a set and a surface  @throws InputError if their members differ
+  void refuse_other_members(const AbaqusText& text, const std::string& name, const MeshGroup& all,
+                            std::vector<int> MeshGroup::*members) const;
 
   MeshData& mesh_;
   MeshIndex& index_;
   std::map<std::string, std::size_t, std::less<>> numbers_;  // by name in capitals
+  std::map<std::string, MeshGroup, std::less<>> surfaces_;   // own members, by name in capitals
   std::set<std::string, std::less<>> analytical_;            // surfaces, by name in capitals
 };
 

@@ -34,7 +34,9 @@ void AbaqusGroups::read_surface(AbaqusText& text, const AbaqusCard& card) {
     return;
   }
   allow_only(text, card, {"NAME", "TYPE", "INTERNAL"});
-  MeshGroup& surface = group(text, required(text, card, "NAME"), card.at);
+  const std::string& name = required(text, card, "NAME");
+  MeshGroup& surface = surfaces_[capitals(full_name(name))];
+  const MeshGroup before = surface;
   while (text.next_data()) {
     if (kind == "ELEMENT") {
       read_face(text.line(), surface);
@@ -47,6 +49,27 @@ void AbaqusGroups::read_surface(AbaqusText& text, const AbaqusCard& card) {
     }
   }
   keep_first(surface.nodes);
+  MeshGroup& all = group(text, name, card.at);
+  all.faces = surface.faces;
+  for (const auto members : {&MeshGroup::nodes, &MeshGroup::elements}) {
+    if (all.*members == before.*members) all.*members = surface.*members;
+    refuse_other_members(text, name, all, members);
+  }
+}
+
+// Sets and surfaces have name spaces of their own, but a group has one name.
+void AbaqusGroups::refuse_other_members(const AbaqusText& text, const std::string& name,
+                                        const MeshGroup& all,
+                                        std::vector<int> MeshGroup::*members) const {
+  const auto found = surfaces_.find(capitals(full_name(name)));
+  if (found == surfaces_.end() || (found->second.*members).empty()) return;
+  const auto sorted = [&](const MeshGroup& group) {
+    return std::set<int>((group.*members).begin(), (group.*members).end());
+  };
+  if (sorted(all) == sorted(found->second)) return;
+  text.line().fail(
+      fmt::format("surface {} has the name of a set with other {}; expected another name",
+                  support::in_quotes(name), members == &MeshGroup::nodes ? "nodes" : "elements"));
 }
 
 // A surface of elements that are surfaces themselves consists of these, one without a face of the

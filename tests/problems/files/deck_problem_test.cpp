@@ -75,6 +75,18 @@ TEST(DeckProblem, HasThePairsOfASurfaceThatHasTheNameOfASet) {
             candidates(structure_of(imported(blocks + contact), blocks + contact)));
 }
 
+TEST(DeckProblem, RefusesASurfaceOfNodesThatHasTheNameOfASetOfOtherNodes) {
+  const std::string set = "*NSET, NSET=FEET\n4\n";
+  const std::string surface = "*SURFACE, NAME=FEET, TYPE=NODE\n1\n2\n";
+  for (const auto& both : {set + surface, surface + set}) {
+    EXPECT_THAT([&] { imported(blocks + both); },
+                ThrowsMessage<support::InputError>(
+                    HasSubstr("surface \"FEET\" has the name of a set with other nodes")));
+  }
+  const auto same = blocks + surface + "*NSET, NSET=FEET\n2, 1\n";
+  EXPECT_THAT(imported(same).warnings, IsEmpty());
+}
+
 TEST(DeckProblem, HasTheLoadsAtTheEndOfTheLastStep) {
   // Node 6 has 1 + 2 in the second step instead of 7; the set keeps its load of the first one.
   const auto deck =
