@@ -198,10 +198,15 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
     return fmt::format("It cannot stick up to {} {}{}.", coefficient, maximum,
                        unless_proved(standing));
   }
+  // Without friction nothing sticks.
+  const auto head =
+      value == 0
+          ? fmt::format("The {} from which it can stick is not known", coefficient)
+          : fmt::format("It cannot stick up to {} {}{}", coefficient,
+                        rounded_down(value, digits_of_sweep), of_each_candidate(found.factor));
   return fmt::format(
-      "It cannot stick up to {} {}{}; at {} there {} {}{}{}.", coefficient,
-      rounded_down(value, digits_of_sweep), of_each_candidate(found.factor), found.maximum,
-      found.count == 1U ? "is" : "are", counted(found.count, "sign pattern"),
+      "{}; at {} there {} {}{}{}.", head, found.maximum, found.count == 1U ? "is" : "are",
+      counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
       unless_proved(standing));
 }
