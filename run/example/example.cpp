@@ -122,7 +122,7 @@ class Grid final : public Example {
 constexpr Registration example_space_truss_subcommand{
     {.name = "example space-truss",
      .chapter = "Generated problem files",
-     .purpose = "space truss between a wall and an inclined obstacle",
+     .purpose = "space truss between a wall and an obstacle",
      .description = "A space truss from a wall to an inclined obstacle, with rows x depth contact "
                     "candidates.",
      .example = "--rows 8 --depth 5 --output truss.toml"},
@@ -131,7 +131,7 @@ constexpr Registration example_space_truss_subcommand{
 constexpr Registration example_plane_truss_subcommand{
     {.name = "example plane-truss",
      .chapter = "Generated problem files",
-     .purpose = "plane truss between a wall and an inclined obstacle",
+     .purpose = "plane truss between a wall and an obstacle",
      .description =
          "A plane truss from a wall to an inclined obstacle, with one contact candidate in each "
          "row.",

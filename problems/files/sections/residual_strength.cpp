@@ -1,5 +1,5 @@
 // Members of [[members]] follow those of meshes in the structure, in the order of the file. Names of
-// their nodes would not do: a node may have several, and two bars the same two nodes.
+// their nodes would not do: a node may have several.
 #include "problems/files/sections/residual_strength.hpp"
 
 #include <cstddef>

@@ -370,20 +370,20 @@ TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreReported) {
               ElementsAre());
 }
 
-// A node that a mesh shares with [nodes] has two names, and two bars may have the same two nodes.
+// A node that a mesh shares with [nodes] has two names.
 TEST(ResidualStrengths, AreThoseOfTheMembersOfTheirGroup) {
   for (const std::string name : {"p", "b.0,0"}) {
     const std::string text =
         "name = \"t\"\ndimension = 2\nunits = { length = \"m\", force = \"kN\" }\n"
-        "[nodes]\np = [0, 0]\nq = [0, -1]\n"
+        "[nodes]\np = [0, 0]\nq = [0, -1]\nr = [1, -1]\n"
         "[[mesh]]\nname = \"b\"\ncorners = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
         "divisions = [1, 1]\nE = 1\nnu = 0.2\nthickness = 1\nplane = \"stress\"\n"
         "[[members]]\nEA = 1\nyield = 10\nbetween = [[\"p\", \"q\"]]\n"
         "[[members]]\nEA = 1\nyield = { tension = 10, compression = 8, residual = 0.25 }\n"
         "between = [[\"" +
         name +
-        "\", \"q\"]]\n"
-        "[[supports]]\nnodes = [\"b.bottom\", \"q\"]\n"
+        "\", \"r\"]]\n"
+        "[[supports]]\nnodes = [\"b.bottom\", \"q\", \"r\"]\n"
         "[[loads]]\nkind = \"reference\"\nnodes = [\"b.top\"]\nforce = [0, -1]\n";
     const auto structure = read_structure(text, "t.toml");
     EXPECT_EQ(residual_strengths(text, "t.toml", structure), Eigen::Vector2d(10, 2)) << name;
