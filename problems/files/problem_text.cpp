@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,6 +23,9 @@ namespace kusabi::problems {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Begins texts of some editors; TOML accepts it, too.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// The bytes of a file; nothing if it cannot be read or would exceed the limit of the sum.
 std::optional<std::string> bytes_of(const fs::path& file, std::uintmax_t maximum) {
@@ -67,6 +71,7 @@ void Collection::add(const std::string& place, const std::string& namer,
                     support::in_quotes(place), largest_meshes));
   }
   size_ += bytes->size();
+  if (bytes->starts_with(byte_order_mark)) bytes->erase(0, byte_order_mark.size());
   const std::string& text = problem_.meshes.emplace(place, std::move(*bytes)).first->second;
   if (!is_abaqus) return;
   for (const auto& [name, line] : abaqus_includes(text, path.string())) {

@@ -82,8 +82,12 @@ class Import final : public Subcommand {
   }
   /// A path, relative to the folder of the problem file.
   [[nodiscard]] std::string seen_from_output(const fs::path& path) const {
-    const auto folder = fs::absolute(output().empty() ? "x" : output()).parent_path();
-    return fs::absolute(path).lexically_normal().lexically_relative(folder.lexically_normal());
+    // Folders that are links are followed, as ".." does.
+    const auto folder_of = [](const fs::path& file) {
+      return fs::weakly_canonical(fs::absolute(file).parent_path());
+    };
+    return (folder_of(path) / path.filename())
+        .lexically_relative(folder_of(output().empty() ? "x" : output()));
   }
   /// Reads the problem file that is to be written. A fault is a warning: the file is written.
   void read_again(CommandRun& run) {

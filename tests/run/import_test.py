@@ -60,6 +60,14 @@ class Imports(KusabiCase):
         answer = json.loads(output.read_text())["result"]["critical_friction"]
         return answer["lower"], answer["upper"]
 
+    def test_a_file_written_through_a_link_names_the_deck(self):
+        (self.folder / "deep" / "er").mkdir(parents=True)
+        (self.folder / "wedge.inp").write_text(wedge_in_parts())
+        (self.folder / "link").symlink_to(self.folder / "deep" / "er")
+        there = self.folder / "link" / "wedge.toml"
+        self.kusabi("import", self.folder / "wedge.inp", "--output", there)
+        self.assertEqual(self.kusabi("show", there).returncode, 0)
+
     def test_a_wedge_of_abaqus_cae_has_the_critical_coefficient_of_statics(self):
         deck = self.written("wedge.inp", wedge_in_parts())
         problem = self.folder / "wedge.toml"

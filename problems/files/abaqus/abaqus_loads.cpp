@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace kusabi::problems {
 
@@ -16,14 +19,25 @@ bool clears(const AbaqusCard& card, int step, int& cleared_in) {
   return std::exchange(cleared_in, step) != step;
 }
 
+// The kind of a load that is no static force in global axes; empty: it is one.
+std::string_view other_load(const AbaqusCard& card) {
+  if (card.find("FOLLOWER") != nullptr) return "a force that follows the structure";
+  const std::string* const load_case = card.find("LOAD CASE");
+  if (card.find("IMAGINARY") != nullptr || (load_case != nullptr && *load_case == "2"))
+    return "an imaginary part";
+  if (card.find("SUBMODEL") != nullptr || card.find("SECTOR") != nullptr)
+    return "a submodel or a sector";
+  return {};
+}
+
 }  // namespace
 
 void AbaqusLoads::read(AbaqusText& text, const AbaqusCard& card, AbaqusModel& assembly) {
   if (clears(card, step_, cleared_in_)) components_.clear();
-  const bool follows = card.find("FOLLOWER") != nullptr;
-  if (follows) text.warn("*CLOAD of a force that follows the structure is left out", card.at);
+  const auto other = other_load(card);
+  if (!other.empty()) text.warn(fmt::format("*CLOAD of {} is left out", other), card.at);
   while (text.next_data()) {
-    if (follows) continue;
+    if (!other.empty()) continue;
     const auto nodes = assembly.groups.nodes(text.line(), 0);
     const int axis = text.line().whole(1, "an axis", 1);
     const double force = text.line().real(2, "a force");

@@ -18,6 +18,9 @@
 namespace kusabi::problems {
 namespace {
 
+/// Number of the farthest cell: integers of 64 bits have no larger ones.
+constexpr double farthest_cell = 1e18;
+
 /// Nodes closer than this, relative to the extent of the structure, coincide. The tolerance is far
 /// above the differences that mesh generators leave between coincident nodes and far below the size
 /// of elements.
@@ -71,8 +74,9 @@ class Cells {
   [[nodiscard]] Cell cell(int node) const {
     Cell cell{};
     for (Eigen::Index axis = 0; axis < structure_.dimension; ++axis) {
-      cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(
-          std::floor((structure_.coordinates(axis, node) - minimum_(axis)) / size_));
+      const double place = (structure_.coordinates(axis, node) - minimum_(axis)) / size_;
+      cell[static_cast<std::size_t>(axis)] =
+          static_cast<std::int64_t>(std::floor(std::min(place, farthest_cell)));
     }
     return cell;
   }

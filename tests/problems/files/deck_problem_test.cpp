@@ -75,6 +75,15 @@ TEST(DeckProblem, HasThePairsOfASurfaceThatHasTheNameOfASet) {
             candidates(structure_of(imported(blocks + contact), blocks + contact)));
 }
 
+TEST(DeckProblem, LeavesOutLoadsThatAreNoStaticForces) {
+  for (const std::string kind : {"FOLLOWER", "IMAGINARY", "LOAD CASE=2", "SUBMODEL"}) {
+    const auto deck = blocks + "*STEP\n*STATIC\n*CLOAD, " + kind + "\n6, 1, 7\n*END STEP\n";
+    const auto problem = imported(deck);
+    EXPECT_TRUE(structure_of(problem, deck).loads.empty()) << kind;
+    EXPECT_THAT(problem.warnings, Contains(HasSubstr("*CLOAD of a"))) << kind;
+  }
+}
+
 TEST(DeckProblem, RefusesASurfaceOfNodesThatHasTheNameOfASetOfOtherNodes) {
   const std::string set = "*NSET, NSET=FEET\n4\n";
   const std::string surface = "*SURFACE, NAME=FEET, TYPE=NODE\n1\n2\n";

@@ -51,6 +51,9 @@ TEST_F(ProblemTexts, HaveAllNamedAndIncludedFiles) {
   EXPECT_EQ(text.meshes.at("parts/a.inp"), square);
   EXPECT_TRUE(text.meshes.contains("parts/elements.txt"));
   EXPECT_EQ(load_structure(folder_ / "p.toml")->elements.size(), 1U);
+  // As saved by an editor that begins each text with a byte order mark.
+  write("parts/a.inp", "\xEF\xBB\xBF" + square);
+  EXPECT_EQ(problem_text(folder_ / "p.toml").meshes.at("parts/a.inp"), square);
 }
 
 TEST_F(ProblemTexts, ReportTheFileThatRefersToAMissingFile) {
