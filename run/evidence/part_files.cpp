@@ -233,6 +233,7 @@ std::vector<std::string> PartFiles::all() const {
                     own, session_.ranks()));
   }
   std::vector<std::string> files;
+  files.reserve(parts.size());
   for (const auto& part : parts) files.push_back(part.file);
   return files;
 }

@@ -48,6 +48,7 @@ std::string summary_of(const CheckedStatement& statement) {
 
 std::optional<double> half_width_of(const std::vector<CheckedStatement>& statements) {
   std::vector<HalfWidths> all;
+  all.reserve(statements.size());
   for (const auto& each : statements) all.push_back(each.half_widths);
   return half_width_of_all(all);
 }

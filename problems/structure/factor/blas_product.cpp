@@ -7,6 +7,7 @@ extern "C" {
 [[gnu::weak]] void openblas_set_num_threads(int number);
 [[gnu::weak]] void omp_set_max_active_levels(int number);
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name of a compiler of Fortran
 void dgemm_(const char* of_a, const char* of_b, const int* m, const int* n, const int* k,
             const double* alpha, const double* a, const int* a_distance, const double* b,
             const int* b_distance, const double* beta, double* c, const int* c_distance);
