@@ -102,11 +102,12 @@ DeckWeight weight_of(DeckDraft& draft) {
 
 // The heading without control characters, cut to the length of a name between two characters.
 std::string name_of(std::string heading) {
-  const auto byte = [&](std::size_t place) { return static_cast<unsigned char>(heading[place]); };
-  for (std::size_t place = 0; place < heading.size(); ++place)
-    if (byte(place) < 0x20U || byte(place) == 0x7FU) heading[place] = ' ';
+  std::ranges::replace_if(heading, is_control, ' ');
   std::size_t end = std::min(heading.size(), longest_text);
-  while (end < heading.size() && (byte(end) & 0xC0U) == 0x80U) --end;
+  const auto continues = [&](std::size_t place) {
+    return (static_cast<unsigned char>(heading[place]) & 0xC0U) == 0x80U;
+  };
+  while (end < heading.size() && continues(end)) --end;
   heading.resize(end);
   return heading;
 }

@@ -18,6 +18,7 @@
 #include "problems/files/meshes/mesh_data.hpp"
 #include "problems/files/meshes/mesh_groups.hpp"
 #include "problems/files/sections/problem_sections.hpp"
+#include "problems/files/toml/toml_text.hpp"
 #include "problems/structure/geometry/mesh_joints.hpp"
 #include "problems/structure/geometry/structured_mesh.hpp"
 
@@ -274,9 +275,7 @@ void MeshFileSection::add_bar(const MeshElement& element, const MeshUse& use) {
 
 void MeshFileSection::add_group(const MeshGroup& group) {
   const std::string name = fmt::format("{}.{}", name_.text, group.name);
-  const bool is_printable = std::ranges::none_of(group.name, [](char character) {
-    return static_cast<unsigned char>(character) < 0x20U || character == 0x7F;
-  });
+  const bool is_printable = std::ranges::none_of(group.name, is_control);
   if (name.size() > longest_name || !is_printable) {
     fail(group.at, fmt::format("group {} has a name that is too long, or no text; expected at most "
                                "{} bytes with that of the mesh",

@@ -196,11 +196,7 @@ void TomlReader::check_text(std::string_view text, std::string_view called,
     fail(position, fmt::format("{} {} is {} bytes long; expected at most {}", called,
                                support::in_quotes(text), text.size(), longest_text));
   }
-  const bool has_control = std::ranges::any_of(text, [](char character) {
-    const auto byte = static_cast<unsigned char>(character);
-    return byte < 0x20U || byte == 0x7FU;
-  });
-  if (has_control) {
+  if (std::ranges::any_of(text, is_control)) {
     fail(position, fmt::format("{} {} holds a control character; expected printable text", called,
                                support::in_quotes(text)));
   }
