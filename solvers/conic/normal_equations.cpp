@@ -143,6 +143,119 @@ KUSABI_INLINE void substitute_back(const Real* factor, int distance, int rows, c
   }
 }
 
+// M, by columns of `height` numbers: `rows` of M, padded, and the right sides.
+template <class Real>
+struct Equations {
+  Real* matrix;
+  int rows, height;
+
+  Real* place(int row, int column) const { return matrix + column * height + row; }
+};
+
+// Its factor, and the inverse of the diagonal of the factor.
+template <class Real>
+struct Factor {
+  const Real* matrix;
+  const Real* inverse;
+  int rows, height;
+};
+
+// The functions compiled for two instruction sets are free functions: GCC drops the attribute from
+// members of a class template unless their declaration has it too, and then every unit that includes
+// the declaration refers to clones that only one unit defines.
+
+// M = B B', with B where it lies.
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void assemble_in_place(const PackedColumns<Real>& b, Equations<Real> m) {
+  for (int column = 0; column < m.rows; column += lanes<Real>)
+    assemble_rows(b, b.data + column, m.rows - column, b.data + column, m.place(column, column),
+                  m.height, true);
+}
+
+// Adds the products of `count` columns of a component of B, from `columns` on, or puts them there.
+// Each block of rows is copied, so that its columns lie side by side, and multiplied by all those
+// before it while it is in the first cache.
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void add_copied(const Real* columns, int distance, int count, Real* copied,
+                                     Equations<Real> m, bool begins) {
+  constexpr int width = lanes<Real>, height = block_height<Real> * width;
+  const auto copy_of = [&](int row) {
+    return copied + row / height * height * copied_columns + row % height;
+  };
+  for (int k = 0; k < count; ++k)
+    for (int row = 0; row < m.rows; row += width)
+      store(copy_of(row) + k * height, load(columns + std::ptrdiff_t{k} * distance + row));
+  const PackedColumns<Real> block{copied, height, 1, count, count};
+  for (int left = 0; left < m.rows; left += height)
+    for (int row = left; row < m.rows; row += height)
+      for (int column = left; column < std::min(left + height, m.rows); column += width)
+        assemble_rows(block, copy_of(row), std::min(height, m.rows - row), copy_of(column),
+                      m.place(row, column), m.height, begins);
+}
+
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void add_square_of(const Real* column, const Real& weight, int rows,
+                                        Equations<Real> m) {
+  for (int j = 0; j < rows; ++j) {
+    const Real share = weight * column[j];
+    if (share == 0) continue;
+    for (int i = j; i < rows; ++i) *m.place(i, j) += share * column[i];
+  }
+}
+
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 bool factorise_and_solve(Equations<Real> m, Real* inverses, Real* first,
+                                              Real* second) {
+  constexpr int width = lanes<Real>;
+  for (int column = 0; column < m.rows; ++column)
+    store_two(m.place(m.rows, column), first[column], second[column]);
+  for (int column = 0; column < m.rows; column += width) {
+    reduce_rows<Real>({m.matrix, m.height}, column, m.height, m.matrix, m.height, column);
+    Real* const inverse = inverses + column;
+    if (!factorise_block(m.place(column, column), m.height, inverse)) return false;
+    for (int row = column + width; row < m.height; row += width)
+      divide_by_block<Real>({m.matrix, m.height}, row, m.matrix, m.height, column, inverse);
+  }
+  for (int column = 0; column < m.rows; ++column) {
+    first[column] = *m.place(m.rows, column);
+    second[column] = *m.place(m.rows + 1, column);
+  }
+  substitute_back<sides>(m.matrix, m.height, m.rows, inverses, {first, second});
+  return true;
+}
+
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void reduce_by_factor(Factor<Real> factor, Real* x, int height) {
+  constexpr int width = lanes<Real>;
+  for (int column = 0; column < factor.rows; column += width) {
+    reduce_rows<Real>({x, height}, 0, height, factor.matrix, factor.height, column);
+    for (int row = 0; row < height; row += width)
+      divide_by_block<Real>({x, height}, row, factor.matrix, factor.height, column,
+                            factor.inverse + column);
+  }
+}
+
+template <class Real>
+KUSABI_ALSO_FOR_AVX2 void solve_by_factor(Factor<Real> factor, Real* right_side) {
+  constexpr int width = lanes<Real>;
+  for (int column = 0; column < factor.rows; column += width) {
+    const Real* panel = factor.matrix + column * factor.height;
+    const Real* block = panel + column;
+    const Real* inverse = factor.inverse + column;
+    Real* side = right_side + column;
+    for (int j = 0; j < width; ++j) {
+      for (int k = 0; k < j; ++k) side[j] -= block[k * factor.height + j] * side[k];
+      side[j] *= inverse[j];
+    }
+    for (int i = column + width; i < factor.rows; i += width) {
+      Packed<Real> rest = load(right_side + i);
+      for (int j = 0; j < width; ++j) rest -= load(panel + j * factor.height + i) * side[j];
+      store(right_side + i, rest);
+    }
+  }
+  substitute_back<1>(factor.matrix, factor.height, factor.rows, factor.inverse, {right_side});
+}
+
 }  // namespace
 
 template <class Real>
@@ -164,105 +277,39 @@ void NormalEquations<Real>::resize(int rows) {
 }
 
 template <class Real>
-KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::assemble(const PackedColumns<Real>& b) {
-  constexpr int width = lanes<Real>;
+void NormalEquations<Real>::assemble(const PackedColumns<Real>& b) {
+  const Equations<Real> m{matrix_.data(), padded_rows_, height_};
   if (padded_rows_ <= max_direct_rows) {
-    for (int column = 0; column < padded_rows_; column += width)
-      assemble_rows(b, b.data + column, padded_rows_ - column, b.data + column,
-                    &matrix_[place(column, column)], height_, true);
+    assemble_in_place(b, m);
   } else {
     for (int d = 0; d < b.components; ++d)
-      for (int first = 0; first < b.count; first += copied_columns) add_copied(b, d, first);
+      for (int first = 0; first < b.count; first += copied_columns)
+        add_copied(b.data + std::ptrdiff_t{d * b.stride + first} * b.rows, b.rows,
+                   std::min(copied_columns, b.count - first), copied_.data(), m,
+                   d == 0 && first == 0);
   }
   for (int row = rows_; row < padded_rows_; ++row) matrix_[place(row, row)] = Real(1);
 }
 
-// Each block of rows is copied, so that its columns lie side by side, and multiplied by all those
-// before it while it is in the first cache.
 template <class Real>
-KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::add_copied(const PackedColumns<Real>& b,
-                                                            int component, int first) {
-  constexpr int width = lanes<Real>, height = block_height<Real> * width;
-  const int count = std::min(copied_columns, b.count - first);
-  const Real* const columns = b.data + std::ptrdiff_t{component * b.stride + first} * b.rows;
-  const auto copy_of = [&](int row) {
-    return &copied_[static_cast<std::size_t>(row / height * height * copied_columns +
-                                             row % height)];
-  };
-  for (int k = 0; k < count; ++k)
-    for (int row = 0; row < padded_rows_; row += width)
-      store(copy_of(row) + k * height, load(columns + std::ptrdiff_t{k} * b.rows + row));
-  const PackedColumns<Real> block{copied_.data(), height, 1, count, count};
-  const bool begins = component == 0 && first == 0;
-  for (int left = 0; left < padded_rows_; left += height)
-    for (int row = left; row < padded_rows_; row += height)
-      for (int column = left; column < std::min(left + height, padded_rows_); column += width)
-        assemble_rows(block, copy_of(row), std::min(height, padded_rows_ - row), copy_of(column),
-                      &matrix_[place(row, column)], height_, begins);
+void NormalEquations<Real>::add_square(const Real* column, const Real& weight) {
+  add_square_of<Real>(column, weight, rows_, {matrix_.data(), padded_rows_, height_});
 }
 
 template <class Real>
-KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::add_square(const Real* column,
-                                                            const Real& weight) {
-  for (int j = 0; j < rows_; ++j) {
-    const Real share = weight * column[j];
-    if (share == 0) continue;
-    for (int i = j; i < rows_; ++i) matrix_[place(i, j)] += share * column[i];
-  }
+bool NormalEquations<Real>::factorise(Real* first, Real* second) {
+  return factorise_and_solve<Real>({matrix_.data(), padded_rows_, height_}, inverse_.data(), first,
+                                   second);
 }
 
 template <class Real>
-KUSABI_ALSO_FOR_AVX2 bool NormalEquations<Real>::factorise(Real* first, Real* second) {
-  constexpr int width = lanes<Real>;
-  Real* const matrix = matrix_.data();
-  for (int column = 0; column < padded_rows_; ++column)
-    store_two(matrix + column * height_ + padded_rows_, first[column], second[column]);
-  for (int column = 0; column < padded_rows_; column += width) {
-    reduce_rows<Real>({matrix, height_}, column, height_, matrix, height_, column);
-    Real* const inverse = inverse_.data() + column;
-    if (!factorise_block(matrix + column * height_ + column, height_, inverse)) return false;
-    for (int row = column + width; row < height_; row += width)
-      divide_by_block<Real>({matrix, height_}, row, matrix, height_, column, inverse);
-  }
-  for (int column = 0; column < padded_rows_; ++column) {
-    first[column] = matrix[column * height_ + padded_rows_];
-    second[column] = matrix[column * height_ + padded_rows_ + 1];
-  }
-  substitute_back<sides>(matrix, height_, padded_rows_, inverse_.data(), {first, second});
-  return true;
+void NormalEquations<Real>::reduce(Real* x, int height) const {
+  reduce_by_factor<Real>({matrix_.data(), inverse_.data(), padded_rows_, height_}, x, height);
 }
 
 template <class Real>
-KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::reduce(Real* x, int height) const {
-  constexpr int width = lanes<Real>;
-  for (int column = 0; column < padded_rows_; column += width) {
-    reduce_rows<Real>({x, height}, 0, height, matrix_.data(), height_, column);
-    for (int row = 0; row < height; row += width)
-      divide_by_block<Real>({x, height}, row, matrix_.data(), height_, column,
-                            inverse_.data() + column);
-  }
-}
-
-template <class Real>
-KUSABI_ALSO_FOR_AVX2 void NormalEquations<Real>::solve(Real* right_side) const {
-  constexpr int width = lanes<Real>;
-  const Real* const matrix = matrix_.data();
-  for (int column = 0; column < padded_rows_; column += width) {
-    const Real* panel = matrix + column * height_;
-    const Real* block = panel + column;
-    const Real* inverse = inverse_.data() + column;
-    Real* side = right_side + column;
-    for (int j = 0; j < width; ++j) {
-      for (int k = 0; k < j; ++k) side[j] -= block[k * height_ + j] * side[k];
-      side[j] *= inverse[j];
-    }
-    for (int i = column + width; i < padded_rows_; i += width) {
-      Packed<Real> rest = load(right_side + i);
-      for (int j = 0; j < width; ++j) rest -= load(panel + j * height_ + i) * side[j];
-      store(right_side + i, rest);
-    }
-  }
-  substitute_back<1>(matrix, height_, padded_rows_, inverse_.data(), {right_side});
+void NormalEquations<Real>::solve(Real* right_side) const {
+  solve_by_factor<Real>({matrix_.data(), inverse_.data(), padded_rows_, height_}, right_side);
 }
 
 template class NormalEquations<double>;

@@ -42,8 +42,6 @@ class NormalEquations {
   void solve(Real* right_side) const;
 
  private:
-  // Adds the products of some columns of B, from `first` of a component.
-  void add_copied(const PackedColumns<Real>& b, int component, int first);
   std::size_t place(int row, int column) const {
     return static_cast<std::size_t>(column * height_ + row);
   }
