@@ -27,10 +27,12 @@ LEFT_OUT_TEXTS = (
     (".printed", r"(?m)^(\.TH .* 1) [-0-9]+ ", r"\1 - "),
     # Tables of ranks: share of the time without work, and seconds.
     (".printed", r"(?m)^(0 .*?) +[\d.]+ % +\d+\.\d{3}$", r"\1 - -"),
-    # Progress of searches that take longer than half a second or two seconds.
+    # Progress, shown by the clock: lines of a search, and of the steps between searches.
     (".messages", r"(?m)^ +time +nodes +per s .*\n", ""),
     (".messages", r"(?m)^ +\d+:\d\d .*\n", ""),
-    (".messages", r"(?m)^(bracket so far|at the root): .*\n", ""),
+    (".messages", r"(?m)^(bracket so far|at the root|bounds|the least factors): .*\n", ""),
+    (".messages", r"(?m)^(looking for|sampling the tree|losses of up to \d+ members:) .*\n", ""),
+    (".messages", r"(?m)^.*: \d+ %\n", ""),
     # Digest of a certificate: it changes with every last digit of its numbers.
     ("", r"(?m)^digest [0-9a-f]{40}$", "digest -"),
 )
