@@ -1,5 +1,5 @@
-// First the tree of the most robust rule, which may be small; then rounds of dives, until their
-// nodes are as many as those of the estimated best tree.
+// First the trees of all rules in turn, each of which may be small; then, unless bounds and cuts
+// follow, rounds of dives, until their nodes are as many as those of the estimated best tree.
 #include "nodes/wedged/tree/branching_trial.hpp"
 
 #include <algorithm>
@@ -34,15 +34,12 @@ std::uint64_t few_nodes(int candidates) {
   return static_cast<std::uint64_t>(std::clamp(50'000 / candidates, 100, 500));
 }
 
-/// Blocks up to this size are searched for about twenty nodes for each candidate before sampling,
-/// since few dives may be wrong by a factor of ten. Larger ones take too long on one rank.
+/// Blocks up to this size are searched by each rule before any sampling, with so many nodes for each
+/// candidate in all: about as many as bounds of the candidates cost. Sampling these trees instead
+/// takes three times as long as the bounds and the tree with cuts together, in which the rules
+/// hardly differ. Larger blocks take too long on one rank, and only the first rule is tried.
 constexpr int max_candidates_of_first_search = 100;
-
-std::uint64_t nodes_of_first_search(int candidates) {
-  if (candidates > max_candidates_of_first_search) return few_nodes(candidates);
-  const auto many = static_cast<std::uint64_t>(std::min(20 * candidates, 100'000 / candidates));
-  return std::max(few_nodes(candidates), many);
-}
+constexpr int first_nodes_per_candidate = 20;
 
 constexpr int many_leaves = 20;
 
@@ -101,13 +98,16 @@ class Trial {
     }
   }
 
-  TriedTree best_of(std::uint32_t block, int candidates) {
+  /// @param bounded true if bounds of the candidates are computed for a tree that is not small
+  TriedTree best_of(std::uint32_t block, int candidates, bool bounded) {
     constexpr auto unknown = std::numeric_limits<double>::infinity();
     const auto few = few_nodes(candidates);
-    const auto first =
-        analysis_.by_first_rank([&] { return look(block, nodes_of_first_search(candidates)); });
-    if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
-    if (candidates < min_sampled_candidates) return {rules_.front(), unknown};
+    const bool small = candidates <= max_candidates_of_first_search;
+    const auto first = analysis_.by_first_rank(
+        [&] { return small ? race(block, candidates) : look(0, block, few); });
+    if (first.whole) return {rules_[first.rule], static_cast<double>(first.opened)};
+    if (candidates < min_sampled_candidates || (small && bounded && !first.has_many))
+      return {rules_.front(), unknown};
     const auto rules = first.has_many ? 1 : trees_.size();
     std::vector<double> sum(rules);
     std::uint64_t opened = 0;
@@ -124,26 +124,37 @@ class Trial {
     const auto minimum = std::ranges::min_element(sum);
     const auto best =
         *minimum * times_fewer < sum.front() ? static_cast<std::size_t>(minimum - sum.begin()) : 0;
-    const bool known_large =
-        best == 0 && candidates <= max_candidates_of_first_search && !first.has_many;
-    return {rules_[best], known_large ? unknown : mean(sum[best], round)};
+    return {rules_[best], mean(sum[best], round)};
   }
 
  private:
-  // The beginning of the first tree. If it has many leaves, most of the work is in leaves, which
-  // all trees have.
+  // The beginning of a tree. If it has many leaves, most of the work is in leaves, which all trees
+  // have.
   struct Look {
+    std::size_t rule = 0;
     std::uint64_t opened = 0;
     bool whole = false, has_many = false;
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& opened& whole& has_many;
+      archive& rule& opened& whole& has_many;
     }
   };
-  Look look(std::uint32_t block, std::uint64_t few) {
-    std::vector<SignPatternTree::Node> open{{.block = block, .pattern = {}}};
+
+  // The first tree that is small, or that has many leaves.
+  Look race(std::uint32_t block, int candidates) {
+    const auto nodes = static_cast<std::uint64_t>(first_nodes_per_candidate * candidates);
     Look result;
+    for (std::size_t rule = 0; rule < trees_.size(); ++rule) {
+      result = look(rule, block, nodes / trees_.size());
+      if (result.whole || result.has_many) break;
+    }
+    return result;
+  }
+
+  Look look(std::size_t rule, std::uint32_t block, std::uint64_t few) {
+    std::vector<SignPatternTree::Node> open{{.block = block, .pattern = {}}};
+    Look result{.rule = rule};
     int found = 0;
     while (result.opened < few && !open.empty()) {
       if (found == many_leaves || analysis_.budget().spent()) {
@@ -154,7 +165,7 @@ class Trial {
       open.pop_back();
       SignPatternTree::NodeResult decision;
       try {
-        decision = trees_.front().decide(node);
+        decision = trees_[rule].decide(node);
       } catch (const support::Stopped&) {
         result.has_many = true;
         return result;
@@ -224,7 +235,8 @@ std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                      : std::span<const Branching>(asked);
       trial.emplace(analysis, problem, friction, options, rules);
     }
-    result[block] = trial->best_of(block, candidates);
+    const bool bounded = is_large && options.tightening == Tightening::automatic;
+    result[block] = trial->best_of(block, candidates, bounded);
   }
   return result;
 }
