@@ -31,9 +31,9 @@
 
 namespace kusabi::conic {
 
-/// Squared distances from the centre of a relaxation to its faces, in the metric of the ellipsoid
-/// around the centre, in which every inequality is at a distance of at least 1 (times a common
-/// factor nu). They do not depend on units, and take all constraints into account: if two
+/// Squared distances from a point of a relaxation to its faces, in the metric of the ellipsoid
+/// around the point. Around the centre every inequality is at a distance of at least 1 (times a
+/// common factor nu). They do not depend on units, and take all constraints into account: if two
 /// candidates can hardly separate from each other, a face that is far for one is far for the other.
 struct FaceDistances {
   double separation = 0;  ///< to x_i = 0
@@ -87,8 +87,8 @@ class InteriorPoint {
   /// @return false if rounding has used up the digits
   bool centre(const Program& program, Real complementarity);
 
-  /// Computes the face distances of the candidates that have both a cone and a slack. Call after
-  /// centre().
+  /// Computes the face distances of the candidates that have both a cone and a slack, from the
+  /// point of the last factorise().
   /// @pre one cone per candidate, and no rigid-body modes
   /// @param distances m
   void measure_faces(const Program& program, std::vector<FaceDistances>& distances);

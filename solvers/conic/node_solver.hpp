@@ -94,8 +94,9 @@ class NodeSolver {
   const Vector& displacement() const { return displacement_; }
   /// alpha of an unconstrained body: one number for each mode with a normal part.
   const Vector& motion() const { return motion_; }
-  /// Distances from the centre of the relaxation to its faces, by candidate; zero for candidates
-  /// with a sign. Empty if the centre is not found. Call at most once, after a solve() with an
+  /// Distances from a point inside the relaxation to its faces, by candidate; zero for candidates
+  /// with a sign. The point is the centre in the plane, and the last one of the iteration in space.
+  /// Empty if the centre is not found. Call at most once, after a solve() with an
   /// early stop at a positive sign.
   /// @pre one cone per candidate, and no rigid-body modes
   std::span<const FaceDistances> face_distances();

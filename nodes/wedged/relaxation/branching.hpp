@@ -22,9 +22,9 @@ enum class Branching {
   relative,
   /// The largest u_n r_n: Remark 5.5 of the paper.
   product,
-  /// The largest product of the distances from the centre of the relaxation to the faces of both
-  /// signs, where both children lose most. A centre costs as much as the bound of the node. On some
-  /// faces of meshes sixty times fewer nodes, on others as many times more.
+  /// The largest product of the distances from a point inside the relaxation to the faces of both
+  /// signs, where both children lose most. On some faces of meshes in the plane sixty times fewer
+  /// nodes, on others as many times more.
   deepest,
   /// The same product times the square root of that of `relative`: mostly close to the better of
   /// these two.
