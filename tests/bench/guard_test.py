@@ -5,6 +5,7 @@
 import contextlib
 import io
 import pathlib
+import re
 import runpy
 import sys
 import tempfile
@@ -101,6 +102,12 @@ class Files(unittest.TestCase):
 
     def test_each_row_of_the_committed_table_exists(self):
         self.assertLessEqual(set(table.Table.read().rows), {row.name for row in ROWS})
+
+
+class Page(unittest.TestCase):
+    def test_each_row_supports_a_claim_of_bench_readme(self):
+        last_cells = re.findall(r"^\|.*\| `([\w-]+)` \|$", (GUARD.parent / "README.md").read_text(), re.MULTILINE)
+        self.assertEqual(sorted(last_cells), sorted(row.name for row in ROWS))
 
 
 class Reading(unittest.TestCase):
