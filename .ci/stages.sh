@@ -22,7 +22,7 @@ say_what_was_spent() {
 }
 
 install_for_ci() {
-  install_missing "${build_packages[@]}" "${test_packages[@]}" clang libclang-rt-dev clang-format clang-tidy git reuse
+  install_missing "${build_packages[@]}" "${test_packages[@]}" clang libclang-rt-dev clang-format clang-tidy git reuse valgrind
 }
 
 format() { clang-format --dry-run -Werror "${sources[@]}"; }

@@ -14,7 +14,7 @@ namespace {
 
 using linear::LinearStatus;
 
-// Parameters of look-ahead branching, measured on random programs (bench/README.md): more
+// Parameters of look-ahead branching, measured on random programs (bench/history.md): more
 // candidates or steps cost more linear programs than they save nodes.
 constexpr std::size_t look_ahead_candidates = 8;
 constexpr int look_ahead_steps = 15;

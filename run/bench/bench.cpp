@@ -108,8 +108,9 @@ class Uts final : public Bench {
     table.choice("--tree", options_.tree, standard_names(), "name of the standard tree");
     table.number("--work", &options_.work, between(1, nodes_in_a_second),
                  "number of hashes per node, about 0.1 microseconds each");
-    table.number("--rounds", &options_.rounds, between(1, max_rounds),
-                 "number of searches; the fastest is reported");
+    table.number(
+        "--rounds", &options_.rounds, between(1, max_rounds),
+        "number of rounds, each of a recursion and a search of the whole tree in turns of 50 ms");
     table.serial();
   }
 
@@ -145,7 +146,7 @@ constexpr Registration bench_uts_subcommand{
      .purpose = "Unbalanced Tree Search benchmark",
      .description =
          "The Unbalanced Tree Search benchmark: comparison with the published numbers of nodes, "
-         "and speed.",
+         "and of the CPU time of a node with that of a plain recursion.",
      .example = "--tree T1"},
     make<Uts>};
 

@@ -1,18 +1,25 @@
-// Plain recursion, search by the engine, and tables that compare them. Costs are CPU times, the
-// minimum over some rounds, since wall-clock times depend on other load of the machine.
+// A plain recursion and the search by the engine, in turns of 50 ms, and tables that compare them.
+//
+// The recursion is an ordinary one and cannot be left in between, but the engine's worker can: at a
+// node of the recursion, when its turn is over, the worker makes the steps of its turn.
 #include "run/bench/bench_uts.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <limits>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
+#include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
 #include "engine/collectives.hpp"
 #include "engine/search.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
+#include "run/bench/paired_turns.hpp"
 #include "run/output/exit_code.hpp"
 
 namespace kusabi::run {
@@ -21,73 +28,143 @@ namespace {
 using benchmark::TreeCounts;
 using benchmark::UnbalancedTree;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::chrono::milliseconds turn_length{50};
+// Of each half of a pair; a turn in which other processes have the core has less.
+constexpr double least_seconds_of_half = 0.5 * std::chrono::duration<double>(turn_length).count();
 
 // CPU time of this process since its start.
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Plain recursion, as a program without an engine has it.
-void visit(const UnbalancedTree& tree, const UnbalancedTree::Node& node, TreeCounts& seen) {
-  const auto children = tree.children(node);
-  seen += {1, children == 0 ? 1U : 0U, node.depth};
-  for (std::uint32_t number = 0; number < children; ++number) {
-    visit(tree, tree.child(node, number), seen);
-  }
+// True in every other turn of the clock. All ranks of a machine have the same turns, so that a rank
+// that requests nodes does not wait for one in its recursion.
+bool is_turn_of_search() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return now / turn_length % 2 == 0;
 }
 
-// Statistics of one rank and its CPU time.
+// Statistics of one rank.
 struct Part {
   TreeCounts counts;
-  double recursion_seconds = 0;  // of one recursion over the whole tree
   double search_seconds = 0;
+  std::vector<double> ratios;
 
   Part& operator+=(const Part& other) {
     counts += other.counts;
-    recursion_seconds += other.recursion_seconds;
     search_seconds += other.search_seconds;
+    ratios.insert(ratios.end(), other.ratios.begin(), other.ratios.end());
     return *this;
   }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& counts& recursion_seconds& search_seconds;
+    archive& counts& search_seconds& ratios;
   }
 };
 
-// The tree; its tally records CPU times when the engine reads it at the end of the search.
+// The tree, with the CPU times of its turns. The engine reads the tally during the last one.
 class TimedTree : public UnbalancedTree {
  public:
   using Tally = Part;
   using UnbalancedTree::UnbalancedTree;
 
-  /// Walks the whole tree without the engine. @return its counts
-  TreeCounts recur() {
-    TreeCounts seen;
-    const double start = cpu_seconds();
-    visit(*this, root(), seen);
-    recursion_seconds_ = cpu_seconds() - start;
-    return seen;
+  void add_recursion(const Turn& turn) { turns_.add_recursion(turn); }
+
+  void begin_search_turn() {
+    searching_ = true;
+    before_ = {cpu_seconds(), UnbalancedTree::tally().nodes};
   }
 
-  void start() { start_ = cpu_seconds(); }
+  void end_search_turn() {
+    turns_.add_search(current());
+    searching_ = false;
+  }
 
   [[nodiscard]] Tally tally() const {
-    return {UnbalancedTree::tally(), recursion_seconds_, cpu_seconds() - start_};
+    auto turns = turns_;
+    if (searching_) turns.add_search(current());
+    return {UnbalancedTree::tally(), turns.search_seconds(), turns.ratios()};
   }
 
  private:
-  double recursion_seconds_ = 0;
-  double start_ = 0;
+  // The work since the begin of the turn.
+  [[nodiscard]] Turn current() const {
+    return {cpu_seconds() - before_.seconds, UnbalancedTree::tally().nodes - before_.nodes};
+  }
+
+  PairedTurns turns_{least_seconds_of_half};
+  bool searching_ = false;
+  Turn before_;
 };
 
-// The search alone: the ranks begin together, after all recursions.
-engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
-  engine::all_reduce(session.transport());
-  tree.start();
-  return engine::search(tree, session.transport());
-}
+// One recursion over the whole tree and one search, in turn.
+class Round {
+ public:
+  Round(TimedTree& tree, engine::Transport& transport, unsigned work)
+      : tree_(tree),
+        worker_(tree, transport, options_),
+        nodes_between_looks_(std::max(256U / work, 1U)) {}
+
+  /// @return the counts of the recursion
+  TreeCounts run() {
+    begin_recursion_turn();
+    visit(tree_.root());
+    end_recursion_turn();
+    tree_.begin_search_turn();
+    while (!searched_) step();
+    tree_.end_search_turn();
+    return seen_;
+  }
+
+  engine::Outcome<TimedTree> outcome() && { return std::move(worker_).outcome(); }
+
+ private:
+  // Plain recursion, as a program without an engine has it, that looks at the clock now and then.
+  void visit(const UnbalancedTree::Node& node) {
+    const auto children = tree_.children(node);
+    seen_ += {1, children == 0 ? 1U : 0U, node.depth};
+    if (--nodes_before_look_ == 0) look();
+    for (std::uint32_t number = 0; number < children; ++number) {
+      visit(tree_.child(node, number));
+    }
+  }
+
+  void look() {
+    nodes_before_look_ = nodes_between_looks_;
+    if (searched_ || !is_turn_of_search()) return;
+    end_recursion_turn();
+    tree_.begin_search_turn();
+    while (!searched_ && is_turn_of_search()) step();
+    tree_.end_search_turn();
+    begin_recursion_turn();
+  }
+
+  void begin_recursion_turn() { before_ = {cpu_seconds(), seen_.nodes}; }
+  void end_recursion_turn() {
+    tree_.add_recursion({cpu_seconds() - before_.seconds, seen_.nodes - before_.nodes});
+  }
+
+  void step() {
+    const auto pace = worker_.step();
+    searched_ = pace.state == engine::Pace::State::done;
+    // As engine::search waits between the steps of a rank without nodes.
+    if (pace.sleeps()) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
+    } else if (pace.state == engine::Pace::State::waiting) {
+      std::this_thread::yield();
+    }
+  }
+
+  TimedTree& tree_;
+  const engine::Options options_;
+  engine::Worker<TimedTree> worker_;
+  const unsigned nodes_between_looks_;  // some 25 microseconds
+  unsigned nodes_before_look_ = 1;
+  bool searched_ = false;
+  TreeCounts seen_;
+  Turn before_;
+};
 
 void print_ranks(const engine::Outcome<TimedTree>& outcome) {
   fmt::print("{:<6} {:>12} {:>7} {:>9} {:>9} {:>12}\n", "rank", "opened", "share", "requests",
@@ -122,25 +199,19 @@ void print_counts(const TreeCounts& counted, const TreeCounts& published) {
   line("depth", counted.depth, published.depth);
 }
 
-// CPU seconds of one round over all ranks: the mean recursion of a rank, and the whole search.
-struct Times {
-  double recursion = 0;
-  double search = 0;
-};
-
-Times times_of(const engine::Outcome<TimedTree>& outcome) {
-  const auto all = outcome.tally();
-  return {all.recursion_seconds / static_cast<double>(outcome.ranks.size()), all.search_seconds};
-}
-
-void print_times(const Times& times, std::uint64_t opened) {
-  const auto line = [&](const char* name, double seconds) {
-    fmt::print("{:<10} {:>12.3f} CPU seconds {:>10.3f} million nodes per CPU second\n", name,
-               seconds, static_cast<double>(opened) / 1e6 / seconds);
-  };
-  line("recursion", times.recursion);
-  line("search", times.search);
-  fmt::print("{:<10} {:>12.3f}\n", "efficiency", times.recursion / times.search);
+void print_speed(double seconds, std::uint64_t opened, const std::vector<double>& ratios,
+                 bool alone) {
+  fmt::print("{:<10} {:>12.3f} CPU seconds, {:.3f} million nodes per CPU second\n", "search",
+             seconds, static_cast<double>(opened) / 1e6 / seconds);
+  if (ratios.empty()) {
+    fmt::print("{:<10} {:>12} the tree is too small\n", "efficiency", "-");
+    return;
+  }
+  const auto [lower, median, upper] = quartiles(ratios);
+  fmt::print("{:<10} {:>12.3f} (median; quartiles {:.3f} and {:.3f}; pairs of turns: {})\n",
+             "efficiency", median, lower, upper, ratios.size());
+  fmt::print("It is the CPU time of a node in a recursion divided by that in the search{}.\n",
+             alone ? "" : "; each rank compares its own turns");
 }
 
 }  // namespace
@@ -148,20 +219,21 @@ void print_times(const Times& times, std::uint64_t opened) {
 int bench_uts(Session& session, const BenchUtsOptions& options) {
   const auto& standard = benchmark::standard_tree(options.tree);
   bool right = true;
-  Times minimum{infinity, infinity};
+  double least = std::numeric_limits<double>::infinity();
   engine::Outcome<TimedTree> fastest;
-  for (unsigned round = 0; round < options.rounds; ++round) {
+  std::vector<double> ratios;
+  for (unsigned number = 0; number < options.rounds; ++number) {
     TimedTree tree(standard.parameters, options.work);
-    // Every rank recurs over the whole tree at the same time, so that the reference time is
-    // measured on the cores of the search and under its load.
-    right &= tree.recur() == standard.counts;
-    auto outcome = search(session, tree);
+    engine::all_reduce(session.transport());  // the ranks begin together
+    Round round(tree, session.transport(), options.work);
+    right &= round.run() == standard.counts;
+    auto outcome = std::move(round).outcome();
     if (!session.is_first()) continue;
-    right &= outcome.tally().counts == standard.counts;
-    const auto times = times_of(outcome);
-    minimum.recursion = std::min(minimum.recursion, times.recursion);
-    if (times.search < minimum.search) {
-      minimum.search = times.search;
+    const auto all = outcome.tally();
+    right &= all.counts == standard.counts;
+    ratios.insert(ratios.end(), all.ratios.begin(), all.ratios.end());
+    if (all.search_seconds < least) {
+      least = all.search_seconds;
       fastest = std::move(outcome);
     }
   }
@@ -172,7 +244,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
   print_counts(fastest.tally().counts, standard.counts);
   if (!right) fmt::print("WRONG: the counts of some round differ\n");
   fmt::print("\n");
-  print_times(minimum, fastest.opened());
+  print_speed(least, fastest.opened(), ratios, session.ranks() == 1);
   return right ? solved : failed;
 }
 

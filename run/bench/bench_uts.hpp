@@ -1,5 +1,5 @@
 // `kusabi bench uts --tree T1`: the Unbalanced Tree Search benchmark; compares the counts with the
-// published ones, and the CPU time with that of a plain recursion.
+// published ones, and the CPU time of a node with that of a plain recursion.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace kusabi::run {
 struct BenchUtsOptions {
   std::string tree = "T1";  ///< name of a tree in benchmark::standard_trees
   unsigned work = 1;        ///< hashes per node, about 0.1 microseconds each
-  unsigned rounds = 5;      ///< number of recursions and searches, in turn; the fastest counts
+  unsigned rounds = 5;      ///< number of recursions and searches over the whole tree
 };
 
 /// Runs the command on all ranks.

@@ -20,7 +20,7 @@ std::optional<double> seconds_in(std::string_view text);
 /// @param left seconds
 double margin_before_the_end(double left);
 
-/// Upper estimate of the time to sort and write a line of a list, in seconds (bench/README.md).
+/// Upper estimate of the time to sort and write a line of a list, in seconds (bench/history.md).
 inline constexpr double seconds_per_written_line = 3e-5;
 
 /// Upper estimate of the time to write so many results, such as patterns.

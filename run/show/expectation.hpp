@@ -1,4 +1,4 @@
-// Expected cost of an analysis by the number of candidates, from measurements (bench/README.md).
+// Expected cost of an analysis by the number of candidates, from measurements (bench/history.md).
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ enum class LimitMethod {
 };
 
 /// Minimum number of uncertain loads for operator splitting, which is then faster than a linear
-/// program for each cut (bench/README.md).
+/// program for each cut (bench/history.md).
 inline constexpr int default_split_from = 150;
 
 /// The least load factor over all losses of up to `maximum` members.

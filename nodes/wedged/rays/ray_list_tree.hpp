@@ -20,7 +20,7 @@
 namespace kusabi::wedged {
 
 /// Maximum length of a list before it is divided. Shorter ones cause more pairs, since inactive
-/// rays are in both parts; longer ones leave fewer parts for the ranks (bench/README.md).
+/// rays are in both parts; longer ones leave fewer parts for the ranks (bench/history.md).
 inline constexpr std::uint64_t longest_list = 98'304;
 
 /// Approximate memory in bytes for lists on each rank, for any number of rays: a step makes a list

@@ -9,7 +9,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Cost of a node in pairs of rays: 15 microseconds compared with 0.1 (bench/README.md).
+/// Cost of a node in pairs of rays: 15 microseconds compared with 0.1 (bench/history.md).
 constexpr std::uint64_t pairs_for_a_node = 150;
 
 /// Cost of a degenerate node, or of a node in higher precision: a millisecond.
