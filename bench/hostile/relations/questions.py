@@ -1,0 +1,171 @@
+"""Questions to the command, and answers in a form that relations can compare: candidates by their number
+instead of their names, intervals as pairs of numbers, bounds with their standing.
+
+`ask` calls the command once. An answer whose exit code is 3 is open; its proved parts are kept.
+"""
+
+import dataclasses
+import json
+import math
+import pathlib
+import subprocess
+
+import table as tables
+
+#: Longest time of one call in seconds; a call that takes longer is counted as open.
+SECONDS = 60
+
+
+@dataclasses.dataclass(frozen=True)
+class Question:
+    """A call without its file. Numbers are None if the option is not given."""
+
+    command: str
+    mu: float | None = None
+    alpha: float | None = None
+    group_alpha: tuple = ()  # pairs of a name and a number
+    total: float | None = None
+    lose: int | None = None
+    keep: tuple = ()
+    case: str | None = None
+    more: tuple = ()  # further words
+
+    def words(self):
+        own = [*self.more]
+        for option, value in (("--mu", self.mu), ("--alpha", self.alpha), ("--total", self.total),
+                              ("--lose", self.lose)):
+            if value is not None:
+                own += [option, repr(value)]
+        if self.group_alpha:
+            own += ["--group-alpha", ",".join(f"{name}={value!r}" for name, value in self.group_alpha)]
+        if self.keep:
+            own += ["--keep", " ".join(self.keep)]
+        if self.case is not None:
+            own += ["--case", self.case]
+        return own
+
+    @property
+    def name(self):
+        """The command and the options that determine the kind of its answer, without numbers."""
+        words = [self.command, *(word for word in self.more if word.startswith("--"))]
+        words += [
+            f"--{option}" for option in ("mu", "total", "lose", "keep")
+            if getattr(self, option) not in (None, ())
+        ]
+        return " ".join(words + (["--alpha"] if self.alpha is not None or self.group_alpha else []))
+
+
+@dataclasses.dataclass
+class Answer:
+    """code: exit code, None after SECONDS; said: last line of the output; result: `result` of the JSON, or
+    None; names: candidates in the order of the file; text: all that was printed."""
+
+    code: int | None
+    said: str
+    result: dict | None = None
+    verdict: dict | None = None
+    names: list = dataclasses.field(default_factory=list)
+    text: str = ""
+
+    @property
+    def is_open(self):
+        return self.code in (None, 3)
+
+
+class Asker:
+    """The command, in a folder of its own."""
+
+    def __init__(self, kusabi, folder):
+        self.kusabi, self.folder = str(pathlib.Path(kusabi).resolve()), pathlib.Path(folder)
+        self.calls = 0
+
+    def run(self, *words, seconds=SECONDS):
+        """(exit code, output); None: no answer in time"""
+        self.calls += 1
+        try:
+            done = subprocess.run([self.kusabi, *map(str, words)], capture_output=True, text=True,
+                                  errors="replace", timeout=seconds, cwd=self.folder)
+        except subprocess.TimeoutExpired:
+            return None, "no answer in time"
+        return done.returncode, done.stdout + done.stderr
+
+    def write(self, table, name, files=None):
+        """Writes a problem file, or a program in its own format, and further files beside it."""
+        is_table = isinstance(table, dict)
+        path = self.folder / (name + (".toml" if is_table else table.suffix))
+        path.write_text(tables.write(table) if is_table else table.text())
+        for other, text in (files or {}).items():
+            (self.folder / other).write_text(text)
+        return path
+
+    def ask(self, path, question, *more):
+        output = self.folder / "result.json"
+        output.unlink(missing_ok=True)
+        code, text = self.run(question.command, path, *question.words(), "--serial", "--output", output,
+                              *more)
+        lines = [line for line in text.strip().splitlines() if not line.startswith("wrote ")]
+        answer = Answer(code, lines[-1] if lines else "", text=text)
+        if output.exists():
+            whole = json.loads(output.read_text())
+            answer.result, answer.verdict = whole["result"], whole.get("verdict")
+            answer.names = [each["node"] for each in whole.get("problem", {}).get("contact", ())]
+        return answer
+
+
+# Contents of answers
+# -------------------------------------------------------------------------------------------
+
+
+def cones(answer, original):
+    """{(numbers in contact, numbers separated): (state, margin)} of `patterns`, by the candidate of the
+    original structure that each candidate stands for; parts of added candidates are left out."""
+    at = {name: original[number] for number, name in enumerate(answer.names)}
+    found = {}
+    for pattern in answer.result["patterns"]:
+        sets = [frozenset(at[name] for name in pattern[key]) for key in ("contact", "separated")]
+        if None not in sets[0] | sets[1]:
+            found[tuple(sets)] = pattern["state"], pattern.get("margin")
+    return found
+
+
+def ray_cones(answer, original):
+    """The same of `rays`, as a set."""
+    at = {name: original[number] for number, name in enumerate(answer.names)}
+    known = lambda names: frozenset(at[name] for name in names if at[name] is not None)
+    return {(known(set(cone["contact"]) - set(cone.get("idle", ()))), known(cone["separated"]))
+            for cone in answer.result["cones"]}
+
+
+@dataclasses.dataclass(frozen=True)
+class Bracket:
+    """A number between two bounds with their standing; None: unbounded, or not known."""
+
+    low: float | None
+    high: float | None
+    low_proved: bool = True
+    high_proved: bool = True
+
+    def changed(self, factor, shift=0.0):
+        """The bracket of factor * number + shift."""
+        ends = [None if end is None else factor * end + shift for end in (self.low, self.high)]
+        if factor >= 0:
+            return Bracket(*ends, self.low_proved, self.high_proved)
+        return Bracket(ends[1], ends[0], self.high_proved, self.low_proved)
+
+
+def bracket(entry, low="lower", high="upper"):
+    return Bracket(entry[low], entry[high], entry.get(f"{low}_proved", False),
+                   entry.get(f"{high}_proved", False))
+
+
+def held(answer):
+    """Intervals (low, high) of `hold --mu`, infinite without an end."""
+    if answer.verdict["answer"]["reason"] in ("supports", "wedging"):
+        return [(-math.inf, math.inf)]
+    return [(-math.inf if each["low"] is None else each["low"],
+             math.inf if each["high"] is None else each["high"]) for each in answer.result["intervals"]]
+
+
+def is_proved(answer):
+    """True if no number of the verdict is merely computed."""
+    return '"computed"' not in json.dumps(answer.verdict["answer"])
