@@ -2,6 +2,7 @@
 #include "run/command/command_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
@@ -248,6 +249,8 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
 engine::AnalysisOptions CommandRun::analysis_options(const engine::Limits& limits) {
   engine::Limits left = limits;
   left.seconds = std::max(0.0, limits.seconds - seconds());
+  if (!job_end_.is_known() && command_.limit_includes_writing() && std::isfinite(left.seconds))
+    job_end_.set(left.seconds);
   if (job_end_.is_known()) left.seconds = std::max(0.0, job_end_.remaining_seconds());
   auto result = run::analysis_options(kept_.finished ? engine::Limits{} : left, quiet_);
   if (job_end_.is_known() && session_.is_first()) {
@@ -277,8 +280,7 @@ Step CommandRun::result_lines(std::function<bool(std::ostream&)> write,
   return [this, write = std::move(write), done = std::move(done)] {
     auto& out = outputs_.stream("--output");
     if (write(out)) {
-      constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-      out << last_members().dump(-1, ' ', false, replace) << '\n';
+      out << json_line(last_members()) << '\n';
       outputs_.put_in_place("--output");
     }
     done();

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/command/output_set.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/session/time_limit.hpp"
 
 namespace kusabi::run {
@@ -401,6 +403,22 @@ std::string OptionTable::call(const std::function<bool(const OptionRow&)>& leave
     if (!row.value.empty()) text += ' ' + quoted(*row.given);
   }
   return text;
+}
+
+RowBuilder OptionTable::lines(bool& variable, const std::string& help) {
+  return choice("--format", variable, {{"json", false}, {"jsonl", true}}, help).needs("--output");
+}
+
+void OptionTable::check_lines(std::initializer_list<std::string_view> excluded) const {
+  const auto refuse = [](std::string_view option) {
+    throw WrongInput(
+        fmt::format("--format jsonl: is not possible with {}; expected --format json, or no {}",
+                    option, option));
+  };
+  for (const auto option : excluded) {
+    if (find(option)->given) refuse(option);
+  }
+  if (find("--output")->given == standard_output) refuse("--output -");
 }
 
 }  // namespace kusabi::run

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -194,6 +195,11 @@ class OptionTable {
   /// @param otherwise those whose state of the whole structure is in it without the option
   void whole_states(bool& variable, const std::string& all, const std::string& otherwise);
   void output(std::string help = "result file (JSON)");
+  /// --format, of a result file whose list may be in lines. @param help with both formats
+  RowBuilder lines(bool& variable, const std::string& help);
+  /// A list in lines has none of these outputs and options, which need the whole list, and is no
+  /// standard output. @throws WrongInput
+  void check_lines(std::initializer_list<std::string_view> excluded) const;
   void further_output(std::string name, std::string help);
   /// --csv. @param things objects of the rows
   void csv_of(const std::string& things);

@@ -52,6 +52,9 @@ class Subcommand {
     return run::seconds_to_write(solutions);
   }
 
+  /// True if --time-limit includes the time to write the results, as --time-limit slurm does.
+  [[nodiscard]] virtual bool limit_includes_writing() const { return false; }
+
   /// Files first, then the answer; each step runs even if an earlier one has failed.
   virtual std::vector<Step> results(CommandRun& run) = 0;
 

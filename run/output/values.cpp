@@ -30,6 +30,10 @@ nlohmann::ordered_json number_or_null(std::optional<double> value) {
   return nullptr;
 }
 
+std::string json_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 std::string hexadecimal(std::uint64_t fingerprint) {
   return fmt::format("{:016x}", fingerprint);
 }

@@ -22,6 +22,9 @@ const char* status_name(engine::Status status);
 /// null for an infinite or absent number, since JSON has no infinity.
 nlohmann::ordered_json number_or_null(std::optional<double> value);
 
+/// One line of JSON, without a line end. Bytes that are not UTF-8 (in file names) become U+FFFD.
+std::string json_line(const nlohmann::ordered_json& json);
+
 /// A fingerprint in 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t fingerprint);
 

@@ -101,10 +101,6 @@ std::string at_rest_member(const problems::WedgedProblem& problem,
 
 }  // namespace
 
-std::string json_line(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
 ordered_json lean_pattern(const problems::WedgedProblem& problem, const wedged::Configuration& leaf,
                           const support::IndexSet& inactive) {
   auto json = pattern_json(problem, leaf.block, leaf.pattern, inactive);

@@ -31,9 +31,6 @@ nlohmann::ordered_json lean_pattern(const problems::WedgedProblem& problem,
 /// The key `firmness` of a pattern.
 nlohmann::ordered_json firmness_json(const std::optional<wedged::Firmness>& firmness);
 
-/// One line of JSON, without a line end.
-std::string json_line(const nlohmann::ordered_json& json);
-
 class PatternLines {
  public:
   /// Opens a part on every rank, unless an earlier run has finished.

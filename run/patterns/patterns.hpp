@@ -64,7 +64,6 @@ struct PatternsOptions {
   void describe_tree(OptionTable& table);
   void describe_table(OptionTable& table);
   void describe_limits(OptionTable& table);
-  void check_lines(const OptionTable& table) const;
 };
 
 }  // namespace kusabi::run

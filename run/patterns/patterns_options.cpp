@@ -1,6 +1,5 @@
 // Options of `kusabi patterns`.
 #include <cstdint>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -29,12 +28,10 @@ void PatternsOptions::describe(OptionTable& table) {
   describe_tree(table);
   describe_table(table);
   table.output();
-  table
-      .choice("--format", lines, {{"json", false}, {"jsonl", true}},
+  table.lines(lines,
               "format of the result file: one object (json), or a line per pattern (jsonl), for "
               "more than about 100,000 patterns. All ranks write the lines during the search, and "
-              "memory does not grow with their number; an object takes 5 kB of memory per pattern")
-      .needs("--output");
+              "memory does not grow with their number; an object takes 5 kB of memory per pattern");
   table.csv_of("patterns");
   table.pictures(vtu, "pattern", "patterns.pvd");
   table.whole_states(
@@ -133,7 +130,10 @@ void PatternsOptions::describe_limits(OptionTable& table) {
 }
 
 void PatternsOptions::check(const OptionTable& table) const {
-  if (lines) check_lines(table);
+  if (lines) {
+    table.check_lines({"--csv", "--vtu", "--whole", "--group", "--exists"});
+    if (sort != PatternSort::number) table.check_lines({"--sort"});
+  }
   if (exists && !certificate.empty()) {
     throw WrongInput(
         "--certificate: --exists writes no certificate; expected --certificate without --exists, "
@@ -151,20 +151,6 @@ void PatternsOptions::check(const OptionTable& table) const {
     throw WrongInput(
         "--record: is not possible with --exists, --resume or breadth-first order; "
         "expected depth-first order and neither of the others");
-}
-
-// Lines have no further outputs, which would need the whole list.
-void PatternsOptions::check_lines(const OptionTable& table) const {
-  const auto refuse = [](std::string_view option) {
-    throw WrongInput(
-        fmt::format("--format jsonl: is not possible with {}; expected --format json, or no {}",
-                    option, option));
-  };
-  for (const auto* const option : {"--csv", "--vtu", "--whole", "--group", "--exists"}) {
-    if (table.find(option)->given) refuse(option);
-  }
-  if (sort != PatternSort::number) refuse("--sort");
-  if (table.find("--output")->given == "-") refuse("--output -");
 }
 
 }  // namespace kusabi::run

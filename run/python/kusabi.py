@@ -170,13 +170,22 @@ def patterns(path):
 
     Raises WrongInput if it is no such file, OSError if it cannot be read.
     """
+    return _in_lines(path, "patterns")
+
+
+def rays(path):
+    """Iterates over the rays of a file of --format jsonl, as patterns()."""
+    return _in_lines(path, "rays")
+
+
+def _in_lines(path, name):
     with open(path, encoding="utf-8") as file:
         try:
-            if json.loads(file.readline()).get("lines") != "patterns":
-                raise WrongInput(f"{path}: has no lines of patterns; expected what --format jsonl has written")
+            if json.loads(file.readline()).get("lines") != name:
+                raise WrongInput(f"{path}: has no lines of {name}; expected what --format jsonl has written")
             for line in file:
                 each = json.loads(line)
-                if "contact" not in each:
+                if "reaction" not in each:
                     return
                 yield each
         except (ValueError, RecursionError, AttributeError) as error:
@@ -187,13 +196,13 @@ def patterns(path):
 def _content(path):
     with open(path, encoding="utf-8") as file:
         first = file.readline()
-        if '"lines":"patterns"' not in first:
+        if not any(f'"lines":"{name}"' in first for name in ("patterns", "rays")):
             return json.loads(first + file.read())
         content = json.loads(first)
         *found, end = (json.loads(line) for line in file)
-    if content.pop("lines") != "patterns" or "contact" in end:
+    if "reaction" in end:
         raise ValueError("its last line is missing")
-    content["result"]["patterns"] = found
+    content["result"][content.pop("lines")] = found
     return {**content, **end}
 
 

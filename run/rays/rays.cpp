@@ -7,10 +7,13 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "engine/signals.hpp"
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/rays/ray_list_tree.hpp"
 #include "nodes/wedged/rays/ray_search.hpp"
@@ -19,12 +22,15 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/rays/ray_lines.hpp"
 #include "run/rays/rays_report.hpp"
+#include "run/session/time_limit.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/exact_json.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -54,17 +60,24 @@ class Rays final : public Subcommand {
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] double seconds_to_write(std::uint64_t solutions) const override;
+  [[nodiscard]] bool limit_includes_writing() const override { return options_.lines; }
   std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   void check_problem() const;
+  void open_lines(CommandRun& run);
+  [[nodiscard]] std::uint64_t tree_fingerprint() const;
+  void end_lines(engine::Analysis& analysis);
   void draw_all(OutputFolder& folder, const WholeStates& states) const;
 
+  const OptionTable* table_ = nullptr;
   RaysOptions options_;
   std::string vtu_;
   ContactProblem contact_;
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
+  std::optional<RayLines> lines_;
   wedged::RayFindings found_;  // on rank 0
   wedged::ExactTest exact_;    // of its cones
 
@@ -72,6 +85,7 @@ class Rays final : public Subcommand {
 };
 
 void Rays::describe(OptionTable& table) {
+  table_ = &table;
   table.problem(options_.input.file);
   table.friction(options_.friction);
   table.choice("--method", options_.method,
@@ -82,6 +96,10 @@ void Rays::describe(OptionTable& table) {
                "of each sign pattern in turn (tree), or the method that is faster in a trial, "
                "with the rays divided among the ranks (auto). The rays are the same");
   table.output();
+  table.lines(options_.lines,
+              "format of the result file: one object (json), or a line per ray (jsonl), for more "
+              "than about 100,000 rays. All ranks write the lines during the search, and memory "
+              "does not grow with their number, except with --method double-description");
   table.pictures(vtu_, "ray", "rays.pvd");
   table.csv_of("rays");
   table.further_output(
@@ -96,6 +114,7 @@ void Rays::describe(OptionTable& table) {
 }
 
 void Rays::check() const {
+  if (options_.lines) table_->check_lines({"--csv", "--vtu", "--dot", "--whole"});
   if (options_.method == RayMethod::double_description && wedged::limited(options_.limits)) {
     throw WrongInput(
         "--method double-description gives no partial results; expected no limit, or another "
@@ -109,6 +128,27 @@ void Rays::prepare(CommandRun& run) {
   friction_ = friction_at(contact_.problem, options_.friction, options_.input.file);
   keep_state(run, options_.checkpoint, contact_.problem);
   cone_ = wedged::reaction_cone(contact_.problem, friction_);
+  if (options_.lines) open_lines(run);
+}
+
+void Rays::open_lines(CommandRun& run) {
+  lines_.emplace(run.session(), *cone_,
+                 PartsOwner{.option = "--output",
+                            .name = *table_->find("--output")->given,
+                            .content = "the rays",
+                            .tree = tree_fingerprint(),
+                            .checkpoint = options_.checkpoint.state},
+                 run.has_begun_to_search(), run.has_searched());
+}
+
+// Parts of lines belong to a problem, its friction and the method.
+std::uint64_t Rays::tree_fingerprint() const {
+  support::Fingerprint fingerprint;
+  fingerprint.add(std::string_view("rays"));
+  fingerprint.add(contact_.problem.provenance.fingerprint);
+  fingerprint.add(options_.friction);
+  fingerprint.add(static_cast<std::uint64_t>(options_.method));
+  return fingerprint.value();
 }
 
 void Rays::check_problem() const {
@@ -128,8 +168,9 @@ void Rays::check_problem() const {
 
 std::string Rays::announcement(const std::string& ranks) const {
   const bool by_pattern = options_.method == RayMethod::tree;
+  const auto longest = options_.lines ? wedged::longest_recorded_list : wedged::longest_list;
   const auto megabytes =
-      std::max<std::uint64_t>(wedged::memory_of_lists(cone_->candidates()) >> 20U, 1);
+      std::max<std::uint64_t>(wedged::memory_of_lists(cone_->candidates(), longest) >> 20U, 1);
   return fmt::format("{}; friction coefficient {}; {} on {}{}", problem_line(contact_.problem),
                      friction_text(contact_.problem, options_.friction),
                      by_pattern ? "the tree of sign patterns" : "double description", ranks,
@@ -140,12 +181,26 @@ std::string Rays::announcement(const std::string& ranks) const {
 
 void Rays::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
-  found_ = wedged::find_rays(analysis, contact_.problem, friction_, *cone_, options_.method);
+  wedged::RayRecorder recorder;
+  if (lines_) recorder = [this](const auto& zero, const auto& ray) { lines_->add(zero, ray); };
+  found_ =
+      wedged::find_rays(analysis, contact_.problem, friction_, *cone_, options_.method, recorder);
+  if (lines_) end_lines(analysis);
   const bool searched = run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;
   const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
   exact_ = wedged::tested_cones(analysis, {contact_.structure, contact_.problem, proving},
                                 friction_, found_.cones);
+}
+
+void Rays::end_lines(engine::Analysis& analysis) {
+  auto cones = lines_->close(found_);
+  if (!analysis.is_first()) return;
+  wedged::find_cones(found_, std::move(cones), cone_->all(), analysis.budget());
+  // The search ended for the time to write, which is part of the limit.
+  const bool limited = options_.limits.seconds != engine::Limits{}.seconds;
+  if (limited && found_.status == engine::Status::interrupted && !engine::end_asked_by_signal())
+    found_.status = engine::Status::time_limit;
 }
 
 void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
@@ -169,6 +224,13 @@ std::vector<Step> Rays::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
   const auto report =
       std::make_shared<RaysReport>(options_, *states, *cone_, found_, exact_, CommandRun::page());
+  if (lines_) {
+    return {
+        run.result_lines([this, report, states](
+                             std::ostream& out) { return lines_->write(out, report->head_line()); },
+                         [this] { lines_->end(!options_.checkpoint.state.empty() && !whole()); }),
+        run.answer([report, states] { return report->summary(); })};
+  }
   // Table, CSV and JSON are written in one pass over the rays, whose numbers are computed once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table, states](JsonWriter* json) {
@@ -188,10 +250,15 @@ Verdict Rays::verdict() const {
           .answer = Sticking{.thing = "extremal ray",
                              .friction = options_.friction,
                              .factor = !uniform_friction(contact_.problem),
-                             .count = found_.rays.size(),
+                             .count = found_.count(),
                              .standing = Standing::computed,
                              .ambiguous = !found_.health.sound(),
                              .remainder = remainder_of(exact_)}};
+}
+
+double Rays::seconds_to_write(std::uint64_t solutions) const {
+  if (options_.lines) return seconds_per_written_line * static_cast<double>(solutions);
+  return Subcommand::seconds_to_write(solutions);
 }
 
 std::vector<std::string> Rays::remarks(CommandRun& run) {

@@ -15,6 +15,7 @@ struct RaysOptions {
   ProblemInput input;
   double friction = 0;  ///< friction coefficient mu
   wedged::RayMethod method = wedged::RayMethod::automatic;
+  bool lines = false;     ///< the result file in lines, written during the search
   bool whole = false;     ///< all displacements and support reactions in the result file
   bool prove = false;     ///< comparison of the cones with a proved list of patterns
   engine::Limits limits;  ///< limits of the search; wedged::RayMethod::tree only

@@ -13,6 +13,7 @@
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/rays/ray_json.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/exact_json.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -25,20 +26,6 @@ using wedged::RayMethod;
 
 /// Maximum number of rays or cones in the table; --output and --csv contain all.
 constexpr std::size_t longest_table = 60;
-
-struct State {
-  char letter;
-  const char* word;
-};
-
-State state_of(const rays::Supports& supports, int candidate) {
-  const auto here = rays::bit(candidate);
-  if ((supports.separated() & here) != 0) return {'o', "separates"};
-  if ((supports.sticking() & here) != 0) return {'x', "sticks"};
-  if ((supports.sliding_up() & here) != 0) return {'+', "slides +"};
-  if ((supports.sliding_down() & here) != 0) return {'-', "slides -"};
-  return {'.', "idle"};
-}
 
 ordered_json cost_json(const rays::Cost& cost) {
   return {{"peak_rays", cost.peak_rays}, {"pairs", cost.pairs}, {"adjacent", cost.adjacent}};
@@ -97,6 +84,15 @@ void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json)
   if (table != nullptr) *table << summary();
 }
 
+std::string RaysReport::head_line() {
+  auto head = head_json();
+  head["result"] = first_members();
+  head["result"].update(last_members());
+  head["lines"] = "rays";
+  head["statistics"] = statistics_json(found_);
+  return json_line(head);
+}
+
 std::string RaysReport::ray_lines(std::size_t number, const rays::Ray& ray) const {
   constexpr std::size_t cell = 11;
   auto letters = states(number);
@@ -124,23 +120,30 @@ std::string RaysReport::ray_lines(std::size_t number, const rays::Ray& ray) cons
   return text;
 }
 
+// The number of a cone's rays, as a cell of the table; nothing if the rays are in lines.
+std::string RaysReport::cell_of_count(const rays::Cone& cone) const {
+  if (options_.lines) return {};
+  const auto count =
+      std::count_if(found_.rays.begin(), found_.rays.end(), [&](const rays::ZeroSet& zero) {
+        return belongs({zero, cone_.all()}, cone);
+      });
+  return fmt::format("  {:>6}", count);
+}
+
 std::string RaysReport::summary() const {
   std::string text;
   auto out = std::back_inserter(text);
-  if (found_.rays.size() > longest_table) {
+  if (found_.rays.size() > longest_table && !options_.lines) {
     fmt::format_to(out, "        and {} more (--output, --csv)\n",
                    found_.rays.size() - longest_table);
   }
   if (!found_.cones.empty()) {
-    fmt::format_to(out, "\n{:>7}  {:>6}  in contact (U) | separated (R)\n", "cone", "rays");
+    fmt::format_to(out, "\n{:>7}{}  in contact (U) | separated (R)\n", "cone",
+                   options_.lines ? "" : "    rays");
   }
   for (std::size_t number = 0; number < std::min(found_.cones.size(), longest_table); ++number) {
     const rays::Cone& each = found_.cones[number];
-    const auto count =
-        std::count_if(found_.rays.begin(), found_.rays.end(), [&](const rays::ZeroSet& zero) {
-          return belongs({zero, cone_.all()}, each);
-        });
-    fmt::format_to(out, "{:>7}  {:>6}  {} | {}\n", number + 1, count,
+    fmt::format_to(out, "{:>7}{}  {} | {}\n", number + 1, cell_of_count(each),
                    with_ranges(candidate_names(problem_, cone_.all() & ~each.separated)),
                    with_ranges(candidate_names(problem_, each.separated)));
   }
@@ -150,14 +153,13 @@ std::string RaysReport::summary() const {
   // The cones follow from all rays.
   const bool whole = found_.status == engine::Status::solved;
   fmt::format_to(
-      out, "\n{}{}{} at friction coefficient {}, by {}\n",
-      counted(found_.rays.size(), "extremal ray"),
+      out, "\n{}{}{} at friction coefficient {}, by {}\n", counted(found_.count(), "extremal ray"),
       problem_.modes.bodies.empty()
           ? ""
           : fmt::format(" and {} without reactions",
                         counted(found_.motions.size(), "extremal motion")),
       whole ? " in " + counted(found_.cones.size(), "maximal cone")
-            : std::string(found_.rays.size() == 1 ? " is known" : " are known"),
+            : std::string(found_.count() == 1 ? " is known" : " are known"),
       friction_text(problem_, options_.friction),
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
   fmt::format_to(out,
@@ -167,23 +169,61 @@ std::string RaysReport::summary() const {
   return text;
 }
 
+// Members of the result file before those of the result.
+ordered_json RaysReport::head_json() const {
+  return {{"command", "rays"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(whole_.structure(), problem_, options_.input.file)},
+          {"options", {{"mu", options_.friction}, {"method", method_name(found_.method)}}},
+          {"status", status_name(found_.status)}};
+}
+
+// Members of the result before its rays.
+ordered_json RaysReport::first_members() const {
+  ordered_json members{{"friction", options_.friction}, {"count", found_.count()}};
+  if (found_.tree) members["tree"] = tree_json(*found_.tree);
+  return members;
+}
+
+// Members of the result after its rays and cones. The numerical health includes the numbers of the
+// rays, which are computed while they are written.
+ordered_json RaysReport::end_members() const {
+  const auto& health = found_.health;
+  return {{"health",
+           {{"tolerance", rays::zero_tolerance},
+            {"largest_zero", health.largest_zero},
+            {"smallest_nonzero", health.smallest_nonzero},
+            {"doubtful", health.undecided}}},
+          {"exact", exact_json(exact_)}};
+}
+
+// The motions, and the cones without their rays: members of the result in lines.
+ordered_json RaysReport::last_members() {
+  ordered_json members;
+  if (!problem_.modes.bodies.empty()) {
+    members["motions"] = ordered_json::array();
+    for (std::size_t at = 0; at < found_.motions.size(); ++at)
+      members["motions"].push_back(motion_json(at));
+  }
+  members["cones"] = ordered_json::array();
+  for (const auto& each : found_.cones) members["cones"].push_back(lean_cone(each));
+  members.update(end_members());
+  return members;
+}
+
 void RaysReport::begin(JsonWriter& json) const {
   json.begin_object();
-  json.member("command", "rays");
-  json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(whole_.structure(), problem_, options_.input.file));
-  json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
-  json.member("status", status_name(found_.status));
+  const auto head = head_json();
+  for (const auto& [key, value] : head.items()) json.member(key, value);
   json.key("result");
   json.begin_object();
-  json.member("friction", options_.friction);
-  json.member("count", found_.rays.size());
-  if (found_.tree) json.member("tree", tree_json(*found_.tree));
+  const auto first = first_members();
+  for (const auto& [key, value] : first.items()) json.member(key, value);
   json.key("rays");
   json.begin_list();
 }
 
-// The numerical health includes the numbers of the rays, which are computed while they are written.
+// Motions and cones are written one by one, since cones name all their rays.
 void RaysReport::end_rays_and_all(JsonWriter& json) {
   json.end_list();
   if (!problem_.modes.bodies.empty()) {
@@ -196,26 +236,18 @@ void RaysReport::end_rays_and_all(JsonWriter& json) {
   json.begin_list();
   for (const auto& each : found_.cones) json.value(cone_json(each));
   json.end_list();
-  const auto& health = found_.health;
-  json.member("health", {{"tolerance", rays::zero_tolerance},
-                         {"largest_zero", health.largest_zero},
-                         {"smallest_nonzero", health.smallest_nonzero},
-                         {"doubtful", health.undecided}});
-  json.member("exact", exact_json(exact_));
+  const auto end = end_members();
+  for (const auto& [key, value] : end.items()) json.member(key, value);
   json.end_object();
   json.member("statistics", statistics_json(found_));
   json.end_object();
 }
 
 ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) const {
-  auto words = ordered_json::array();
-  for (int i = 0; i < cone_.candidates(); ++i) words.push_back(state_of(supports(number), i).word);
-  const auto reactions = numbers(ray.reaction);
-  ordered_json json{{"number", number + 1},
-                    {"state", std::move(words)},
-                    {"reaction", candidate_rows(reactions, 2)},
-                    {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
-  if (options_.whole) whole_.add_to(json, reactions, numbers(ray.displacement));
+  ordered_json json{{"number", number + 1}};
+  json.update(lean_ray(supports(number), ray));
+  json["displacement"] = candidate_rows(numbers(ray.displacement), 2);
+  if (options_.whole) whole_.add_to(json, numbers(ray.reaction), numbers(ray.displacement));
   return json;
 }
 
@@ -233,18 +265,32 @@ ordered_json RaysReport::cone_json(const rays::Cone& each) const {
   for (std::size_t number = 0; number < found_.rays.size(); ++number) {
     if (belongs(supports(number), each)) numbers.push_back(number + 1);
   }
-  ordered_json json{
-      {"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
-      {"separated", candidate_names(problem_, each.separated)},
-      {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))},
-      {"rays", numbers}};
-  if (problem_.modes.bodies.empty()) return json;
+  auto json = cone_candidates(each);
+  json["rays"] = numbers;
+  add_motions(json, each);
+  return json;
+}
+
+// A cone without the numbers of its rays.
+ordered_json RaysReport::lean_cone(const rays::Cone& each) const {
+  auto json = cone_candidates(each);
+  add_motions(json, each);
+  return json;
+}
+
+ordered_json RaysReport::cone_candidates(const rays::Cone& each) const {
+  return {{"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
+          {"separated", candidate_names(problem_, each.separated)},
+          {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))}};
+}
+
+void RaysReport::add_motions(ordered_json& json, const rays::Cone& each) const {
+  if (problem_.modes.bodies.empty()) return;
   std::vector<std::size_t> motions;
   for (std::size_t number = 0; number < found_.motions.size(); ++number) {
     if (belongs({found_.motions[number], cone_.all()}, each)) motions.push_back(number + 1);
   }
   json["motions"] = motions;
-  return json;
 }
 
 void RaysReport::begin(CsvWriter& csv) const {

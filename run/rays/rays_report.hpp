@@ -44,6 +44,12 @@ class RaysReport {
   /// are not null. `found` includes the numerical health of the numbers afterwards.
   void write(std::ostream* table, std::ostream* csv, JsonWriter* json);
 
+  /// The head of a result in lines: all but the rays, with cones that do not name their rays.
+  [[nodiscard]] std::string head_line();
+
+  /// Last lines of the table: cones, counts, numerical health, and the answer.
+  [[nodiscard]] std::string summary() const;
+
   /// Graph of cones and their rays in the language of Graphviz; with too many rays only their
   /// number.
   void draw(std::ostream& out) const;
@@ -55,13 +61,19 @@ class RaysReport {
     return {found_.rays[number], cone_.all()};
   }
   [[nodiscard]] std::string states(std::size_t number) const;
-  /// Last lines of the table: cones, counts, numerical health, and the answer.
-  [[nodiscard]] std::string summary() const;
+  [[nodiscard]] std::string cell_of_count(const rays::Cone& cone) const;
+  [[nodiscard]] nlohmann::ordered_json head_json() const;
+  [[nodiscard]] nlohmann::ordered_json first_members() const;
+  [[nodiscard]] nlohmann::ordered_json last_members();
+  [[nodiscard]] nlohmann::ordered_json end_members() const;
   void begin(JsonWriter& json) const;       // up to the list of rays, which stays open
   void end_rays_and_all(JsonWriter& json);  // from the end of the list of rays
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] nlohmann::ordered_json motion_json(std::size_t number);
   [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
+  [[nodiscard]] nlohmann::ordered_json lean_cone(const rays::Cone& cone) const;
+  [[nodiscard]] nlohmann::ordered_json cone_candidates(const rays::Cone& cone) const;
+  void add_motions(nlohmann::ordered_json& json, const rays::Cone& cone) const;
   [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;
   void begin(CsvWriter& csv) const;  // the header
   void add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) const;

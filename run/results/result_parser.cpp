@@ -69,10 +69,12 @@ ParsedResult parsed(std::string_view text) {
   return std::move(builder.result);
 }
 
-// The object whose list of patterns is in lines: a head, patterns, and the members at its end.
+// The object whose list of patterns or rays is in lines: a head, which names the list, its entries,
+// and the members at its end.
 ParsedResult joined_lines(std::string_view text) {
   ParsedResult whole;
-  ResultJson patterns = ResultJson::array();
+  ResultJson list = ResultJson::array();
+  std::string name;
   bool ended = false;
   while (!text.empty()) {
     const auto end = std::min(text.find('\n'), text.size());
@@ -81,16 +83,17 @@ ParsedResult joined_lines(std::string_view text) {
     if (line.too_deep || !line.json.is_object() || ended) return parsed("");
     if (whole.json.is_null()) {
       whole = std::move(line);
+      name = whole.json.value("lines", "");
       whole.json.erase("lines");
-    } else if (line.json.contains("contact")) {
-      patterns.push_back(std::move(line.json));
+    } else if (line.json.contains("reaction")) {
+      list.push_back(std::move(line.json));
     } else {
       whole.json.update(line.json);
       ended = true;
     }
   }
   if (!ended || !whole.json["result"].is_object()) return parsed("");
-  whole.json["result"]["patterns"] = std::move(patterns);
+  whole.json["result"][name] = std::move(list);
   return whole;
 }
 
@@ -98,7 +101,9 @@ ParsedResult joined_lines(std::string_view text) {
 
 ParsedResult parse_result(const std::string& text) {
   const auto first = std::string_view(text).substr(0, text.find('\n'));
-  return first.find(R"("lines":"patterns")") == first.npos ? parsed(text) : joined_lines(text);
+  const bool in_lines = first.find(R"("lines":"patterns")") != first.npos ||
+                        first.find(R"("lines":"rays")") != first.npos;
+  return in_lines ? joined_lines(text) : parsed(text);
 }
 
 }  // namespace kusabi::run

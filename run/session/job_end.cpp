@@ -11,10 +11,14 @@ namespace kusabi::run {
 using Clock = std::chrono::steady_clock;
 
 double JobEnd::read(Session& session) {
-  const std::chrono::duration<double> left(
-      session.from_first_rank([] { return seconds_of_slurm_job(); }));
-  at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(left);
-  return left.count();
+  const double left = session.from_first_rank([] { return seconds_of_slurm_job(); });
+  set(left);
+  return left;
+}
+
+void JobEnd::set(double seconds) {
+  at_ = Clock::now() +
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 double JobEnd::remaining_seconds() const {

@@ -1,4 +1,5 @@
-// JobEnd: the end of a batch job as the time limit of a run (--time-limit slurm).
+// JobEnd: the time by which a run must have written its results: the end of a batch job
+// (--time-limit slurm), or a time limit that includes the writing.
 #pragma once
 
 #include <chrono>
@@ -17,7 +18,10 @@ class JobEnd {
   /// @return remaining seconds @throws WrongInput on every rank, as seconds_of_slurm_job()
   double read(Session& session);
 
-  /// True after read().
+  /// @param seconds from now
+  void set(double seconds);
+
+  /// True after read() or set().
   [[nodiscard]] bool is_known() const { return at_.has_value(); }
   /// @pre is_known()
   [[nodiscard]] double remaining_seconds() const;

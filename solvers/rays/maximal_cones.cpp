@@ -86,21 +86,32 @@ class Walk {
 
 }  // namespace
 
-std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all) {
-  return *maximal_cones(rays, all, {});
+Cone cone_of(const Supports& ray) {
+  return {ray.reaction(), ray.separated()};
 }
 
-std::optional<std::vector<Cone>> maximal_cones(std::span<const ZeroSet> rays, Candidates all,
+void ConesOfRays::add(const Cone& ray) {
+  constexpr std::size_t least = 4096;  // kept without sorting
+  cones_.push_back(ray);
+  if (cones_.size() > std::max(least, 2 * sorted_)) sorted();
+}
+
+const std::vector<Cone>& ConesOfRays::sorted() {
+  std::sort(cones_.begin(), cones_.end(), by_bits);
+  cones_.erase(std::unique(cones_.begin(), cones_.end()), cones_.end());
+  sorted_ = cones_.size();
+  return cones_;
+}
+
+std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all) {
+  ConesOfRays cones;
+  for (const ZeroSet& zero : rays) cones.add(cone_of({zero, all}));
+  return *maximal_cones(std::move(cones), all, {});
+}
+
+std::optional<std::vector<Cone>> maximal_cones(ConesOfRays rays, Candidates all,
                                                const std::function<bool()>& stop) {
-  std::vector<Cone> supports;
-  supports.reserve(rays.size());
-  for (const ZeroSet& zero : rays) {
-    const Supports each(zero, all);
-    supports.push_back({each.reaction(), each.separated()});
-  }
-  std::sort(supports.begin(), supports.end(), by_bits);
-  supports.erase(std::unique(supports.begin(), supports.end()), supports.end());
-  auto cones = Walk(std::move(supports), all, stop).cones();
+  auto cones = Walk(rays.sorted(), all, stop).cones();
   if (!cones) return cones;
   std::sort(cones->begin(), cones->end(), [](const Cone& a, const Cone& b) {
     if (a.reaction != b.reaction) return before(a.reaction, b.reaction);

@@ -6,6 +6,7 @@
 // all cliques without the graph (docs/theory/rays.md).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -29,11 +30,28 @@ inline bool belongs(const Supports& ray, const Cone& cone) {
   return (ray.reaction() & cone.separated) == 0 && (ray.separated() & cone.reaction) == 0;
 }
 
+/// The cone of a single ray.
+Cone cone_of(const Supports& ray);
+
+/// The cones of many rays, each once: most rays differ from others in their sliding only.
+class ConesOfRays {
+ public:
+  void add(const Cone& ray);
+
+  /// The cones so far, sorted by bits.
+  const std::vector<Cone>& sorted();
+
+ private:
+  std::vector<Cone> cones_;
+  std::size_t sorted_ = 0;  // number of different cones when they were last sorted
+};
+
 /// All maximal cones, in the order of their reactions.
 std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all);
 
 /// The same; nothing if `stop`, which is called now and then, returned true.
-std::optional<std::vector<Cone>> maximal_cones(std::span<const ZeroSet> rays, Candidates all,
+/// @param rays the cones of all rays
+std::optional<std::vector<Cone>> maximal_cones(ConesOfRays rays, Candidates all,
                                                const std::function<bool()>& stop);
 
 }  // namespace kusabi::rays

@@ -123,6 +123,18 @@ Eigen::VectorXd ReactionCone::rounded_coordinates(const ZeroSet& zero, const Sta
   return coordinates(zero, stage).cast<double>();
 }
 
+LongVector ReactionCone::unknowns_of(const Eigen::VectorXd& reaction) const {
+  LongVector x = LongVector::Zero(2 * candidates());
+  for (int i = 0; i < candidates(); ++i) {
+    const long double mu = friction_[static_cast<std::size_t>(i)];
+    const long double normal = reaction(2 * i);
+    const long double tangential = reaction(2 * i + 1);
+    x(2 * i) = mu == 0 ? normal : mu * normal - tangential;
+    if (mu != 0) x(2 * i + 1) = mu * normal + tangential;
+  }
+  return x;
+}
+
 Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
   const int m = candidates();
   const LongVector x = coordinates(zero);

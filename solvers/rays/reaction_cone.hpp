@@ -58,6 +58,10 @@ class ReactionCone {
   /// or, for a mode alone, the largest number has the magnitude 1.
   LongVector coordinates(const ZeroSet& zero) const { return coordinates(zero, whole()); }
 
+  /// Unknowns p and q of reactions; those of modes are left out.
+  /// @param reaction 2m, ordered as that of a Ray
+  LongVector unknowns_of(const Eigen::VectorXd& reaction) const;
+
   /// Inequalities and equations by which a cone has been cut so far.
   struct Stage {
     Candidates gaps = 0;      ///< u_n >= 0 there

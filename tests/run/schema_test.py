@@ -158,6 +158,16 @@ class Schema(KusabiCase):
 
     def test_accepts_results_of_rays(self):
         self.check_wedged("rays", 1)
+        lines = self.folder / "rays.jsonl"
+        run = self.kusabi("rays", EXAMPLES / "plane-truss.toml", "--mu", 0.8, "--format", "jsonl", "--output", lines)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        line_schema = Draft202012Validator({"$ref": "#/$defs/ray_line", "$defs": self.schema.schema["$defs"]})
+        rays = [json.loads(line) for line in lines.read_text().splitlines()[1:-1]]
+        self.assertEqual(len(rays), 46)  # tests/reference/plane-truss.json
+        for ray in rays:
+            self.assertEqual(list(line_schema.iter_errors(ray)), [])
+            for key in ray:
+                self.assertFalse(line_schema.is_valid({name: value for name, value in ray.items() if name != key}))
 
     def test_accepts_results_of_critical(self):
         self.check_wedged("critical", 2)

@@ -9,11 +9,11 @@
 
 namespace kusabi::wedged {
 
-std::uint64_t memory_of_lists(int candidates) {
+std::uint64_t memory_of_lists(int candidates, std::uint64_t longest) {
   constexpr std::uint64_t states = 5;  // separated, inactive, sticking, sliding in either direction
   std::uint64_t maximum = 1;
-  for (int i = 0; i < candidates && maximum < 2 * longest_list; ++i) maximum *= states;
-  return rays::bytes_for(std::min(maximum, 2 * longest_list), candidates);
+  for (int i = 0; i < candidates && maximum < 2 * longest; ++i) maximum *= states;
+  return rays::bytes_for(std::min(maximum, 2 * longest), candidates);
 }
 
 RayListTree::RayListTree(SignPatternTree tree, rays::ReactionCone cone, rays::RayList list,
@@ -56,12 +56,18 @@ void RayListTree::expand(Node&& node, engine::Expansion<RayListTree>& out) {
   if (list->zeros.empty()) return;
   if (rays::has_ended(*list, cone_)) {
     PatternRays own{own_rays(list->zeros, list->contact, list->separated, cone_.all())};
-    if (!own.rays.empty()) out.solution(std::move(own));
+    report(std::move(own), static_cast<bool>(keep_), out);
     return;
   }
   auto parts = rays::divided(*list);
   list.reset();
   for (auto& part : *parts) out.branch(std::move(part));
+}
+
+bool RayListTree::emit(const engine::Path& /*path*/, Solution& own) {
+  if (!keep_) return false;
+  for (const auto& zero : own.rays) keep_(zero, cone_.ray(zero, tally_.health));
+  return true;
 }
 
 }  // namespace kusabi::wedged

@@ -23,10 +23,14 @@ namespace kusabi::wedged {
 /// rays are in both parts; longer ones leave fewer parts for the ranks (bench/history.md).
 inline constexpr std::uint64_t longest_list = 98'304;
 
+/// The same if a recorder takes the rays, for a third of the memory.
+inline constexpr std::uint64_t longest_recorded_list = longest_list / 3;
+
 /// Approximate memory in bytes for lists on each rank, for any number of rays: a step makes a list
 /// longer, on trusses up to twice as long. For few candidates the number of combinations of five
 /// states for each candidate bounds the number of rays.
-std::uint64_t memory_of_lists(int candidates);
+/// @param longest maximum length of a list before it is divided
+std::uint64_t memory_of_lists(int candidates, std::uint64_t longest);
 
 /// Problem type of engine::search.
 class RayListTree {
@@ -41,8 +45,12 @@ class RayListTree {
   RayListTree(SignPatternTree tree, rays::ReactionCone cone, rays::RayList list,
               std::uint64_t longest = longest_list);
 
+  /// Passes all rays to a recorder; they are then counted, but are not in the outcome.
+  void keep_found(RayRecorder recorder) { keep_ = std::move(recorder); }
+
   Node root() const { return list_; }
   void expand(Node&& node, engine::Expansion<RayListTree>& out);
+  bool emit(const engine::Path& path, Solution& own);
   Tally tally() const;
 
  private:
@@ -56,6 +64,7 @@ class RayListTree {
   rays::ReactionCone cone_;
   rays::RayList list_;
   std::uint64_t longest_;
+  RayRecorder keep_;
   RayTally tally_;
   NodeInterruption interruption_;
   std::optional<SignPatternTally> patterns_before_;  // of an interrupted node, which is not counted

@@ -21,11 +21,12 @@ namespace kusabi::wedged {
 namespace {
 
 /// Continuation after the common steps of all ranks.
-enum class Continuation { done, stopped, divided };
+enum class Continuation { done, stopped, divided, tree };
 
 // Result on rank 0 from the outcome of either tree.
+// @param keeps a recorder has taken the rays
 template <class Tree>
-RayFindings gathered(engine::Outcome<Tree>& outcome) {
+RayFindings gathered(engine::Outcome<Tree>& outcome, bool keeps) {
   RayFindings found;
   found.status = outcome.status;
   for (auto& leaf : outcome.solutions) {
@@ -35,6 +36,7 @@ RayFindings gathered(engine::Outcome<Tree>& outcome) {
   }
   const auto total = outcome.tally();
   found.health = total.health;
+  if (keeps) found.kept = outcome.total().found;
   found.tree = RayTreeReport{.patterns = total.patterns,
                              .opened = outcome.opened(),
                              .open = outcome.open,
@@ -54,10 +56,18 @@ SignPatternTree whole_tree(const problems::WedgedProblem& problem,
 }
 
 template <class Tree>
-RayFindings searched(engine::Analysis& analysis, Tree tree) {
+RayFindings searched(engine::Analysis& analysis, Tree tree, const RayRecorder& recorder) {
+  if (recorder) tree.keep_found(recorder);
   auto outcome = analysis.search(tree, {});
-  if (analysis.is_first()) return gathered(outcome);
+  if (analysis.is_first()) return gathered(outcome, static_cast<bool>(recorder));
   return {};
+}
+
+RayFindings by_tree(engine::Analysis& analysis, SignPatternTree tree,
+                    const rays::ReactionCone& cone, const RayRecorder& recorder) {
+  auto found = searched(analysis, RayTree(std::move(tree), cone), recorder);
+  found.method = RayMethod::tree;
+  return found;
 }
 
 // Common steps of all ranks until double description is complete, the run is stopped, or the list
@@ -85,22 +95,33 @@ rays::StepsResult steps_of_all(engine::Analysis& analysis, const rays::ReactionC
 // Divides a long list, and adds the costs of the previous steps.
 RayFindings by_parts(engine::Analysis& analysis, SignPatternTree tree,
                      const rays::ReactionCone& cone, rays::RayList list,
-                     const rays::StepsResult& before) {
+                     const rays::StepsResult& before, const RayRecorder& recorder) {
   analysis.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
-  auto found = searched(analysis, RayListTree(std::move(tree), cone, std::move(list)));
+  const auto longest = recorder ? longest_recorded_list : longest_list;
+  auto found =
+      searched(analysis, RayListTree(std::move(tree), cone, std::move(list), longest), recorder);
   if (!analysis.is_first()) return found;
   found.health += before.health;
   found.tree->ranks.front().tally.cost += before.cost;
   return found;
 }
 
+// Pairs until a list of `longest_list` rays, from those until one of a smaller maximum: they grow
+// with the square of the length.
+std::uint64_t pairs_of_long_list(std::uint64_t pairs, std::uint64_t maximum) {
+  const auto ratio = longest_list / maximum;
+  return ratio * ratio * pairs;
+}
+
 RayFindings by_double_description(engine::Analysis& analysis,
                                   const problems::WedgedProblem& problem,
                                   std::span<const double> friction, const rays::ReactionCone& cone,
-                                  RayMethod method) {
+                                  RayMethod method, const RayRecorder& recorder) {
   const auto start = std::chrono::steady_clock::now();
   const bool either = method == RayMethod::automatic;
-  const auto maximum = either ? longest_list : std::numeric_limits<std::uint64_t>::max();
+  const auto maximum = !either    ? std::numeric_limits<std::uint64_t>::max()
+                       : recorder ? longest_recorded_list
+                                  : longest_list;
   RayTrial trial([&] { return whole_tree(problem, friction); }, cone, analysis.budget().stop());
   auto list = rays::first_list(cone);
   const auto steps = steps_of_all(analysis, cone, list, maximum, either ? &trial : nullptr);
@@ -108,10 +129,17 @@ RayFindings by_double_description(engine::Analysis& analysis,
     return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone))
                ? Continuation::done
            : steps.stopped ? Continuation::stopped
-                           : Continuation::divided;
+           : trial.is_worth_searching(pairs_of_long_list(steps.cost.pairs, maximum))
+               ? Continuation::tree
+               : Continuation::divided;
   });
+  if (way == Continuation::tree) {
+    list = {};  // releases the memory
+    return by_tree(analysis, whole_tree(problem, friction), cone, recorder);
+  }
   if (way == Continuation::divided)
-    return by_parts(analysis, whole_tree(problem, friction), cone, std::move(list), steps);
+    return by_parts(analysis, whole_tree(problem, friction), cone, std::move(list), steps,
+                    recorder);
   RayFindings found;
   if (!analysis.is_first()) return found;
   if (trial.has_succeeded()) return std::move(trial).found();
@@ -139,20 +167,6 @@ void find_motions(RayFindings& found, const rays::ReactionCone& cone) {
   std::sort(found.motions.begin(), found.motions.end(), rays::comes_before);
 }
 
-// Cones of configurations include gaps opened by a rigid-body mode; a cone of modes alone is not
-// wedged.
-void find_cones(RayFindings& found, const rays::ReactionCone& cone, const engine::Budget& budget) {
-  auto all = found.rays;
-  all.insert(all.end(), found.motions.begin(), found.motions.end());
-  auto cones = rays::maximal_cones(all, cone.all(), budget.stop());
-  if (!cones) {
-    found.status = budget.stop_reason();
-    return;
-  }
-  found.cones = *std::move(cones);
-  std::erase_if(found.cones, [](const rays::Cone& each) { return each.reaction == 0; });
-}
-
 }  // namespace
 
 bool limited(const engine::Limits& limits) {
@@ -168,18 +182,35 @@ rays::ReactionCone reaction_cone(const problems::WedgedProblem& problem,
 
 RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
-                      RayMethod method) {
+                      RayMethod method, const RayRecorder& recorder) {
   if (cone.equations() != problem.modes.matrix.cols())
     throw std::invalid_argument("the cone of reactions is not that of the unconstrained bodies");
-  const bool by_pattern = method == RayMethod::tree;
-  auto found = by_pattern ? searched(analysis, RayTree(whole_tree(problem, friction), cone))
-                          : by_double_description(analysis, problem, friction, cone, method);
+  auto found = method == RayMethod::tree
+                   ? by_tree(analysis, whole_tree(problem, friction), cone, recorder)
+                   : by_double_description(analysis, problem, friction, cone, method, recorder);
   if (!analysis.is_first()) return found;
-  if (by_pattern) found.method = RayMethod::tree;
   find_motions(found, cone);
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
-  if (found.status == engine::Status::solved) find_cones(found, cone, analysis.budget());
+  if (recorder) return found;
+  rays::ConesOfRays cones;
+  for (const auto& zero : found.rays) cones.add(rays::cone_of({zero, cone.all()}));
+  find_cones(found, std::move(cones), cone.all(), analysis.budget());
   return found;
+}
+
+// Cones of configurations include gaps opened by a rigid-body mode; a cone of modes alone is not
+// wedged.
+void find_cones(RayFindings& found, rays::ConesOfRays of_rays, rays::Candidates all,
+                const engine::Budget& budget) {
+  if (found.status != engine::Status::solved) return;
+  for (const auto& zero : found.motions) of_rays.add(rays::cone_of({zero, all}));
+  auto cones = rays::maximal_cones(std::move(of_rays), all, budget.stop());
+  if (!cones) {
+    found.status = budget.stop_reason();
+    return;
+  }
+  found.cones = *std::move(cones);
+  std::erase_if(found.cones, [](const rays::Cone& each) { return each.reaction == 0; });
 }
 
 }  // namespace kusabi::wedged

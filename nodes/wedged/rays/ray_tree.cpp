@@ -1,9 +1,13 @@
 // Rays of the leaves of the tree of sign patterns.
 #include "nodes/wedged/rays/ray_tree.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "engine/search.hpp"
+#include "solvers/rays/edge_walk.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::wedged {
@@ -49,19 +53,40 @@ void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
   if (!opened) return;
   patterns_before_.reset();
   for (const Node& child : opened->decision.children) out.branch(child);
-  if (!opened->own.rays.empty()) out.solution(std::move(opened->own));
+  report(std::move(opened->own), static_cast<bool>(keep_), out);
+}
+
+bool RayTree::emit(const engine::Path& /*path*/, Solution& own) {
+  if (!keep_) return false;
+  for (const auto& zero : own.rays) keep_(zero, cone_.ray(zero, tally_.health));
+  return true;
 }
 
 RayTree::Opened RayTree::open(const Node& node) {
   Opened opened{tree_.decide(node), {}};
   if (!opened.decision.leaf) return opened;
   const auto leaf = RayLeaf::of(node, opened.decision);
-  const auto found = rays::rays_of_pattern(cone_, leaf.in_contact, interruption_.stop());
+  opened.own = {leaf.own(rays_of(*opened.decision.leaf, leaf.in_contact), cone_.all())};
+  return opened;
+}
+
+// A feasible leaf has a point inside its cone, where the walk begins.
+std::vector<rays::ZeroSet> RayTree::rays_of(const Configuration& leaf,
+                                            rays::Candidates in_contact) {
+  if (leaf.state == LeafState::feasible) {
+    const Eigen::Map<const Eigen::VectorXd> reaction(leaf.reaction.data(),
+                                                     std::ssize(leaf.reaction));
+    auto walk = rays::walk_along_edges(cone_, in_contact, cone_.unknowns_of(reaction),
+                                       interruption_.stop());
+    if (walk.end == rays::WalkEnd::stopped) throw support::Stopped();
+    tally_.cost += {.peak_rays = walk.rays.size()};
+    if (walk.end == rays::WalkEnd::complete) return std::move(walk.rays);
+  }
+  auto found = rays::rays_of_pattern(cone_, in_contact, interruption_.stop());
   if (!found) throw support::Stopped();
   tally_.cost += found->cost;
   tally_.health += found->health;
-  opened.own = {leaf.own(found->rays, cone_.all())};
-  return opened;
+  return std::move(found->rays);
 }
 
 }  // namespace kusabi::wedged

@@ -20,6 +20,10 @@ constexpr std::uint64_t pairs_for_a_degenerate_node = 8'000;
 constexpr std::uint64_t part_for_nodes = 4;
 constexpr std::uint64_t part_for_first_nodes = 32;
 
+/// With a long list, most of the work of double description is still to come: at least this many
+/// times the pairs so far, and a walk along the edges of the cones takes a fraction of that.
+constexpr std::uint64_t pairs_to_come = 8;
+
 /// The first leaf is assumed to cost at least this many times the average, unless there are few.
 constexpr std::uint64_t first_leaf = 4;
 
@@ -48,7 +52,7 @@ class LeafTree {
   using Solution = RayLeaf;
   using Tally = SignPatternTally;
 
-  /// @param pairs processed by double description
+  /// @param pairs of double description with which the nodes are compared
   LeafTree(SignPatternTree tree, std::uint64_t pairs) : tree_(std::move(tree)), pairs_(pairs) {}
 
   Node root() const { return tree_.root(); }
@@ -87,13 +91,20 @@ bool RayTrial::succeeds(std::uint64_t pairs) {
   // As its steps grow, double description is expected to process as many pairs again as in its last
   // step.
   const auto worth = 2 * pairs - std::exchange(seen_, pairs);
-  if (!found_.tree && pairs >= next_search_) look_for_leaves(pairs);
+  if (!found_.tree && pairs >= next_search_) {
+    next_search_ = 2 * pairs;
+    look_for_leaves(pairs);
+  }
   return found_.tree && enumerates(worth);
 }
 
-void RayTrial::look_for_leaves(std::uint64_t pairs) {
-  next_search_ = 2 * pairs;
-  LeafTree tree(make_tree_(), pairs);
+bool RayTrial::is_worth_searching(std::uint64_t pairs) {
+  if (!found_.tree) look_for_leaves(pairs_to_come * pairs);
+  return found_.tree.has_value();
+}
+
+void RayTrial::look_for_leaves(std::uint64_t worth) {
+  LeafTree tree(make_tree_(), worth);
   engine::Options options;
   options.interrupt = [this] {
     return stop_ && stop_() ? engine::Interrupt::stop : engine::Interrupt::none;

@@ -34,6 +34,11 @@ class RayTrial {
   /// @return true: the tree is complete
   bool succeeds(std::uint64_t pairs);
 
+  /// Searches the nodes of the tree, unless they are known or cost a multiple of the pairs.
+  /// @param pairs as of succeeds()
+  /// @return true: the tree takes less than double description with divided lists
+  bool is_worth_searching(std::uint64_t pairs);
+
   bool has_succeeded() const { return found_.tree && done_ == leaves_.size(); }
 
   /// The result of the tree. @pre it is complete
@@ -44,7 +49,7 @@ class RayTrial {
   /// so nothing would be saved before.
   static constexpr std::uint64_t first_search = 100'000;
 
-  void look_for_leaves(std::uint64_t pairs);
+  void look_for_leaves(std::uint64_t worth);
   bool enumerates(std::uint64_t worth);
 
   std::function<SignPatternTree()> make_tree_;

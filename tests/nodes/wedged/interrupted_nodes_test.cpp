@@ -107,7 +107,7 @@ TEST(InterruptedNodes, OfTheTreeOfRaysAreNotCounted) {
   RayTree whole(given.tree(), given.cone);
   const Interrupted all(whole, never);
   ASSERT_EQ(ends(whole.tally().patterns), all.outcome.opened());
-  ASSERT_GT(all.questions, 2 * all.outcome.opened());
+  ASSERT_GT(all.questions, 200U);  // a walk along edges polls once in a small cone
   for (std::uint64_t stop_at = 1; stop_at < all.questions; stop_at += all.questions / 40) {
     RayTree tree(given.tree(), given.cone);
     const Interrupted part(tree, stop_at);

@@ -70,6 +70,30 @@ struct RayProblem {
 
 constexpr std::uint64_t no_end = std::uint64_t{1} << 40U;
 
+// Each ray, with its numbers, reaches the recorder once; the outcome counts all and keeps none.
+void expect_recorded(auto tree, const RayProblem& given) {
+  std::vector<rays::ZeroSet> recorded;
+  tree.keep_found([&](const rays::ZeroSet& zero, const rays::Ray& ray) {
+    rays::Health health;
+    EXPECT_EQ(ray.reaction, given.cone.ray(zero, health).reaction);
+    recorded.push_back(zero);
+  });
+  const auto outcome = engine::search(tree);
+  EXPECT_TRUE(outcome.solutions.empty());
+  EXPECT_EQ(outcome.total().found, recorded.size());
+  EXPECT_EQ(sorted(recorded), sorted(rays::complementary_rays(given.cone).rays));
+  EXPECT_LT(tree.tally().health.smallest_nonzero, 1);
+}
+
+TEST(RayTree, PassesItsRaysToARecorder) {
+  const RayProblem given(problems::plane_truss({.rows = 8}));
+  expect_recorded(RayTree(SignPatternTree(given.problem, given.friction), given.cone), given);
+  constexpr std::uint64_t longest = 100;  // divides the list of 170 rays
+  expect_recorded(RayListTree(SignPatternTree(given.problem, given.friction), given.cone,
+                              rays::first_list(given.cone), longest),
+                  given);
+}
+
 TEST(RayTrial, HasAllRaysIfItSucceeds) {
   for (const auto& truss : {problems::plane_truss({.rows = 9}), problems::paper_plane_truss(11)}) {
     const RayProblem given(truss);
@@ -142,9 +166,9 @@ TEST(RayListTree, FindsTheSameRaysForAnyDivisionOfTheList) {
 }
 
 TEST(RayListTree, ListsHaveBoundedMemory) {
-  EXPECT_LT(memory_of_lists(3), 1'000'000U);
-  EXPECT_LT(memory_of_lists(5), memory_of_lists(10));
-  EXPECT_LT(memory_of_lists(64), std::uint64_t{2} << 30U);
+  EXPECT_LT(memory_of_lists(3, longest_list), 1'000'000U);
+  EXPECT_LT(memory_of_lists(5, longest_list), memory_of_lists(10, longest_list));
+  EXPECT_LT(memory_of_lists(64, longest_list), std::uint64_t{2} << 30U);
 }
 
 TEST(PatternRaysByTurns, AreTheSameInAnyNumberOfTurns) {

@@ -289,6 +289,12 @@ TEST(Rays, AreThoseOfLrsOnIntegerData) {
   }
 }
 
+ConesOfRays cones_of(const std::vector<ZeroSet>& rays, Candidates all) {
+  ConesOfRays cones;
+  for (const ZeroSet& zero : rays) cones.add(rays::cone_of(Supports(zero, all)));
+  return cones;
+}
+
 TEST(Rays, OfAPatternAndConesStopOnRequest) {
   const auto cone = cone_of(plane_truss({.rows = 9}), 1.0);
   const auto rays = complementary_rays(cone).rays;
@@ -297,11 +303,12 @@ TEST(Rays, OfAPatternAndConesStopOnRequest) {
   ASSERT_TRUE(rays_of_pattern(cone, cone.all(), go_on));
   EXPECT_GT(questions, 5U);
   questions = 0;
-  EXPECT_EQ(maximal_cones(rays, cone.all(), go_on), maximal_cones(rays, cone.all()));
+  EXPECT_EQ(maximal_cones(cones_of(rays, cone.all()), cone.all(), go_on),
+            maximal_cones(rays, cone.all()));
   EXPECT_GT(questions, 5U);
   const auto stop = [] { return true; };
   EXPECT_FALSE(rays_of_pattern(cone, cone.all(), stop));
-  EXPECT_FALSE(maximal_cones(rays, cone.all(), stop));
+  EXPECT_FALSE(maximal_cones(cones_of(rays, cone.all()), cone.all(), stop));
 }
 
 // Property used by the tree of sign patterns: among the small cones of all leaves, each ray is
