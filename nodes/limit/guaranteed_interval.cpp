@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace kusabi::limit {
 namespace {
@@ -27,25 +26,11 @@ void raise(FactorBracket& one, const FactorBracket& other) {
   one.upper_proved = one.upper_proved && other.upper_proved;
 }
 
-FactorBracket negative(const FactorBracket& bracket) {
-  return {-bracket.upper, -bracket.lower, bracket.upper_proved, bracket.lower_proved};
-}
-
-// Uses the known least factors of single loads, which require no search.
-void raise_by_collapse(FactorBracket& minimum, const std::optional<LimitCollapse>& collapse) {
-  if (collapse && collapse->minimum)
-    raise(minimum.lower, minimum.lower_proved, *collapse->minimum, false);
-}
-
 GuaranteedInterval of_nominal_load(const LimitAnswer& answer) {
   GuaranteedInterval interval;
-  interval.at_none = answer.status == LoadStatus::not_carried;
-  interval.at_none_proved = answer.no_factor_proved;
-  if (!answer.nominal) return interval;
-  const auto& [factor, minimum] = std::tie(answer.nominal->factor, answer.nominal->minimum);
-  interval.largest = {factor, factor};
-  // The two ends of a single factor differ by rounding.
-  if (minimum) interval.minimum = {std::min(*minimum, factor), std::min(*minimum, factor)};
+  interval.at_none = interval.at_none_proved = answer.status == LoadStatus::not_carried;
+  interval.minimum = answer.nominal_factors.minimum;
+  interval.largest = answer.nominal_factors.largest;
   return interval;
 }
 
@@ -80,8 +65,7 @@ std::optional<bool> GuaranteedInterval::passed() const {
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   GuaranteedInterval interval;
   if (!answer.worst) {
-    interval.at_none = answer.status == LoadStatus::not_carried;
-    interval.at_none_proved = answer.no_factor_proved;
+    interval.at_none = interval.at_none_proved = answer.status == LoadStatus::not_carried;
     return interval;
   }
   for (const auto* const worst : {&answer.worst, &answer.reversed}) {
@@ -95,8 +79,10 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   if (answer.reversed) {
     interval.minimum = reversed(answer.reversed->ends);
   } else {
-    raise_by_collapse(interval.minimum, answer.nominal);
-    raise_by_collapse(interval.minimum, answer.worst->collapse);
+    // The nominal load is admissible.
+    const auto& nominal = answer.nominal_factors.minimum;
+    raise(interval.minimum.lower, interval.minimum.lower_proved, nominal.lower,
+          nominal.lower_proved);
   }
   return interval;
 }

@@ -2,21 +2,12 @@
 // least factors to the minimum of the largest ones (docs/theory/limit.md). It may be empty.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 
 #include "nodes/limit/root/limit_answer.hpp"
 
 namespace kusabi::limit {
-
-/// Bounds of a load factor; infinite: none is known.
-struct FactorBracket {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool lower_proved = false;
-  bool upper_proved = false;
-};
 
 struct GuaranteedInterval {
   FactorBracket minimum;  ///< of the smallest guaranteed factor L
@@ -44,7 +35,7 @@ GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer,
                                        const std::optional<LimitAnswer>& residual);
 
-/// The factors that are carried under the nominal dead load, computed. @param residual as above
+/// The factors that are carried under the nominal dead load. @param residual as above
 GuaranteedInterval nominal_interval(const LimitAnswer& answer,
                                     const std::optional<LimitAnswer>& residual);
 

@@ -13,6 +13,7 @@
 #include "nodes/limit/loss/loss_search.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/root/root_search.hpp"
+#include "nodes/limit/search/nominal_proof.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/worst_case_search.hpp"
 #include "verify/limit/limit_consistency.hpp"
@@ -52,7 +53,15 @@ void find_nominal(RootSearch& search, const verify::Structure& truss,
   };
   auto& answer = findings.answer;
   answer.status = set_up(search, shown);
-  answer.no_factor_proved = !findings.statements.empty();
+  const bool is_shown = !findings.statements.empty();
+  if (answer.status == LoadStatus::not_carried && !is_shown)
+    answer.status = LoadStatus::undetermined;
+  if (answer.status != LoadStatus::collapses) return;
+  auto proof = prove_nominal(search, truss);
+  answer.nominal = std::move(proof.collapse);
+  answer.nominal_factors = proof.factors;
+  const bool without_uncertainty = parameters.alpha.value_or(0) == 0;
+  if (without_uncertainty && !parameters.loss) findings.statements = std::move(proof.statements);
 }
 
 // The claims of a certificate begin with that on the largest factors, or that no factor is carried.
@@ -103,9 +112,30 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
   }
 }
 
+// The worst case for alpha = 0, which is that of the nominal load.
+LimitWorstCase worst_without_uncertainty(const LimitAnswer& answer, const FactorBracket& factor,
+                                         Eigen::Index uncertain) {
+  LimitWorstCase worst;
+  worst.ends = {factor.lower, factor.upper, factor.lower_proved, factor.upper_proved};
+  worst.proved = factor.proved(answer.nominal_factors.gap);
+  worst.status = worst.proved ? RootStatus::closed : RootStatus::open;
+  worst.zeta = Eigen::VectorXd::Zero(uncertain);
+  worst.collapse = answer.nominal;
+  return worst;
+}
+
 void find_worst_cases(RootSearch& search, const LimitParameters& parameters,
                       const verify::Structure& truss, std::optional<ZeroOneStart> start,
                       LimitFindings& findings) {
+  if (*parameters.alpha == 0 && parameters.method == LimitMethod::static_cuts) {
+    auto& answer = findings.answer;
+    const auto& [minimum, factor, gap] = answer.nominal_factors;
+    const auto uncertain = search.model().uncertain_count();
+    answer.worst = worst_without_uncertainty(answer, factor, uncertain);
+    answer.reversed = worst_without_uncertainty(answer, negative(minimum), uncertain);
+    return;
+  }
+  findings.statements.clear();
   WorstCaseSearch largest(search, parameters, truss, std::move(start));
   const auto& worst = findings.answer.worst.emplace(largest.solve());
   add_statement(largest, worst, LimitClaim::largest, findings);
@@ -146,7 +176,6 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
     if (answer.status == LoadStatus::undetermined) note_end();
     return findings;
   }
-  answer.nominal = search.in_units(search.nominal(), search.model().dead);
   if (parameters.curve_load) {
     if (!search.ended()) {
       answer.load_curve = factor_curve(search, *parameters.curve_load, parameters.curve_to);
@@ -241,12 +270,13 @@ engine::Status LimitAnswer::ended() const {
 
 bool LimitAnswer::whole() const {
   if (status == LoadStatus::undetermined || ended() != engine::Status::solved) return false;
-  if (status == LoadStatus::not_carried) return no_factor_proved;
+  if (status == LoadStatus::not_carried) return true;
+  if (!nominal_factors.proved()) return false;
   const auto known = [](const std::optional<LoadCurve>& each) {
     return !each || !each->pieces.empty();
   };
   if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
-  if (!worst) return true;
+  if (!worst) return nominal_interval(*this, {}).decided();
   const auto interval = guaranteed_interval(*this);
   return worst->proved && (!reversed || reversed->proved || interval.is_empty()) &&
          interval.decided();

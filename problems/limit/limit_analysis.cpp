@@ -9,6 +9,22 @@
 namespace kusabi::problems {
 namespace {
 
+/// A smaller cosine, or a smaller share of the largest component of a load, is zero: the rounding
+/// error of cos(pi / 2) is 6e-17.
+constexpr double noise = 1e-14;
+
+// Without the cosines of B that are rounding errors.
+Eigen::SparseMatrix<double> without_noise(Eigen::SparseMatrix<double> equilibrium) {
+  equilibrium.prune(
+      [](Eigen::Index, Eigen::Index, double value) { return std::abs(value) > noise; });
+  return equilibrium;
+}
+
+Eigen::VectorXd without_noise(const Eigen::VectorXd& load) {
+  const double minimum = load.size() == 0 ? 0 : noise * load.cwiseAbs().maxCoeff();
+  return load.unaryExpr([&](double value) { return std::abs(value) > minimum ? value : 0; });
+}
+
 /// Unit of force for numbers of a given size: F unless they are much smaller. Units within a factor
 /// of `alike` are equal, so that the program resembles its truss; the others are F times a power
 /// of two.
@@ -42,6 +58,8 @@ void scale_uncertain(const LimitProblem& problem, const Eigen::VectorXd& row_uni
       maximum = std::max(maximum, std::abs(value));
     }
     for (auto& component : column.direction) component.value /= maximum;
+    std::erase_if(column.direction,
+                  [](const auto& component) { return std::abs(component.value) <= noise; });
     column.weight *= maximum;
     model.direction_unit(j) = model.force_unit / maximum;
   }
@@ -58,7 +76,8 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit, double ma
   model.tension = problem.tension.cwiseQuotient(model.member_unit).cwiseMin(max_yield);
   model.compression = problem.compression.cwiseQuotient(model.member_unit).cwiseMin(max_yield);
 
-  const Eigen::SparseMatrix<double>& given = problem.equilibrium;
+  const auto given = without_noise(problem.equilibrium);
+  const Eigen::VectorXd reference = without_noise(problem.reference);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(given.rows());  // Y
   for (int i = 0; i < given.cols(); ++i) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(given, i); entry; ++entry) {
@@ -68,13 +87,12 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit, double ma
   }
   const Eigen::VectorXd row_unit =
       largest.unaryExpr([&](double maximum) { return unit_of(maximum, force_unit); });
-  const double reference_unit =
-      problem.reference.cwiseAbs().cwiseQuotient(row_unit).maxCoeff();  // R
+  const double reference_unit = reference.cwiseAbs().cwiseQuotient(row_unit).maxCoeff();  // R
   model.displacement_unit = (reference_unit * row_unit).cwiseInverse();
   model.factor_unit = 1 / reference_unit;
   model.equilibrium = row_unit.cwiseInverse().asDiagonal() * given * model.member_unit.asDiagonal();
-  model.dead = problem.dead.cwiseQuotient(row_unit);
-  model.reference = problem.reference.cwiseQuotient(row_unit) / reference_unit;
+  model.dead = without_noise(problem.dead).cwiseQuotient(row_unit);
+  model.reference = reference.cwiseQuotient(row_unit) / reference_unit;
   scale_uncertain(problem, row_unit, model);
   return model;
 }

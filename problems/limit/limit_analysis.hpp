@@ -14,6 +14,10 @@
 // The weight includes the half-width, so one alpha applies to all. Units within a factor of eight
 // are equal. A yield force far above F stands for an unlimited one; it is truncated at `max_yield`
 // c_i, which can only decrease the load factor.
+//
+// Entries of B and of loads that are rounding errors of cosines are zero in the programs, as a
+// simplex method scales them up to the size of all others. They stay in the problem, and so in all
+// proofs.
 #pragma once
 
 #include <vector>

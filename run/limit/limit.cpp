@@ -157,8 +157,6 @@ void Limit::set_half_widths() {
   }
   if (options_.parameters.alpha || options_.loss.maximum > 0) return;
   refuse_without_worst_case();
-  // The dead load exactly as given: a certificate of the case without uncertainty.
-  if (!certificate_.empty()) options_.parameters.alpha = 0;
 }
 
 void Limit::warn_without_uncertain_loads(CommandRun& run) const {

@@ -42,13 +42,15 @@ std::string found_text(const limit::LimitFindings& found) {
     return fmt::format("not carried at any factor{}", answer.whole() ? ", proved" : ", open");
   }
   if (!answer.nominal) return "open";
-  auto text = fmt::format("nominal {:.10g}", answer.nominal->factor);
+  const auto& nominal = answer.nominal_factors.largest;
+  auto text = "nominal " + factor_text(nominal.lower, nominal.upper);
   if (const auto& worst = answer.worst) {
-    text += fmt::format(", worst case {:.10g} ... {:.10g}, {}", worst->ends.lower,
-                        worst->ends.upper, worst->proved ? "proved" : "open");
-  } else if (!answer.whole()) {
-    text += ", open";
+    const auto& ends = worst->ends;
+    text += worst->as_printed
+                ? fmt::format(", worst case {:.10g} ... {:.10g}, open", ends.lower, ends.upper)
+                : ", worst case " + factor_text(ends.lower, ends.upper);
   }
+  if (!found.loss && !answer.whole()) text += ", open";
   if (const auto& loss = found.loss) {
     text += loss->is_fatal()
                 ? fmt::format(", no factor after a loss, {}", loss->proved ? "proved" : "open")

@@ -170,6 +170,7 @@ ordered_json result_json(const LimitReport& report) {
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
     result["nominal_interval"] = carried_between(*answer.nominal);
+    result["nominal_bounds"] = interval_json(nominal_interval(answer, {}));
     result["nominal_mode"] = mode_json(problem, *answer.nominal);
     result["nominal_forces"] = numbers(answer.nominal->forces);
     result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));

@@ -18,6 +18,7 @@
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -47,20 +48,26 @@ void write_mode(std::string& text, const LimitProblem& problem,
   }
 }
 
-// Notes on load factor zero, if it is not carried.
-void write_zero(std::string& text, const char* load, const limit::LimitCollapse& collapse) {
-  if (collapse.factor < 0) {
+// Note on load factor zero, if it is not carried.
+void write_zero(std::string& text, const char* load, double factor) {
+  if (factor < 0) {
     fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
                    load);
-  } else if (collapse.minimum && *collapse.minimum > 0) {
-    fmt::format_to(std::back_inserter(text),
-                   "  {} is carried only at load factors from {:.10g} to {:.10g}\n", load,
-                   *collapse.minimum, collapse.factor);
   }
 }
 
-const char* without_proof(bool proved) {
-  return proved ? "" : " (computed by the simplex method, not proved)";
+void write_nominal(std::string& text, const LimitReport& report) {
+  const auto& [minimum, largest, gap] = report.answer.nominal_factors;
+  fmt::format_to(std::back_inserter(text), "nominal load factor {}{}\n",
+                 factor_text(largest.lower, largest.upper), report.residual ? upper_value : "");
+  write_zero(text, "the dead load", largest.upper);
+  if (minimum.lower > 0 && minimum.upper <= largest.lower) {
+    const auto [low, high] = inside(minimum.upper, largest.lower, digits_of_table);
+    fmt::format_to(std::back_inserter(text),
+                   "  the dead load is carried only at load factors from {} to {}\n", low, high);
+  }
+  write_mode(text, report.problem, *report.answer.nominal);
+  text += utilisation_text(report.problem, *report.answer.nominal);
 }
 
 void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
@@ -69,23 +76,10 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
     text += printed_ends_text(worst);
     return;
   }
-  if (worst.proved) {
-    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.ends.lower,
-                   worst.ends.upper);
-    return;
-  }
-  if (std::isfinite(worst.ends.lower)) {
-    fmt::format_to(out, "  load factor at least {:.10g}{}\n", worst.ends.lower,
-                   without_proof(worst.ends.lower_proved));
-  } else {
-    text += "  no lower bound of the load factor was found\n";
-  }
-  fmt::format_to(out, "  and at most {:.10g}{}\n", worst.ends.upper,
-                 without_proof(worst.ends.upper_proved));
-  if (worst.search == engine::Status::solved) {
-    text += worst.status == RootStatus::closed ? "  open: not both bounds are proved\n"
-                                               : "  open: the two bounds differ\n";
-  }
+  const auto& [lower, upper, lower_proved, upper_proved] = worst.ends;
+  fmt::format_to(out, "  load factor {}\n", factor_text(lower, upper));
+  if (!worst.proved && lower_proved && upper_proved && worst.search == engine::Status::solved)
+    text += "  open: the two bounds differ\n";
 }
 
 // Load factors carried under all loads, and the load at their lower end if zero is not among them.
@@ -120,14 +114,13 @@ void write_worst(std::string& text, const LimitReport& report) {
   }
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(
-        out, "  some admissible dead load is not carried at any load factor of either sign{}\n",
-        worst.proved ? ", proved" : without_proof(false));
+        out,
+        "  some admissible dead load is not carried at any load factor of either sign, proved\n");
     text += critical_load_text(problem, worst.zeta);
   } else {
     write_ends(text, worst);
     if (worst.collapse) {
-      write_zero(text, worst.collapse->factor < 0 ? "an admissible dead load" : "this dead load",
-                 *worst.collapse);
+      write_zero(text, "an admissible dead load", worst.ends.upper);
       write_mode(text, problem, *worst.collapse);
       text += utilisation_text(problem, *worst.collapse);
     }
@@ -150,14 +143,13 @@ void write_worst(std::string& text, const LimitReport& report) {
 // Reason why there is no nominal factor.
 std::string no_nominal(const limit::LimitAnswer& answer) {
   if (answer.status == limit::LoadStatus::not_carried) {
-    return fmt::format("the nominal dead load is not carried at any load factor of either sign{}\n",
-                       answer.no_factor_proved ? ", proved" : without_proof(false));
+    return "the nominal dead load is not carried at any load factor of either sign, proved\n";
   }
   if (answer.rest != engine::Status::solved) {
     return fmt::format("stopped early ({}) before the nominal load factor was found\n",
                        status_name(answer.rest));
   }
-  return "open: the simplex method failed on the nominal load factor\n";
+  return "open: no nominal load factor was proved\n";
 }
 
 }  // namespace
@@ -166,11 +158,7 @@ std::string LimitReport::table(const Page& page) const {
   std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
   if (!answer.nominal) return text + page.warning(no_nominal(answer));
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "nominal load factor {:.10g}{}\n", answer.nominal->factor,
-                 residual ? upper_value : "");
-  write_zero(text, "the dead load", *answer.nominal);
-  write_mode(text, problem, *answer.nominal);
-  text += utilisation_text(problem, *answer.nominal);
+  write_nominal(text, *this);
   if (loss) text += loss_text(problem, truss, *loss);
   if (answer.worst) write_worst(text, *this);
   if (residual) text += strut_text(*this);

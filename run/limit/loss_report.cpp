@@ -15,6 +15,8 @@
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -51,7 +53,7 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   };
   std::string text = loss.uncertain
                          ? "  loss of one member (upper bounds, by alternating linear programs):\n"
-                         : "  loss of one member (computed by the simplex method):\n";
+                         : "  loss of one member (not proved, except for the worst one):\n";
   const auto out = std::back_inserter(text);
   std::size_t shown = 0;
   for (const auto& single : singles) {
@@ -107,7 +109,7 @@ std::string fatal_text(const LimitProblem& problem, const problems::Structure& t
 
 void write_ends(std::string& text, const LossAnswer& loss) {
   const auto out = std::back_inserter(text);
-  const auto mark = [](bool proved) { return proved ? "" : " (computed, not proved)"; };
+  const auto mark = [](bool proved) { return proved ? "" : " (not proved)"; };
   if (loss.is_fatal()) {
     fmt::format_to(out, "  after some loss no load factor is carried, of either sign{}\n",
                    loss.proved ? ", proved" : mark(false));
@@ -120,16 +122,16 @@ void write_ends(std::string& text, const LossAnswer& loss) {
                                                       : "no, proved";
     fmt::format_to(out, "  load factor at least {}: {}\n", *loss.target, answer);
   } else if (loss.proved) {
-    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", ends.lower, ends.upper);
+    fmt::format_to(out, "  load factor {}\n", factor_text(ends.lower, ends.upper));
     return;
   } else if (ends.lower_proved) {
-    fmt::format_to(out, "  load factor at least {:.10g}\n", ends.lower);
+    fmt::format_to(out, "  load factor at least {}\n", rounded_down(ends.lower, digits_of_table));
   } else {
     text += "  no lower bound of the load factor was proved\n";
   }
   if (std::isfinite(ends.upper))
-    fmt::format_to(out, "  load factor after the worst loss known: {:.10g}{}\n", ends.upper,
-                   mark(ends.upper_proved));
+    fmt::format_to(out, "  load factor after the worst loss known: {}{}\n",
+                   rounded_up(ends.upper, digits_of_table), mark(ends.upper_proved));
 }
 
 }  // namespace
@@ -156,7 +158,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
   }
   if (loss.is_fatal()) text += fatal_text(problem, truss, loss);
   if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(problem, loss.zeta);
-  if (loss.collapse && loss.collapse->factor < 0)
+  if (loss.collapse && loss.ends.upper < 0)
     fmt::format_to(out, "  negative: {}{} alone then collapses the structure\n",
                    loss.sudden == 1 ? std::string() : fmt::format("{} times ", loss.sudden),
                    loss.uncertain ? "an admissible dead load" : "the dead load");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -47,21 +48,25 @@ bool at_no_factor(const LimitAnswer& answer) {
 }
 
 // The factor after the worst loss of members, if that was requested.
-std::string factor_text(const LimitAnswer& answer, const std::optional<limit::LossAnswer>& loss) {
+std::string remaining_text(const LimitAnswer& answer,
+                           const std::optional<limit::LossAnswer>& loss) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   if (loss && loss->is_fatal())
     return loss->proved ? "no load factor after a loss, proved" : "no load factor after a loss";
   if (loss) {
-    return fmt::format("load factor {:.10g} ... {:.10g} after the worst loss{}", loss->ends.lower,
-                       loss->ends.upper, loss->proved ? ", proved" : " (not proved)");
+    return fmt::format("load factor {} after the worst loss",
+                       factor_text(loss->ends.lower_proved ? loss->ends.lower : -unknown,
+                                   loss->ends.upper_proved ? loss->ends.upper : unknown));
   }
   if (at_no_factor(answer)) return answer.whole() ? "no load factor, proved" : "no load factor";
-  if (answer.worst) {
-    const auto& [lower, upper, lower_proved, upper_proved] = answer.worst->ends;
-    return fmt::format("load factor {:.10g} ... {:.10g}{}", lower, upper,
-                       answer.worst->proved ? ", proved" : " (not proved)");
-  }
+  const auto& worst = answer.worst;
+  if (worst && worst->as_printed)
+    return fmt::format("load factor {:.10g} ... {:.10g} (not proved)", worst->ends.lower,
+                       worst->ends.upper);
+  if (worst) return "load factor " + factor_text(worst->ends.lower, worst->ends.upper);
   if (!answer.nominal) return "open";
-  return fmt::format("load factor {:.10g}", answer.nominal->factor);
+  const auto& nominal = answer.nominal_factors.largest;
+  return "load factor " + factor_text(nominal.lower, nominal.upper);
 }
 
 }  // namespace
@@ -70,9 +75,9 @@ std::string strut_text(const LimitReport& report) {
   std::string text = "\nstruts, which lose force after they have buckled\n";
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "  all at their strength: {}; an upper value\n",
-                 factor_text(report.answer, report.loss));
+                 remaining_text(report.answer, report.loss));
   fmt::format_to(out, "  all at their residual strength: {}; a lower value\n",
-                 factor_text(*report.residual, report.residual_loss));
+                 remaining_text(*report.residual, report.residual_loss));
   if (report.residual->worst) {
     const auto carried = guaranteed_interval(*report.residual);
     if (!carried.has_factors()) fmt::format_to(out, "    {}\n", interval_text(carried));
@@ -105,7 +110,7 @@ std::string strut_sentence(std::span<const LimitCase> cases) {
     return {};
   constexpr const char* subject = "With all struts at their residual strength no load factor";
   const auto sentence = [&](const char* predicate, bool proved) {
-    return fmt::format("{} {}{}.", subject, predicate, proved ? "" : " (computed, not proved)");
+    return fmt::format("{} {}{}.", subject, predicate, proved ? "" : " (not proved)");
   };
   for (const auto& each : cases) {
     const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);

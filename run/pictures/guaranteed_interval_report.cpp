@@ -2,10 +2,12 @@
 #include "run/pictures/guaranteed_interval_report.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "run/output/values.hpp"
+#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -25,11 +27,19 @@ const char* proved_word(bool proved) {
   return proved ? "proved" : "not proved";
 }
 
-std::string bound_text(double bound) {
-  return std::isfinite(bound) ? fmt::format("{:.10g}", bound) : std::string("unknown");
-}
-
 }  // namespace
+
+std::string factor_text(double lower, double upper) {
+  if (std::isfinite(lower) && std::isfinite(upper)) {
+    const auto shown = in_table(lower, upper);
+    return fmt::format("{} ... {}, proved", shown.lower, shown.upper);
+  }
+  if (std::isfinite(lower))
+    return fmt::format("at least {}, proved; open above", rounded_down(lower, digits_of_table));
+  if (std::isfinite(upper))
+    return fmt::format("at most {}, proved; open below", rounded_up(upper, digits_of_table));
+  return "open";
+}
 
 std::string interval_text(const GuaranteedInterval& interval, std::string_view loads) {
   if (interval.is_empty()) {
@@ -37,11 +47,16 @@ std::string interval_text(const GuaranteedInterval& interval, std::string_view l
   }
   const auto& [minimum, largest, at_none, at_none_proved] = interval;
   if (interval.has_factors()) {
-    return fmt::format("factors {:.10g} ... {:.10g} are carried{}, {}", minimum.upper,
-                       largest.lower, loads, proved_word(interval.decided()));
+    const auto [low, high] = inside(minimum.upper, largest.lower, digits_of_table);
+    return fmt::format("factors {} ... {} are carried{}, {}", low, high, loads,
+                       proved_word(interval.decided()));
   }
+  const auto known = [](double bound, std::string text) {
+    return std::isfinite(bound) ? std::move(text) : std::string("unknown");
+  };
   return fmt::format("open: factors carried{} lie between {} and {}; their existence is undecided",
-                     loads, bound_text(minimum.lower), bound_text(largest.upper));
+                     loads, known(minimum.lower, rounded_down(minimum.lower, digits_of_table)),
+                     known(largest.upper, rounded_up(largest.upper, digits_of_table)));
 }
 
 std::string passed_text(const GuaranteedInterval& interval) {

@@ -245,9 +245,10 @@ Verdict LoadSweep::verdict() const {
   LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
   const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
   if (found_.last.nominal) {
-    steps.nominal = Bound{found_.last.nominal->factor, Standing::computed};
+    const auto& largest = found_.last.nominal_factors.largest;
+    if (largest.lower_proved) steps.nominal = Bound{largest.lower, Standing::proved};
   } else if (found_.last.status == limit::LoadStatus::not_carried) {
-    steps.nominal_at_none = standing(found_.last.no_factor_proved);
+    steps.nominal_at_none = Standing::proved;
   }
   if (problems::alpha_is_force(problem_)) steps.force = problem_.units.force;
   if (!found_.points.empty()) {

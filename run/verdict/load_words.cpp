@@ -1,7 +1,4 @@
 // Sentences about load factors.
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "run/verdict/answer_words.hpp"
@@ -10,16 +7,14 @@
 namespace kusabi::run {
 namespace {
 
-/// Relative difference of two computed load factors that rounding explains.
-constexpr double tie_of_factors = 1e-9;
-
-std::string within(const LoadInterval& found) {
+// @param cases "each of", "all of"
+std::string within(const LoadInterval& found, const char* cases = "each of") {
   const auto& loads = *found.uncertain;
   std::string text = "for every dead load within its bounds";
   if (loads.half_width == 0) text = "under its dead load";
   if (loads.half_width.value_or(0) != 0)
     text = "for every dead load within " + half_width_text(*loads.half_width, loads.force);
-  if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
+  if (found.cases > 1) text += fmt::format(", in {} {} load cases", cases, found.cases);
   return text;
 }
 
@@ -58,24 +53,25 @@ bool is_undecided(const LoadInterval& found) {
   return from && to && from->value > to->value && !empty(found);
 }
 
-std::string in_cases(const LoadInterval& found) {
-  return found.cases > 1 ? fmt::format(" in each of {} load cases", found.cases) : std::string();
+std::string in_cases(const LoadInterval& found, const char* cases = "each of") {
+  return found.cases > 1 ? fmt::format(" in {} {} load cases", cases, found.cases) : std::string();
 }
 
-// In several cases two ends that rounding may have exchanged decide nothing.
+std::string dead_load_is_not_carried(const LoadInterval& found) {
+  return fmt::format("It does not carry its dead load{} at any load factor{}.",
+                     found.cases > 1 ? " of some load case" : "",
+                     unless_proved(*found.carried_at_none));
+}
+
 std::optional<std::string> nominal_without_factor(const LoadInterval& found) {
-  if (found.carried_at_none) {
-    return fmt::format("It does not carry its dead load{} at any load factor{}.",
-                       found.cases > 1 ? " of some load case" : "",
-                       unless_proved(*found.carried_at_none));
-  }
+  if (found.carried_at_none) return dead_load_is_not_carried(found);
   if (const auto standing = empty(found)) {
-    const double from = found.minimum.lower->value;
-    const double to = found.maximum.upper->value;
-    if (from - to <= tie_of_factors * std::max({1.0, std::abs(from), std::abs(to)}))
-      return fmt::format("It is numerically undecided whether any load factor is carried{}.",
-                         in_cases(found));
-    return fmt::format("No load factor is carried{}{}.", in_cases(found), unless_proved(*standing));
+    return fmt::format("No load factor is carried{}{}.", in_cases(found, "all of"),
+                       unless_proved(*standing));
+  }
+  if (is_undecided(found)) {
+    return fmt::format("It is numerically undecided whether any load factor is carried{}.",
+                       in_cases(found, "all of"));
   }
   // The largest factor of a case need not be carried in the other cases.
   if (!found.maximum.lower || (found.cases > 1 && !found.minimum.upper)) {
@@ -99,9 +95,15 @@ std::string nominal(const LoadInterval& found) {
     return fmt::format("It carries its dead load{} {}at load factors up to {}{}{}.", cases, only,
                        rounded_down(value), unless_proved(standing), of_struts(found));
   }
-  return fmt::format("It carries {} times the reference load{}{}{}{}.", rounded_down(value), cases,
-                     found.struts ? "" : ", and no more", unless_proved(standing),
-                     of_struts(found));
+  auto shown = ShownBracket{rounded_down(value), {}};
+  std::string no_more;
+  if (const auto& upper = found.maximum.upper; upper && !found.struts) {
+    shown = in_sentence(value, upper->value);
+    no_more = shown.lower == shown.upper ? ", and no more"
+                                         : fmt::format(", but not {} times", shown.upper);
+  }
+  return fmt::format("It carries {} times the reference load{}{}{}{}.", shown.lower, cases, no_more,
+                     unless_proved(standing), of_struts(found));
 }
 
 std::string proved_or(const Bracket& bracket) {
@@ -111,6 +113,8 @@ std::string proved_or(const Bracket& bracket) {
 
 std::string factors_headline(const LoadInterval& found) {
   if (!found.uncertain) return nominal(found);
+  if (found.carried_at_none && found.uncertain->half_width == 0)
+    return dead_load_is_not_carried(found);
   if (found.carried_at_none) {
     return fmt::format(
         "There is a dead load within its bounds that it does not carry at any load factor{}.",
@@ -118,7 +122,8 @@ std::string factors_headline(const LoadInterval& found) {
   }
   const auto loads = within(found);
   if (const auto standing = empty(found)) {
-    return fmt::format("No load factor is carried {}{}.", loads, unless_proved(*standing));
+    return fmt::format("No load factor is carried {}{}.", within(found, "all of"),
+                       unless_proved(*standing));
   }
   const auto& to = found.maximum.lower;
   if (!to)
@@ -132,7 +137,7 @@ std::string factors_headline(const LoadInterval& found) {
   }
   if (is_undecided(found)) {
     return fmt::format("It is {}undecided whether any load factor is carried {}.",
-                       found.struts ? "" : "numerically ", loads);
+                       found.struts ? "" : "numerically ", within(found, "all of"));
   }
   const auto [low, high] = inside(from->value, to->value);
   return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}{}.",
@@ -193,10 +198,6 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
       all.push_back({found.struts ? "No load factor at residual strength is known."
                                   : "The nominal load factor is not known.",
                      true});
-    } else if (found.maximum.lower->standing == Standing::computed) {
-      all.push_back(
-          {"The factor is the result of the simplex method, for the dead load exactly as given.",
-           false});
     }
   }
   if (found.carried_at_none == Standing::computed)
@@ -228,8 +229,10 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
                        unless_proved(*found.nominal_at_none));
   }
   if (!found.nominal) return "The nominal load factor was not found.";
-  const auto text = fmt::format("The nominal load factor is {:.8g}{}", found.nominal->value,
-                                unless_proved(found.nominal->standing));
+  constexpr int digits = 8;
+  const auto text =
+      fmt::format("The nominal load factor is {}{}", rounded_down(found.nominal->value, digits),
+                  unless_proved(found.nominal->standing));
   if (!found.half_width) return text + '.';
   const auto at = fmt::format("; at alpha = {}{}", *found.half_width,
                               found.force ? ' ' + *found.force : std::string());

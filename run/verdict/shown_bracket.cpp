@@ -65,8 +65,8 @@ ShownBracket in_sentence(double lower, double upper) {
   return to(lower, upper, digits_of_sentence);
 }
 
-ShownBracket inside(double low, double high) {
-  for (int digits = digits_of_sentence; digits < all_digits; ++digits) {
+ShownBracket inside(double low, double high, int digits) {
+  for (; digits < all_digits; ++digits) {
     ShownBracket shown{rounded_up(low, digits), rounded_down(high, digits)};
     if (value_of(shown.lower) <= value_of(shown.upper)) return shown;
   }

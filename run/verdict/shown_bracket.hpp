@@ -20,8 +20,9 @@ struct ShownBracket {
 /// Both bounds with the number of decimal places of the finer one: "0.99999" and "1.00001".
 ShownBracket in_sentence(double lower, double upper);
 
-/// Both ends of a range, rounded inwards, with so many digits that it is not empty; at least 5.
-ShownBracket inside(double low, double high);
+/// Both ends of a range, rounded inwards, with so many digits that it is not empty.
+/// @param digits the least number of them
+ShownBracket inside(double low, double high, int digits = digits_of_sentence);
 
 /// Both bounds with so many digits that the printed bracket is at most twice as wide as the exact
 /// one; at least 12.

@@ -241,6 +241,11 @@ void Simplex::scale() {
   problem_->call([&] { glp_scale_prob(problem_->get(), GLP_SF_AUTO); });
 }
 
+void Simplex::unscale() {
+  problem_->call([&] { glp_unscale_prob(problem_->get()); });
+  refactorise();
+}
+
 // ---- solving -----------------------------------------------------------------------------------
 
 bool Simplex::empty_bounds() const {

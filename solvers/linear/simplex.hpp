@@ -74,6 +74,8 @@ class Simplex {
   void drop_rows_from(int first);
   /// Rescales, after rows or columns were added.
   void scale();
+  /// Removes the scale factors: GLPK's tolerances then hold for the program as given.
+  void unscale();
 
   // ---- solving ---------------------------------------------------------------------------------
 

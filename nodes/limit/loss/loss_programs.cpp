@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
+#include <variant>
 
 namespace kusabi::limit {
 namespace {
@@ -29,7 +31,7 @@ constexpr double no_cable_force = 1e-8;
 /// margin.
 constexpr double variation_margin = 1e-8;
 
-Eigen::VectorXd values(const std::vector<double>& numbers, int count) {
+Eigen::VectorXd values(std::span<const double> numbers, int count) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), count);
 }
 
@@ -51,23 +53,23 @@ RemainingFactor::RemainingFactor(const LimitModel& model, double alpha, support:
       alpha_(alpha),
       stop_(std::move(stop)),
       simplex_(problems::static_program(model, model.dead)) {
-  if (simplex_.solve_robustly() != linear::LinearStatus::optimal) simplex_.use_slack_basis();
+  if (!std::holds_alternative<linear::CheckedOptimum>(simplex_.solve())) simplex_.use_slack_basis();
   first_ = simplex_.basis();
 }
 
 // Of the truss without the lost members.
 LoadResult RemainingFactor::result(const Eigen::VectorXd& dead) {
   for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
-  const auto status = simplex_.solve_robustly({.stop = stop_});
-  if (status == linear::LinearStatus::infeasible) {
-    const auto reason = simplex_.farkas();
+  const auto& answer = simplex_.solve(stop_);
+  if (const auto* const shown = std::get_if<linear::CheckedInfeasibility>(&answer)) {
+    const auto reason = shown->multipliers();
     return {LoadStatus::not_carried, {}, values(reason, static_cast<int>(reason.size()))};
   }
-  if (status != linear::LinearStatus::optimal) return {};
-  const auto columns = simplex_.values();
+  const auto* const optimum = std::get_if<linear::CheckedOptimum>(&answer);
+  if (optimum == nullptr) return {};
   return {LoadStatus::collapses,
-          {columns.back(), values(columns, model_.member_count()),
-           values(simplex_.duals(), model_.free_count())}};
+          {optimum->values().back(), values(optimum->values(), model_.member_count()),
+           values(optimum->duals(), model_.free_count())}};
 }
 
 Descent RemainingFactor::descend(Eigen::VectorXd zeta) {
@@ -197,19 +199,15 @@ StateProgram::Result StateProgram::solve(const IndexSet& lost, const IndexSet& a
       simplex_.set_cost(column + 1, weight);
     }
   }
-  switch (simplex_.solve_robustly({.stop = stop_})) {
-    case linear::LinearStatus::optimal:
-      return Result::found;
-    case linear::LinearStatus::infeasible:
-      return Result::none;
-    default:
-      return Result::undetermined;
-  }
+  const auto& answer = simplex_.solve(stop_);
+  if (std::holds_alternative<linear::CheckedOptimum>(answer)) return Result::found;
+  return std::holds_alternative<linear::CheckedInfeasibility>(answer) ? Result::none
+                                                                      : Result::undetermined;
 }
 
 verify::StressState StateProgram::state() const {
-  const auto columns = simplex_.values();
-  const auto at = [&](int column) { return columns[static_cast<std::size_t>(column)]; };
+  const auto& optimum = simplex_.optimum();
+  const auto at = [&](int column) { return optimum.value(column); };
   verify::StressState state;
   IndexSet stressed;
   IndexSet idle;

@@ -11,7 +11,7 @@
 #include "nodes/limit/model/load_factor.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/basis.hpp"
-#include "solvers/linear/simplex.hpp"
+#include "solvers/linear/checked_simplex.hpp"
 #include "support/index_set.hpp"
 #include "support/stop.hpp"
 #include "verify/limit/stress_state.hpp"
@@ -42,7 +42,7 @@ class RemainingFactor {
   const problems::LimitModel& model_;
   double alpha_;
   support::Stop stop_;
-  linear::Simplex simplex_;
+  linear::CheckedSimplex simplex_;
   linear::Basis first_;     // of the intact truss
   support::IndexSet lost_;  // in the last solve
 };
@@ -85,7 +85,7 @@ class StateProgram {
   const problems::LimitModel& model_;
   std::vector<Eigen::VectorXd> loads_;  // f_D, then each alpha t_j
   support::Stop stop_;
-  linear::Simplex simplex_;
+  linear::CheckedSimplex simplex_;
   linear::Basis first_;
 };
 

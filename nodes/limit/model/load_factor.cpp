@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 namespace kusabi::limit {
 namespace {
@@ -27,27 +28,25 @@ LoadFactor::LoadFactor(const LimitModel& model, support::Stop stop)
       simplex_(problems::static_program(model, model.dead)) {}
 
 // The cost of lambda is -1 except here.
-std::optional<double> LoadFactor::min_factor(const Eigen::VectorXd& dead) {
+std::optional<Collapse> LoadFactor::opposite_collapse(const Eigen::VectorXd& dead) {
   const int factor = model_.member_count();
   simplex_.set_cost(factor, 1);
   restart();
   const auto status = solve(dead);
   simplex_.set_cost(factor, -1);
   if (status != LoadStatus::collapses) return {};
-  return simplex_.value(factor);
+  auto found = collapse();
+  found.factor = -found.factor;
+  return found;
 }
 
 LoadStatus LoadFactor::solve(const Eigen::VectorXd& dead) {
   for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
-  switch (simplex_.solve_robustly({.stop = stop_})) {
-    case linear::LinearStatus::optimal:
-      if (!first_) first_ = simplex_.basis();
-      return LoadStatus::collapses;
-    case linear::LinearStatus::infeasible:
-      return LoadStatus::not_carried;
-    default:
-      return LoadStatus::undetermined;
-  }
+  const auto& answer = simplex_.solve(stop_);
+  if (std::holds_alternative<linear::CheckedInfeasibility>(answer)) return LoadStatus::not_carried;
+  if (!std::holds_alternative<linear::CheckedOptimum>(answer)) return LoadStatus::undetermined;
+  if (!first_) first_ = simplex_.basis();
+  return LoadStatus::collapses;
 }
 
 void LoadFactor::restart() {
@@ -55,15 +54,14 @@ void LoadFactor::restart() {
 }
 
 Collapse LoadFactor::collapse() const {
-  const auto columns = simplex_.values();
-  const auto duals = simplex_.duals();
-  return {columns.back(), values(std::span(columns).first(columns.size() - 1)), values(duals)};
+  const auto& optimum = simplex_.optimum();
+  const auto columns = optimum.values();
+  return {columns.back(), values(columns.first(columns.size() - 1)), values(optimum.duals())};
 }
 
-Eigen::VectorXd LoadFactor::overpowering_motion() {
-  const auto reason = simplex_.farkas();
-  if (reason.empty()) return {};
-  return values(reason);
+Eigen::VectorXd LoadFactor::overpowering_motion() const {
+  const auto* const shown = std::get_if<linear::CheckedInfeasibility>(&simplex_.answer());
+  return shown == nullptr ? Eigen::VectorXd() : values(shown->multipliers());
 }
 
 Eigen::VectorXd worst_for(const LimitModel& model, double alpha, const Eigen::VectorXd& motion,

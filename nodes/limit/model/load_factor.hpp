@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "problems/limit/limit_analysis.hpp"
-#include "solvers/linear/simplex.hpp"
+#include "solvers/linear/checked_simplex.hpp"
 
 namespace kusabi::limit {
 
@@ -24,7 +24,7 @@ struct Collapse {
 enum class LoadStatus {
   collapses,     ///< at a finite factor, which is negative if the dead load alone is too large
   not_carried,   ///< no factor of either sign admits equilibrium within the yield forces
-  undetermined,  ///< the simplex method failed
+  undetermined,  ///< no answer of the simplex method has passed its check, or it was stopped
 };
 
 /// Result of (5) for one dead load.
@@ -46,24 +46,26 @@ class LoadFactor {
   /// its load alone. @pre the first load has collapsed
   void restart();
 
-  /// The least factor of the load, of the order of the one that solve() finds. Nothing if the
-  /// simplex method fails. @pre the first load has collapsed
-  std::optional<double> min_factor(const Eigen::VectorXd& dead);
+  /// The collapse of the load under the opposite reference load, whose factor is minus the least
+  /// factor of the load. Nothing if it is not determined. @pre the first load has collapsed
+  std::optional<Collapse> opposite_collapse(const Eigen::VectorXd& dead);
+
+  /// Basis of the last solve.
+  [[nodiscard]] linear::Basis basis() const { return simplex_.basis(); }
 
   /// @pre the result of the last solve was `collapses`
   [[nodiscard]] Collapse collapse() const;
 
   /// After `not_carried`: a motion u with f_R^T u = 0 on which the work of the load exceeds the
   /// largest dissipation. Empty if none was found.
-  [[nodiscard]] Eigen::VectorXd overpowering_motion();
+  [[nodiscard]] Eigen::VectorXd overpowering_motion() const;
 
-  [[nodiscard]] const linear::Simplex& simplex() const { return simplex_; }
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
 
  private:
   const problems::LimitModel& model_;
   support::Stop stop_;
-  linear::Simplex simplex_;
+  linear::CheckedSimplex simplex_;
   std::optional<linear::Basis> first_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 namespace kusabi::limit {
 namespace {
@@ -75,12 +76,12 @@ void StaticPricing::aim_at(int column) {
 
 std::optional<StaticCut> StaticPricing::cut(int column) {
   aim_at(column);
-  if (simplex_.solve_robustly({.stop = stop_}) != linear::LinearStatus::optimal)
-    return std::nullopt;
+  const auto* const optimum = std::get_if<linear::CheckedOptimum>(&simplex_.solve(stop_));
+  if (optimum == nullptr) return std::nullopt;
   StaticCut cut;
   cut.column = column;
   const int members = model_.member_count();
-  const auto force = [&](int i) { return simplex_.value(i) - simplex_.value(members + 1 + i); };
+  const auto force = [&](int i) { return optimum->value(i) - optimum->value(members + 1 + i); };
   double largest = 0;
   for (int i = 0; i < members; ++i) largest = std::max(largest, std::abs(force(i)));
   // Smaller forces are rounding errors; a member without freedom must be exactly zero.
@@ -88,7 +89,7 @@ std::optional<StaticCut> StaticPricing::cut(int column) {
   for (int i = 0; i < members; ++i) {
     if (std::abs(force(i)) > rounding * largest) cut.forces.emplace_back(i, force(i));
   }
-  cut.factor = simplex_.value(members) - simplex_.value(2 * members + 1);
+  cut.factor = optimum->value(members) - optimum->value(2 * members + 1);
   return cut;
 }
 

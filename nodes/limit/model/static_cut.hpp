@@ -18,7 +18,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "problems/limit/limit_analysis.hpp"
-#include "solvers/linear/simplex.hpp"
+#include "solvers/linear/checked_simplex.hpp"
 
 namespace kusabi::limit {
 
@@ -50,7 +50,7 @@ class StaticPricing {
   /// Makes the results of cut() depend on z and on later calls only.
   void restart();
 
-  /// The best cut for a column of T; nothing if the simplex method fails.
+  /// The best cut for a column of T; nothing if no answer passes its check.
   std::optional<StaticCut> cut(int column);
 
   /// True if the run is to stop.
@@ -66,7 +66,7 @@ class StaticPricing {
 
   const problems::LimitModel& model_;
   support::Stop stop_;
-  linear::Simplex simplex_;
+  linear::CheckedSimplex simplex_;
   std::optional<linear::Basis> start_;
   int last_column_ = -1;
 };

@@ -23,6 +23,33 @@ struct LimitCollapse {
   Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1
 };
 
+/// Bounds of a load factor; infinite: none is known.
+struct FactorBracket {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_proved = false;
+  bool upper_proved = false;
+
+  /// True if both bounds are proved and not further apart than `gap`.
+  [[nodiscard]] bool proved(double gap) const {
+    return lower_proved && upper_proved && upper - lower <= gap;
+  }
+};
+
+/// Bounds of minus the number.
+inline FactorBracket negative(const FactorBracket& bracket) {
+  return {-bracket.upper, -bracket.lower, bracket.upper_proved, bracket.lower_proved};
+}
+
+/// Proved bounds of the factors that carry the nominal dead load.
+struct NominalFactors {
+  FactorBracket minimum;
+  FactorBracket largest;
+  double gap = 0;  ///< width up to which a bracket is an answer
+
+  [[nodiscard]] bool proved() const { return minimum.proved(gap) && largest.proved(gap); }
+};
+
 /// Bounds of the worst case, and whether they are proved in exact arithmetic.
 struct LimitEnds {
   /// Minus infinity: none is known.
@@ -78,9 +105,9 @@ struct LimitWorstCase {
 };
 
 struct LimitAnswer {
-  LoadStatus status = LoadStatus::undetermined;
-  std::optional<LimitCollapse> nominal;  ///< of `collapses`
-  bool no_factor_proved = false;         ///< true if `not_carried` is proved in exact arithmetic
+  LoadStatus status = LoadStatus::undetermined;  ///< `not_carried` only if that is proved
+  std::optional<LimitCollapse> nominal;          ///< of `collapses`
+  NominalFactors nominal_factors;                ///< of `collapses`
   std::optional<LimitWorstCase> worst;
   /// The same with the opposite reference load: its factors are minus the least factors of loads.
   /// Nothing: some load has no factor, the worst case is that of (29) as printed, or the run was

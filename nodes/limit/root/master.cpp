@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 namespace kusabi::limit {
 namespace {
@@ -111,8 +112,8 @@ std::vector<int> Master::members_without_choice() const {
   bool to_the_end = false;
   for (int i = 0; i < model_.member_count(); ++i) {
     const int column = model_.free_count() + i;
-    const double maximum =
-        std::max(simplex_.value(column), simplex_.value(column + model_.member_count()));
+    const double maximum = std::max(simplex_.optimum().value(column),
+                                    simplex_.optimum().value(column + model_.member_count()));
     to_the_end = to_the_end || maximum >= far;
     if (reduction_(i) != 0 && maximum >= along) members.push_back(i);
   }
@@ -127,7 +128,7 @@ bool Master::has_margin(double share) const {
   for (int i = 0; i < model_.member_count(); ++i) {
     if (reduction_(i) == 0) continue;
     for (const int side : {0, model_.member_count()}) {
-      const double slack = simplex_.reduced_cost(model_.free_count() + side + i);
+      const double slack = simplex_.optimum().reduced_cost(model_.free_count() + side + i);
       if (slack < -kept * reduction_(i)) return false;
     }
   }
@@ -136,7 +137,8 @@ bool Master::has_margin(double share) const {
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     if (signs_[static_cast<std::size_t>(j)] != 0) continue;
     const double weight = model_.uncertain[static_cast<std::size_t>(j)].weight;
-    if (simplex_.reduced_cost(gamma_column(j)) < -lost * share * alpha_ * weight) return false;
+    if (simplex_.optimum().reduced_cost(gamma_column(j)) < -lost * share * alpha_ * weight)
+      return false;
   }
   return true;
 }
@@ -147,7 +149,7 @@ bool Master::solve_with_margin(double first, bool for_all) {
   for (double share = first; share <= maximum;) {
     // Forces are of the order of one, or of their yield force.
     reduce_yield_forces(share * has_choice);
-    if (solve() != linear::LinearStatus::optimal) return false;
+    if (!solve()) return false;
     const auto without = for_all ? std::vector<int>() : members_without_choice();
     for (const int member : without) has_choice(member) = 0;
     if (!without.empty()) continue;
@@ -199,30 +201,37 @@ void Master::decide(const Signs& signs) {
 bool Master::box_is_active() const {
   constexpr double gain = 1e-9;  // tolerance of the simplex method where yield forces are one
   for (int column = model_.free_count(); column < first_motion_along(model_); ++column) {
-    if (simplex_.value(column) >= far && simplex_.reduced_cost(column) < -gain) return true;
+    if (simplex_.optimum().value(column) >= far && simplex_.optimum().reduced_cost(column) < -gain)
+      return true;
   }
   return false;
 }
 
-linear::LinearStatus Master::solve() {
-  return simplex_.solve_robustly({.stop = stop_});
+bool Master::solve() {
+  return std::holds_alternative<linear::CheckedOptimum>(simplex_.solve(stop_));
+}
+
+bool Master::is_interrupted() const {
+  const auto* const open = std::get_if<linear::NotDetermined>(&simplex_.answer());
+  return open != nullptr && open->interrupted;
 }
 
 Relaxed Master::relaxed() const {
   Relaxed point;
   point.motion.resize(model_.free_count());
-  for (int k = 0; k < model_.free_count(); ++k) point.motion(k) = simplex_.value(k);
+  for (int k = 0; k < model_.free_count(); ++k) point.motion(k) = simplex_.optimum().value(k);
   point.z.resize(model_.member_count());
   for (int i = 0; i < model_.member_count(); ++i) {
     const int elongation = model_.free_count() + i;
-    point.z(i) = simplex_.value(elongation) + simplex_.value(elongation + model_.member_count());
+    point.z(i) = simplex_.optimum().value(elongation) +
+                 simplex_.optimum().value(elongation + model_.member_count());
   }
   point.gamma.resize(model_.uncertain_count());
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const double sign = signs_[static_cast<std::size_t>(j)];
     const int along = along_[static_cast<std::size_t>(j)];
-    point.gamma(j) = simplex_.value(gamma_column(j));
-    if (sign != 0) point.gamma(j) = sign * simplex_.value(along);
+    point.gamma(j) = simplex_.optimum().value(gamma_column(j));
+    if (sign != 0) point.gamma(j) = sign * simplex_.optimum().value(along);
   }
   return point;
 }
@@ -230,18 +239,20 @@ Relaxed Master::relaxed() const {
 StaticProof Master::proof() const {
   StaticProof proof;
   proof.signs = signs_;
-  proof.factor = simplex_.dual(0);
+  proof.factor = simplex_.optimum().dual(0);
   proof.forces.resize(model_.member_count());
   // The dual of a row B'u - c+ + c- = 0 is minus the force: the cost of B'u in -f_D'u.
-  for (int i = 0; i < model_.member_count(); ++i) proof.forces(i) = -simplex_.dual(1 + i);
+  for (int i = 0; i < model_.member_count(); ++i) proof.forces(i) = -simplex_.optimum().dual(1 + i);
   for (std::size_t c = 0; c < cuts_; ++c) {
-    proof.mu.push_back(std::max(0.0, -simplex_.dual(first_cut_row() + static_cast<int>(c))));
+    proof.mu.push_back(
+        std::max(0.0, -simplex_.optimum().dual(first_cut_row() + static_cast<int>(c))));
   }
   proof.one_sided = Eigen::VectorXd::Zero(model_.uncertain_count());
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const double sign = signs_[static_cast<std::size_t>(j)];
     const int along = along_[static_cast<std::size_t>(j)];
-    if (sign != 0) proof.one_sided(j) = std::max(0.0, sign * simplex_.reduced_cost(along));
+    if (sign != 0)
+      proof.one_sided(j) = std::max(0.0, sign * simplex_.optimum().reduced_cost(along));
   }
   return proof;
 }

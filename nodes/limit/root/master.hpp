@@ -18,13 +18,14 @@
 
 #include <cstdint>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "nodes/limit/model/static_cut.hpp"
 #include "problems/limit/limit_analysis.hpp"
-#include "solvers/linear/simplex.hpp"
+#include "solvers/linear/checked_simplex.hpp"
 
 namespace kusabi::limit {
 
@@ -61,7 +62,7 @@ class Master {
   /// decreases by about as much. Members whose force is determined by equilibrium (an idle cable)
   /// are not reduced.
   /// @param for_all those as well: they are identified by the size of motions, which may be wrong
-  /// @return false if the simplex method fails
+  /// @return false if a solve fails
   bool solve_with_margin(double first, bool for_all = false);
 
   /// Adds q^y'(c+ + c-) <= maximum, which keeps the first points near relevant motions while there
@@ -70,7 +71,7 @@ class Master {
   /// True if some c+, c- or gamma is at the limit of its box: the cuts give no bound.
   [[nodiscard]] bool box_is_active() const;
   [[nodiscard]] bool dissipation_limit_is_active() const {
-    return simplex_.dual(dissipation_row()) != 0;
+    return simplex_.optimum().dual(dissipation_row()) != 0;
   }
 
   void add(const StaticCut& cut);
@@ -79,9 +80,18 @@ class Master {
   /// Sets the decided signs and removes earlier ones.
   void decide(const Signs& signs);
 
-  linear::LinearStatus solve();
+  /// @return false if no optimum has passed its check, or the solve was stopped
+  bool solve();
+  /// True if the last solve was stopped.
+  [[nodiscard]] bool is_interrupted() const;
+  /// True if the last solve has shown that no point satisfies all rows and bounds.
+  [[nodiscard]] bool is_infeasible() const {
+    return std::holds_alternative<linear::CheckedInfeasibility>(simplex_.answer());
+  }
 
-  [[nodiscard]] double objective() const { return simplex_.objective(); }
+  // Of the last solve, which has returned true:
+
+  [[nodiscard]] double objective() const { return simplex_.optimum().objective(); }
   [[nodiscard]] Relaxed relaxed() const;
   [[nodiscard]] StaticProof proof() const;
 
@@ -110,7 +120,7 @@ class Master {
   Eigen::VectorXd reduction_;  // n^m
   Signs signs_;
   std::vector<int> along_;  // the variable d_j'u, by column of T
-  linear::Simplex simplex_;
+  linear::CheckedSimplex simplex_;
   int first_cut_row_;
   std::size_t cuts_ = 0;
 };

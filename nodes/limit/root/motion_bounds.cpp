@@ -23,7 +23,7 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
   double maximum = linear::infinity;  // D
   for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
     master.reduce_yield_forces(rho * yield);
-    if (master.solve() != linear::LinearStatus::optimal || master.box_is_active()) continue;
+    if (!master.solve() || master.box_is_active()) continue;
     maximum = std::min(maximum, (upper - master.objective()) / rho);
   }
   if (!std::isfinite(maximum)) return {};

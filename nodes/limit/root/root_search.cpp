@@ -69,7 +69,11 @@ void RootSearch::choose_units(double alpha) {
 }
 
 LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::VectorXd& dead) {
-  auto minimum = load_factor().min_factor(dead);
+  const auto opposite = load_factor().opposite_collapse(dead);
+  return in_units(collapse, opposite ? std::optional(-opposite->factor) : std::nullopt);
+}
+
+LimitCollapse RootSearch::in_units(const Collapse& collapse, std::optional<double> minimum) const {
   if (minimum) {
     // A load of zero has the exact factor zero.
     if (std::abs(*minimum) <= closed_gap) *minimum = 0;

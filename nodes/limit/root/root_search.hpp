@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,6 +63,9 @@ class RootSearch {
 
   /// @param dead the load of the collapse, scaled
   [[nodiscard]] LimitCollapse in_units(const Collapse& collapse, const Eigen::VectorXd& dead);
+  /// @param minimum the least factor of the load, scaled
+  [[nodiscard]] LimitCollapse in_units(const Collapse& collapse,
+                                       std::optional<double> minimum) const;
 
  private:
   /// A model and the solvers of its programs, constructed anew when the scaling changes.

@@ -15,7 +15,6 @@
 namespace kusabi::limit {
 namespace {
 
-using linear::LinearStatus;
 using problems::LimitModel;
 
 /// Costs of members that do not move in a pricing program, relative to the mean elongation: the
@@ -130,7 +129,7 @@ void Rounds::bound_at_the_end() {
   const auto end = Clock::now() + grace;
   master_.set_stop([end] { return Clock::now() > end; });
   master_.limit_dissipation(linear::infinity);
-  if (master_.solve() != LinearStatus::optimal || master_.box_is_active()) return;
+  if (!master_.solve() || master_.box_is_active()) return;
   result_.lower = master_.objective();
   if (master_.solve_with_margin(first_room)) result_.proof = master_.proof();
 }
@@ -145,9 +144,8 @@ RootStatus Rounds::rounds() {
   while (result_.counts.rounds < max_rounds) {
     if (stopped()) return RootStatus::stopped;
     ++result_.counts.rounds;
-    const auto status = master_.solve();
-    if (status == LinearStatus::interrupted) return RootStatus::stopped;
-    if (status != LinearStatus::optimal) return RootStatus::failed;
+    if (!master_.solve())
+      return master_.is_interrupted() ? RootStatus::stopped : RootStatus::failed;
     const bool is_bound = !master_.dissipation_limit_is_active() && !master_.box_is_active();
     const double bound = master_.objective();
     if (is_bound) result_.lower = bound;
@@ -254,18 +252,19 @@ RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nom
 
 std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
-                                           double share, bool for_all) {
+                                           double share, bool for_all, ProofMethod method) {
   const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
   // The master program is too large for such problems and has weaker proofs.
-  if (!decided && model.uncertain_count() >= default_split_from && is_one_for_each(cuts, model)) {
+  const bool is_large =
+      model.uncertain_count() >= default_split_from && is_one_for_each(cuts, model);
+  if (!decided && (is_large || method == ProofMethod::states)) {
     splitting::SafeStates states(model);
     return proof_of_fixed_shares(states, model, alpha, cuts, share, for_all);
   }
   Master master(model, alpha);
   for (const auto& cut : cuts) master.add(cut);
   master.decide(signs);
-  if (master.solve() != LinearStatus::optimal || !master.solve_with_margin(share, for_all))
-    return {};
+  if (!master.solve() || !master.solve_with_margin(share, for_all)) return {};
   return master.proof();
 }
 

@@ -89,12 +89,19 @@ RootResult solve_root(const problems::LimitModel& model, double alpha, const Col
                       LoadFactor& load_factor, const Pricer& pricer,
                       const RootControl& control = {});
 
+/// Program whose solution is a proof.
+enum class ProofMethod {
+  relaxation,  ///< that of the node
+  states,      ///< (5) with fixed shares of the cuts: one cut for each column, or alpha = 0
+};
+
 /// A proof of the bound at a node with these signs and cuts, for yield forces reduced by `share`,
 /// if the first one has too small a margin. Nothing if the simplex method fails.
 /// @param for_all also for members whose force seems to be determined by equilibrium
 std::optional<StaticProof> proof_with_room(const problems::LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
-                                           double share, bool for_all);
+                                           double share, bool for_all,
+                                           ProofMethod method = ProofMethod::relaxation);
 
 /// Reduction of the yield forces for a first proof: enough for the rounding errors of the simplex
 /// method.

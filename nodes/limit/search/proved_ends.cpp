@@ -35,6 +35,24 @@ verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
                            evidence.cuts, nodes);
 }
 
+/// A way to compute a proof.
+struct Attempt {
+  double room = 0;
+  bool for_all = false;
+  ProofMethod method = ProofMethod::relaxation;
+};
+
+// Smallest margins first, all of one method before the next.
+std::vector<Attempt> attempts(const std::vector<ProofMethod>& methods) {
+  std::vector<Attempt> all;
+  for (const auto method : methods) {
+    for (const double room : margins) {
+      for (const bool for_all : {false, true}) all.push_back({room, for_all, method});
+    }
+  }
+  return all;
+}
+
 // Replaces the proof of a node by one with a larger margin, if its bound is better.
 // @return the proved bound
 double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& truss,
@@ -46,18 +64,19 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
       limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {});
   const verify::LimitProof proof(certificate, truss);
   const double alpha = evidence.alpha / evidence.model.force_unit;
-  for (const double room : margins) {
-    for (const bool for_all : {false, true}) {
-      const auto found = proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
-      if (!found) continue;
-      auto candidate = closed_node(*found, node.own_cuts);
-      const double lower = lower_end(
-          proof, limit_node(evidence.problem, evidence.model, evidence.alpha, cuts, candidate));
-      if (lower <= shown) continue;
-      shown = lower;
-      node = std::move(candidate);
-      if (shown >= wanted) return shown;
-    }
+  std::vector<ProofMethod> methods{ProofMethod::relaxation};
+  if (alpha == 0) methods.insert(methods.begin(), ProofMethod::states);
+  for (const auto [room, for_all, method] : attempts(methods)) {
+    const auto found =
+        proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all, method);
+    if (!found) continue;
+    auto candidate = closed_node(*found, node.own_cuts);
+    const double lower = lower_end(
+        proof, limit_node(evidence.problem, evidence.model, evidence.alpha, cuts, candidate));
+    if (lower <= shown) continue;
+    shown = lower;
+    node = std::move(candidate);
+    if (shown >= wanted) return shown;
   }
   return shown;
 }

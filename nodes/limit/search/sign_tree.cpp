@@ -68,7 +68,7 @@ std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
   master_.decide(node.signs);
   Bounded result;
   for (int round = 0;; ++round) {
-    if (master_.solve() != linear::LinearStatus::optimal) return {};
+    if (!master_.solve()) return {};
     result.bound = master_.objective();
     result.point = master_.relaxed();
     if (round == rounds_per_node) return result;

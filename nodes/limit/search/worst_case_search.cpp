@@ -76,8 +76,10 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
                     again);
     if (enough) certificate.nodes.clear();
     if (ends.upper_proved && (ends.lower_proved || enough)) certificate_ = std::move(certificate);
-    if (!ends.upper_proved) ends.upper = root.worst->collapse.factor * unit;
-    if (!ends.lower_proved) ends.lower = root.lower * unit;
+    // A bound without a proof is none.
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (!ends.upper_proved) ends.upper = none;
+    if (!ends.lower_proved) ends.lower = -none;
     // Proofs of nodes beyond the gap depend on the incumbent when they were closed, and so on the
     // number of ranks.
     ends.lower = std::min(ends.lower, of_a_tree ? ends.upper - 2 * closed_gap * unit : ends.upper);
@@ -89,11 +91,18 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
   worst.proved = near && ends.lower_proved && ends.upper_proved;
 }
 
+// Takes the result that a load has no factor, if the motion proves it.
 // @param zeta scaled, as the motion
-void WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+bool WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
                                       LimitWorstCase& worst) {
   certificate_ = evidence_of_no_factor(truss_, search_.problem(), model(), alpha(), zeta, motion);
-  worst.proved = worst.ends.upper_proved = certificate_.has_value();
+  if (!certificate_) return false;
+  worst.status = RootStatus::not_carried;
+  worst.ends = {};
+  worst.zeta = zeta * model().force_unit;
+  worst.overpowering_motion = problems::motion_in_units(model(), motion);
+  worst.proved = worst.ends.upper_proved = true;
+  return true;
 }
 
 // Continues from the root with the tree, if it is open, and the proof.
@@ -109,13 +118,12 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   }
   if (root.status == RootStatus::stopped) worst.search = search_.analysis().budget().stop_reason();
   if (root.status == RootStatus::not_carried) {
-    worst.status = RootStatus::not_carried;
-    worst.zeta = root.overpowering_load * model().force_unit;
-    if (root.overpowering_motion.size() > 0) {
-      worst.overpowering_motion = problems::motion_in_units(model(), root.overpowering_motion);
-    }
-    prove_no_factor(root.overpowering_load, root.overpowering_motion, worst);
-    return;
+    if (prove_no_factor(root.overpowering_load, root.overpowering_motion, worst)) return;
+    // It is open whether the load has a factor: no lower bound holds.
+    root.status = RootStatus::failed;
+    root.lower = -linear::infinity;
+    root.proof = {};
+    nodes.clear();
   }
   if (!root.worst) {
     // The nominal load is admissible.
@@ -195,14 +203,8 @@ void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWor
   if (status == LoadStatus::collapses) {
     worst.collapse = search_.in_units(load_factor.collapse(), dead);
   }
-  if (status != LoadStatus::not_carried) return;
-  worst.status = RootStatus::not_carried;
-  worst.ends = {};
-  const auto overpowering = load_factor.overpowering_motion();
-  if (overpowering.size() > 0) {
-    worst.overpowering_motion = problems::motion_in_units(model(), overpowering);
-  }
-  prove_no_factor(zeta, overpowering, worst);
+  if (status == LoadStatus::not_carried)
+    prove_no_factor(zeta, load_factor.overpowering_motion(), worst);
 }
 
 // The result of the paper's method by itself first; then, if requested, static evidence.

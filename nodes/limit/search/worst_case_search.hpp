@@ -56,7 +56,7 @@ class WorstCaseSearch {
   void show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst);
   void conclude(RootResult& root, LimitWorstCase& worst);
   void prove(const RootResult& root, std::vector<ClosedNode> nodes, LimitWorstCase& worst);
-  void prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+  bool prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
                        LimitWorstCase& worst);
   [[nodiscard]] const problems::LimitModel& model() const { return search_.model(); }
   [[nodiscard]] double alpha() const { return *parameters_.alpha; }

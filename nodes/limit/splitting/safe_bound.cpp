@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace kusabi::limit::splitting {
 
@@ -21,19 +22,21 @@ std::optional<SafeState> SafeStates::state(const std::vector<double>& taken,
     if (lower > upper) return {};
     simplex_.set_column_bounds(i, lower, upper);
   }
-  if (simplex_.solve_robustly({.stop = stop_}) != linear::LinearStatus::optimal) return {};
+  const auto* const optimum = std::get_if<linear::CheckedOptimum>(&simplex_.solve(stop_));
+  if (optimum == nullptr) return {};
   SafeState state;
-  state.factor = simplex_.value(members);
+  state.factor = optimum->value(members);
   state.bound = state.factor - taken.back();
   state.forces.resize(members);
-  for (int i = 0; i < members; ++i) state.forces(i) = simplex_.value(i);
+  for (int i = 0; i < members; ++i) state.forces(i) = optimum->value(i);
   return state;
 }
 
-std::vector<int> SafeStates::members_in_the_way() {
+std::vector<int> SafeStates::members_in_the_way() const {
   constexpr double share = 1e-2;
-  const auto reason = simplex_.farkas();
-  if (reason.empty()) return {};
+  const auto* const shown = std::get_if<linear::CheckedInfeasibility>(&simplex_.answer());
+  if (shown == nullptr || shown->multipliers().empty()) return {};
+  const auto reason = shown->multipliers();
   const Eigen::VectorXd stretch =
       (model_.equilibrium.transpose() *
        Eigen::Map<const Eigen::VectorXd>(reason.data(), model_.free_count()))

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "problems/limit/limit_analysis.hpp"
-#include "solvers/linear/simplex.hpp"
+#include "solvers/linear/checked_simplex.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::limit::splitting {
@@ -28,19 +28,22 @@ class SafeStates {
 
   void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
+  /// Makes the next state() start from this basis of (5).
+  void start_from(const linear::Basis& basis) { simplex_.set_basis(basis); }
+
   /// @param taken sum_j |P_ij| for each member, then sum_j |kappa_j|
   /// @param room reduction of each yield force, n^m
-  /// @return nothing if too little remains, or the simplex method fails
+  /// @return nothing if too little remains, or no answer passes its check
   std::optional<SafeState> state(const std::vector<double>& taken, const Eigen::VectorXd& room);
 
   /// After a failure: the members elongated by a motion which proves that too little remains;
   /// empty: another reason.
-  [[nodiscard]] std::vector<int> members_in_the_way();
+  [[nodiscard]] std::vector<int> members_in_the_way() const;
 
  private:
   const problems::LimitModel& model_;
   support::Stop stop_;
-  linear::Simplex simplex_;
+  linear::CheckedSimplex simplex_;
 };
 
 }  // namespace kusabi::limit::splitting

@@ -24,7 +24,7 @@ class UncertaintyCheck {
   void named(const UncertainParameter& parameter);
 
  private:
-  void component(const UncertainComponent& component, bool negative);
+  void weight(double size, double given) const;
   bool is_fixed(const UncertainComponent& component) const {
     return structure_
         .fixed[static_cast<std::size_t>(component.node)][static_cast<std::size_t>(component.axis)];
@@ -44,13 +44,11 @@ class UncertaintyCheck {
   std::set<std::string> names_;
 };
 
-// @param negative true if the weight may be negative
-void UncertaintyCheck::component(const UncertainComponent& component, bool negative) {
-  const double size = negative ? std::abs(component.weight) : component.weight;
+void UncertaintyCheck::weight(double size, double given) const {
   // The condition is false for NaN.
   if (!(size >= smallest_weight && size <= largest_weight)) {
     fail(fmt::format("the weight of an uncertain component is {:g}; expected between {:g} and {:g}",
-                     component.weight, smallest_weight, largest_weight));
+                     given, smallest_weight, largest_weight));
   }
 }
 
@@ -76,7 +74,7 @@ void UncertaintyCheck::single(const UncertainParameter& parameter) {
   if (!singles_.insert({here.node, here.axis}).second) {
     fail(fmt::format("{} is uncertain twice; expected once", called(here)));
   }
-  component(here, false);
+  weight(here.weight, here.weight);
   ++index_;
 }
 
@@ -91,12 +89,14 @@ void UncertaintyCheck::named(const UncertainParameter& parameter) {
                     "force along an axis that is free",
                     name));
   }
+  const auto size = [](const UncertainComponent& each) { return std::abs(each.weight); };
+  const double largest = size(std::ranges::max(parameter.components, {}, size));
   std::set<std::pair<int, int>> seen;
   for (const auto& here : parameter.components) {
     if (!seen.insert({here.node, here.axis}).second) {
       fail(fmt::format("the uncertain load {} has {} twice; expected once", name, called(here)));
     }
-    component(here, true);
+    weight(size(here) < rounding_of_weights * largest ? largest : size(here), here.weight);
     ++index_;
   }
 }

@@ -48,11 +48,10 @@ TEST(GuaranteedInterval, IsProvedEmptyByProvedBoundsOnly) {
 TEST(GuaranteedInterval, IsBoundedByTheExaminedLoads) {
   LimitAnswer answer;
   answer.worst = worst_case(1, 2, true, true);
-  answer.nominal = LimitCollapse{3, -4, {}, {}};
-  answer.worst->collapse = LimitCollapse{2, 0.25, {}, {}};
+  answer.nominal_factors.minimum = {-4, -3.9, true, true};
   const auto interval = guaranteed_interval(answer);
-  EXPECT_EQ(interval.minimum.lower, 0.25);
-  EXPECT_FALSE(interval.minimum.lower_proved);
+  EXPECT_EQ(interval.minimum.lower, -4);
+  EXPECT_TRUE(interval.minimum.lower_proved);
   EXPECT_EQ(interval.minimum.upper, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(interval.decided());
 }

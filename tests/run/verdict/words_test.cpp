@@ -304,10 +304,16 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
             "It carries 3 times the reference load in each of 2 load cases, and no more "
             "(computed, not proved).");
   EXPECT_EQ(sentence(both(4), both(3)),
-            "No load factor is carried in each of 2 load cases (computed, not proved).");
-  EXPECT_EQ(sentence(both(3 + 1e-15), both(3)),
-            "It is numerically undecided whether any load factor is carried in each of 2 load "
+            "No load factor is carried in all of 2 load cases (computed, not proved).");
+  const auto between = [](double lower, double upper) {
+    return Bracket{Bound{lower, Standing::proved}, Bound{upper, Standing::proved}};
+  };
+  EXPECT_EQ(sentence(between(2.9, 3.1), between(3, 3.05)),
+            "It is numerically undecided whether any load factor is carried in all of 2 load "
             "cases.");
+  EXPECT_EQ(sentence(between(-1.1, -1), between(2.99999999, 3.00000001)),
+            "It carries 2.9999 times the reference load in each of 2 load cases, but not 3.0001 "
+            "times.");
   EXPECT_EQ(sentence({}, both(3)),
             "No load factor was found at which it carries its dead load in each of 2 load cases.");
 }
