@@ -130,11 +130,8 @@ bool RayLines::write(std::ostream& out, const std::string& head) {
 }
 
 void RayLines::end(bool goes_on) {
-  if (goes_on && parts_) {
-    parts_->require();
-  } else {
-    remove_parts(owner_.name);
-  }
+  if (!goes_on) return remove_parts(owner_.name);
+  if (parts_) parts_->require();
 }
 
 }  // namespace kusabi::run

@@ -82,6 +82,8 @@ class Rays final : public Subcommand {
   wedged::ExactTest exact_;    // of its cones
 
   [[nodiscard]] bool whole() const { return found_.status == engine::Status::solved; }
+  // True if the exact test of the cones, which comes after the search, leaves nothing open either.
+  [[nodiscard]] bool answered() const { return whole() && exact_.unable.empty(); }
 };
 
 void Rays::describe(OptionTable& table) {
@@ -225,11 +227,12 @@ std::vector<Step> Rays::results(CommandRun& run) {
   const auto report =
       std::make_shared<RaysReport>(options_, *states, *cone_, found_, exact_, CommandRun::page());
   if (lines_) {
-    return {
-        run.result_lines([this, report, states](
-                             std::ostream& out) { return lines_->write(out, report->head_line()); },
-                         [this] { lines_->end(!options_.checkpoint.state.empty() && !whole()); }),
-        run.answer([report, states] { return report->summary(); })};
+    return {run.result_lines(
+                [this, report, states](std::ostream& out) {
+                  return lines_->write(out, report->head_line());
+                },
+                [this] { lines_->end(!options_.checkpoint.state.empty() && !answered()); }),
+            run.answer([report, states] { return report->summary(); })};
   }
   // Table, CSV and JSON are written in one pass over the rays, whose numbers are computed once.
   const auto table = std::make_shared<std::ostringstream>();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 
@@ -25,8 +26,16 @@ Variables variable(int number) {
 /// Number of rays between two calls of `stop`: about a millisecond.
 constexpr std::uint64_t rays_between_stops = 256;
 
-/// Share of the largest unknown of a ray up to which another one may be rounding.
-constexpr double smallest_share = 1e-13;
+/// Share of the largest unknown of a ray up to which another one may be rounding, and share of its
+/// terms up to which a displacement may be. A ray with such a number has more equalities, or this is
+/// numerically undecided.
+constexpr double smallest_share = 1e-9;
+constexpr double smallest_extended_share = 1e-11;
+
+template <class Scalar>
+constexpr double share() {
+  return std::is_same_v<Scalar, double> ? smallest_share : smallest_extended_share;
+}
 
 template <class Scalar>
 using Entries = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -60,8 +69,10 @@ struct Dictionary {
   }
 };
 
-/// A hash of a set (the finaliser of SplitMix64).
+/// A hash of a set (SplitMix64). That of the empty set, the only edge of a cone of two dimensions, is
+/// not zero.
 std::uint64_t mixed(Variables set) {
+  set += 0x9e3779b97f4a7c15U;
   set = (set ^ (set >> 30U)) * 0xbf58476d1ce4e5b9U;
   set = (set ^ (set >> 27U)) * 0x94d049bb133111ebU;
   return set ^ (set >> 31U);
@@ -260,7 +271,7 @@ class WalkOnRays {
       const int number = here_.rows[static_cast<std::size_t>(i)];
       if (number < face_.unknown_count()) unknowns_(number) = values(i);
     }
-    const Scalar least = static_cast<Scalar>(smallest_share) * unknowns_.maxCoeff();
+    const Scalar least = static_cast<Scalar>(share<Scalar>()) * unknowns_.maxCoeff();
     for (int number = 0; number < face_.unknown_count(); ++number) {
       if ((zero & variable(number)) == 0 && !(unknowns_(number) > least)) return false;
     }
@@ -269,9 +280,9 @@ class WalkOnRays {
     terms_.noalias() = magnitudes_ * unknowns_;
     for (Eigen::Index i = 0; i < displacements_.size(); ++i) {
       const bool vanishes = (touching & bit(static_cast<int>(i))) != 0;
-      const Scalar border = static_cast<Scalar>(vanishes ? zero_tolerance / undecided_factor
-                                                         : zero_tolerance * undecided_factor) *
-                            terms_(i);
+      const double least_gap = std::max(zero_tolerance * undecided_factor, share<Scalar>());
+      const Scalar border =
+          static_cast<Scalar>(vanishes ? zero_tolerance / undecided_factor : least_gap) * terms_(i);
       if (vanishes ? std::abs(displacements_(i)) > border : displacements_(i) < border)
         return false;
     }
@@ -317,7 +328,7 @@ template <class Scalar>
 EdgeWalk walked(const Face& face, const Dictionary<long double>& first, Variables start,
                 const std::function<bool()>& stop) {
   WalkOnRays<Scalar> walk(face, first);
-  EdgeWalk result{.end = walk.from(start, stop), .rays = {}, .visited = walk.known().size()};
+  EdgeWalk result{.end = walk.from(start, stop), .rays = {}};
   if (result.end != WalkEnd::complete) return result;
   result.rays.reserve(walk.known().size());
   for (const Variables zero : walk.known()) result.rays.push_back(face.zero_set(zero));
@@ -341,10 +352,7 @@ EdgeWalk walk_along_edges(const ReactionCone& cone, Candidates contact, const Lo
   if (!start) return {};
   auto walk = walked<double>(face, *first, *start, stop);
   if (walk.end != WalkEnd::not_simple) return walk;
-  const auto before = walk.visited;
-  walk = walked<long double>(face, *first, *start, stop);
-  walk.visited += before;
-  return walk;
+  return walked<long double>(face, *first, *start, stop);
 }
 
 }  // namespace kusabi::rays

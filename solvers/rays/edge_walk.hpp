@@ -28,7 +28,6 @@ enum class WalkEnd {
 struct EdgeWalk {
   WalkEnd end = WalkEnd::not_simple;
   std::vector<ZeroSet> rays;  ///< of D(Y), in no particular order; if complete
-  std::uint64_t visited = 0;  ///< number of rays in all attempts
 };
 
 /// Walks on D(Y) = {r in C_r: u_n = 0 on `contact`, r = 0 elsewhere} of constrained bodies; not

@@ -99,6 +99,8 @@ bool RayTrial::succeeds(std::uint64_t pairs) {
 }
 
 bool RayTrial::is_worth_searching(std::uint64_t pairs) {
+  // No walk is possible on the cones of unconstrained bodies.
+  if (cone_.equations() > 0) return false;
   if (!found_.tree) look_for_leaves(pairs_to_come * pairs);
   return found_.tree.has_value();
 }

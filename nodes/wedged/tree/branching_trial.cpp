@@ -235,7 +235,7 @@ std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                      : std::span<const Branching>(asked);
       trial.emplace(analysis, problem, friction, options, rules);
     }
-    const bool bounded = is_large && options.tightening == Tightening::automatic;
+    const bool bounded = options.tightening != Tightening::never;
     result[block] = trial->best_of(block, candidates, bounded);
   }
   return result;
