@@ -14,14 +14,10 @@
 #include "ray_oracles.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"
+#include "sorted_rays.hpp"
 
 namespace kusabi::rays {
 namespace {
-
-std::vector<ZeroSet> sorted(std::vector<ZeroSet> zeros) {
-  std::sort(zeros.begin(), zeros.end(), comes_before);
-  return zeros;
-}
 
 /// A sum of the rays of a cone: with all of them, a point inside.
 LongVector sum_of(const ReactionCone& cone, const std::vector<ZeroSet>& rays) {
@@ -61,7 +57,7 @@ Compared compare(const ReactionCone& cone) {
     const auto walk = walk_along_edges(cone, contact, sum_of(cone, rays), {});
     if (has_only_simple_rays(cone, rays)) {
       EXPECT_EQ(walk.end, WalkEnd::complete) << contact;
-      EXPECT_EQ(sorted(walk.rays), sorted(rays)) << contact;
+      EXPECT_EQ(test::sorted(walk.rays), test::sorted(rays)) << contact;
       ++compared.walks;
     } else {
       EXPECT_EQ(walk.end, WalkEnd::not_simple) << contact;

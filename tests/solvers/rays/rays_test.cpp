@@ -19,6 +19,7 @@
 #include "solvers/rays/bit_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"
+#include "sorted_rays.hpp"
 #include "tests/problems/trusses.hpp"
 
 namespace kusabi::rays {
@@ -42,11 +43,6 @@ test::Reactions reactions(const ReactionCone& cone, const std::vector<ZeroSet>& 
   for (const ZeroSet& zero : zeros) list.push_back(cone.ray(zero, health).reaction);
   EXPECT_TRUE(health.sound());
   return list;
-}
-
-std::vector<ZeroSet> sorted(std::vector<ZeroSet> zeros) {
-  std::sort(zeros.begin(), zeros.end(), comes_before);
-  return zeros;
 }
 
 struct Row {
@@ -121,7 +117,7 @@ TEST(DoubleDescription, ResumesAPartOfTheListOnItsFace) {
     }
     EXPECT_GT(on_face.size(), 0U);
     EXPECT_LT(on_face.size(), whole.rays.size());
-    EXPECT_EQ(sorted(part.zeros), sorted(on_face));
+    EXPECT_EQ(test::sorted(part.zeros), test::sorted(on_face));
   }
 }
 
@@ -322,7 +318,7 @@ TEST(Rays, OfAllPatternsTogetherAreTheComplementaryRays) {
         if (Supports(zero, cone.all()).reaction() == contact) together.push_back(zero);
       }
     }
-    EXPECT_EQ(sorted(together), sorted(complementary_rays(cone).rays)) << mu;
+    EXPECT_EQ(test::sorted(together), test::sorted(complementary_rays(cone).rays)) << mu;
   }
 }
 

@@ -1,0 +1,17 @@
+// The order of rays in which lists are compared.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "solvers/rays/maximal_cones.hpp"
+#include "solvers/rays/zero_set.hpp"
+
+namespace kusabi::rays::test {
+
+inline std::vector<ZeroSet> sorted(std::vector<ZeroSet> zeros) {
+  std::ranges::sort(zeros, comes_before);
+  return zeros;
+}
+
+}  // namespace kusabi::rays::test
