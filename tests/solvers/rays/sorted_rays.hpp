@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "solvers/rays/maximal_cones.hpp"
 #include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::rays::test {
