@@ -24,7 +24,7 @@ using test::near;
 using test::PlainTruss;
 using test::problem_of;
 
-constexpr double alpha = 0.1;
+constexpr double half_width = 0.1;
 
 // Bars along the lines of a square grid and their diagonals, and loads along its axes.
 Structure truss_on_a_grid(unsigned seed) {
@@ -125,7 +125,7 @@ std::optional<double> least_over_vertices(Structure truss, double sign) {
   for (auto& load : truss.loads) {
     if (load.kind == Load::Kind::reference) load.force *= sign;
   }
-  return PlainTruss(truss).min_over_corners(alpha);
+  return PlainTruss(truss).min_over_corners(half_width);
 }
 
 class MovedTruss : public testing::TestWithParam<std::function<Structure(const Structure&)>> {};
@@ -138,7 +138,8 @@ TEST_P(MovedTruss, HasTheFactorsOfTheTrussAsItWas) {
     if (!problem_of(without_zeros(truss))) continue;
     const auto largest = least_over_vertices(without_zeros(truss), 1);
     const auto least = least_over_vertices(without_zeros(truss), -1);
-    const auto found = findings(without_zeros(GetParam()(truss)), {.alpha = alpha}).answer;
+    const auto found =
+        findings(without_zeros(GetParam()(truss)), {.alpha = half_width}).answer;
     EXPECT_TRUE(found.whole());
     ASSERT_EQ(largest.has_value(), least.has_value());
     const auto interval = guaranteed_interval(found);
