@@ -100,7 +100,7 @@ std::string nominal(const LoadInterval& found) {
   if (const auto& upper = found.maximum.upper; upper && !found.struts) {
     shown = in_sentence(value, upper->value);
     no_more = shown.lower == shown.upper ? ", and no more"
-                                         : fmt::format(", but not {} times", shown.upper);
+                                         : fmt::format(", but no more than {} times", shown.upper);
   }
   return fmt::format("It carries {} times the reference load{}{}{}{}.", shown.lower, cases, no_more,
                      unless_proved(standing), of_struts(found));

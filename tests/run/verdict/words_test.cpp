@@ -312,8 +312,8 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
             "It is numerically undecided whether any load factor is carried in all of 2 load "
             "cases.");
   EXPECT_EQ(sentence(between(-1.1, -1), between(2.99999999, 3.00000001)),
-            "It carries 2.9999 times the reference load in each of 2 load cases, but not 3.0001 "
-            "times.");
+            "It carries 2.9999 times the reference load in each of 2 load cases, but no "
+            "more than 3.0001 times.");
   EXPECT_EQ(sentence({}, both(3)),
             "No load factor was found at which it carries its dead load in each of 2 load cases.");
 }
