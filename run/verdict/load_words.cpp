@@ -230,9 +230,9 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   if (!found.nominal) return "The nominal load factor was not found.";
   constexpr int digits = 8;
-  const auto text =
-      fmt::format("The nominal load factor is {}{}", rounded_down(found.nominal->value, digits),
-                  unless_proved(found.nominal->standing));
+  const auto text = fmt::format("The nominal load factor is at least {}{}",
+                                rounded_down(found.nominal->value, digits),
+                                unless_proved(found.nominal->standing));
   if (!found.half_width) return text + '.';
   const auto at = fmt::format("; at alpha = {}{}", *found.half_width,
                               found.force ? ' ' + *found.force : std::string());
@@ -243,8 +243,11 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   const auto& [lower, upper] = found.worst;
   if (!lower || !upper) return text + at + " the worst case is open.";
-  return text + at +
-         fmt::format(" the worst case is {:.8g}{}", upper->value, proved_or(found.worst)) +
+  const auto shown = in_sentence(lower->value, upper->value, digits);
+  const auto worst = shown.lower == shown.upper
+                         ? shown.lower
+                         : fmt::format("between {} and {}", shown.lower, shown.upper);
+  return text + at + fmt::format(" the worst case is {}{}", worst, proved_or(found.worst)) +
          guaranteed(found) + '.';
 }
 

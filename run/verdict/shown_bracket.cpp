@@ -62,8 +62,8 @@ std::string rounded_up(double number, int digits) {
   return rounded(number, places_of(number, digits), 1);
 }
 
-ShownBracket in_sentence(double lower, double upper) {
-  return to(lower, upper, digits_of_sentence);
+ShownBracket in_sentence(double lower, double upper, int digits) {
+  return to(lower, upper, digits);
 }
 
 ShownBracket inside(double low, double high, int digits) {

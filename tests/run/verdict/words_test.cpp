@@ -251,6 +251,9 @@ TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
   steps.minimum = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("no load factor is carried under all admissible loads."));
+  steps.worst.upper = Bound{1.50000001, Standing::proved};
+  EXPECT_THAT(headline({.answer = steps}),
+              HasSubstr("the worst case is between 1.5 and 1.5000001, proved; no load factor"));
   steps.minimum = {};
   EXPECT_THAT(headline({.answer = steps}), HasSubstr("is open"));
 }
