@@ -288,7 +288,13 @@ TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
   LoadInterval nominal;
   nominal.maximum.lower = nominal.maximum.upper = Bound{-0.5, Standing::computed};
   EXPECT_EQ(headline({.answer = nominal}),
-            "It carries its dead load only at load factors up to -0.5 (computed, not proved).");
+            "The largest factor of the reference load that it carries is at least -0.5 (computed, "
+            "not proved).");
+  nominal.minimum = {Bound{-3.000001, Standing::proved}, Bound{-3, Standing::proved}};
+  EXPECT_EQ(
+      headline({.answer = nominal}),
+      "It carries its dead load at load factors from -3 to -0.5, and at none below -3.0001 or "
+      "above -0.5 (computed, not proved).");
   const MemberLoss loss{.factor = {{}, Bound{-0.5, Standing::proved}}, .lost = {"a-b"}};
   EXPECT_EQ(headline({.answer = loss}),
             "After the loss of a-b it carries its dead load only at load factors up to -0.5.");
