@@ -280,12 +280,11 @@ engine::Status LimitAnswer::ended() const {
 bool LimitAnswer::whole() const {
   if (status == LoadStatus::undetermined || ended() != engine::Status::solved) return false;
   if (status == LoadStatus::not_carried) return true;
-  if (!nominal_factors.proved()) return false;
   const auto known = [](const std::optional<LoadCurve>& each) {
     return !each || !each->pieces.empty();
   };
   if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
-  if (!worst) return nominal_interval(*this, {}).decided();
+  if (!worst) return nominal_factors.proved() && nominal_interval(*this, {}).decided();
   const auto interval = guaranteed_interval(*this);
   return worst->proved && (!reversed || reversed->proved || interval.is_empty()) &&
          interval.decided();

@@ -244,9 +244,10 @@ std::string LoadSweep::table() const {
 Verdict LoadSweep::verdict() const {
   LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
   const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
-  if (found_.last.nominal) {
+  if (const auto& nominal = found_.last.nominal) {
     const auto& largest = found_.last.nominal_factors.largest;
-    if (largest.lower_proved) steps.nominal = Bound{largest.lower, Standing::proved};
+    steps.nominal = Bound{largest.lower_proved ? largest.lower : nominal->factor,
+                          standing(largest.lower_proved)};
   } else if (found_.last.status == limit::LoadStatus::not_carried) {
     steps.nominal_at_none = Standing::proved;
   }
