@@ -89,6 +89,7 @@ struct LimitZeroOne {
 
 /// Result on the worst case.
 struct LimitWorstCase {
+  /// closed: the bounds meet, those of the simplex method where they are not proved.
   RootStatus status = RootStatus::failed;
   LimitEnds ends;
   bool proved = false;  ///< true if both bounds are proved and close to each other

@@ -86,7 +86,9 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     return ends;
   });
   const auto& ends = worst.ends;
-  const bool near = ends.upper - ends.lower <= answered_gap * unit;
+  const double upper = ends.upper_proved ? ends.upper : root.worst->collapse.factor * unit;
+  const double lower = ends.lower_proved ? ends.lower : root.lower * unit;
+  const bool near = upper - lower <= answered_gap * unit;
   worst.status = near ? RootStatus::closed : RootStatus::open;
   worst.proved = near && ends.lower_proved && ends.upper_proved;
 }
