@@ -9,7 +9,7 @@ namespace {
 
 // The bounds of a worst case with the opposite reference load, in terms of the original one.
 FactorBracket reversed(const LimitEnds& ends) {
-  return {-ends.upper, -ends.lower, ends.upper_proved, ends.lower_proved};
+  return negative({ends.lower, ends.upper, ends.lower_proved, ends.upper_proved});
 }
 
 // Keeps the larger of two lower bounds, and the proved one if they are equal.

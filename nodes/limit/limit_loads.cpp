@@ -97,8 +97,8 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
   });
   RootSearch search(analysis, mirrored, asked.split_from);
   const auto never = [] { return false; };
-  if (set_up(search, never) == LoadStatus::collapses) {
-    search.choose_units(*asked.alpha);
+  if (set_up(search, never) == LoadStatus::collapses) search.choose_units(*asked.alpha);
+  if (search.is_set_up()) {
     const auto& largest = findings.answer.worst->ends;
     if (largest.upper_proved) {
       search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
@@ -176,6 +176,11 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
     if (answer.status == LoadStatus::undetermined) note_end();
     return findings;
   }
+  if (!answer.nominal_factors.proved()) note_end();
+  if (!search.is_set_up()) {  // stopped in the last set_up() of the proof
+    note_end();
+    return findings;
+  }
   if (parameters.curve_load) {
     if (!search.ended()) {
       answer.load_curve = factor_curve(search, *parameters.curve_load, parameters.curve_to);
@@ -189,6 +194,10 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
   }
   if (!parameters.alpha) return findings;
   search.choose_units(*parameters.alpha);
+  if (!search.is_set_up()) {
+    note_end();
+    return findings;
+  }
   const auto sample = [&]() -> std::optional<ZeroOneStart> {
     if (parameters.samples == 0) return {};
     SampledLoads sampled;
@@ -271,12 +280,11 @@ engine::Status LimitAnswer::ended() const {
 bool LimitAnswer::whole() const {
   if (status == LoadStatus::undetermined || ended() != engine::Status::solved) return false;
   if (status == LoadStatus::not_carried) return true;
-  if (!nominal_factors.proved()) return false;
   const auto known = [](const std::optional<LoadCurve>& each) {
     return !each || !each->pieces.empty();
   };
   if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
-  if (!worst) return nominal_interval(*this, {}).decided();
+  if (!worst) return nominal_factors.proved() && nominal_interval(*this, {}).decided();
   const auto interval = guaranteed_interval(*this);
   return worst->proved && (!reversed || reversed->proved || interval.is_empty()) &&
          interval.decided();

@@ -9,8 +9,8 @@
 namespace kusabi::problems {
 namespace {
 
-/// A smaller cosine, or a smaller share of the largest component of a load, is zero: the rounding
-/// error of cos(pi / 2) is 6e-17.
+/// A smaller cosine, or a smaller share of the largest component of a load at the same node, is
+/// zero: the rounding error of cos(pi / 2) is 6e-17.
 constexpr double noise = 1e-14;
 
 // Without the cosines of B that are rounding errors.
@@ -20,9 +20,19 @@ Eigen::SparseMatrix<double> without_noise(Eigen::SparseMatrix<double> equilibriu
   return equilibrium;
 }
 
-Eigen::VectorXd without_noise(const Eigen::VectorXd& load) {
-  const double minimum = load.size() == 0 ? 0 : noise * load.cwiseAbs().maxCoeff();
-  return load.unaryExpr([&](double value) { return std::abs(value) > minimum ? value : 0; });
+// Without the components that are rounding errors of the direction of a force. Where a displacement
+// is not free, the component along it is unknown and may be as large as any.
+Eigen::VectorXd without_noise(const LimitProblem& problem, const Eigen::VectorXd& load) {
+  const double largest = load.size() == 0 ? 0 : load.cwiseAbs().maxCoeff();
+  Eigen::VectorXd result = load;
+  for (int degree = 0; degree < problem.free_count(); ++degree) {
+    const auto node = problem.degrees.free[static_cast<std::size_t>(degree)].node;
+    double size = 0;
+    for (const int other : problem.degrees.number.col(node))
+      size = std::max(size, other < 0 ? largest : std::abs(load(other)));
+    if (std::abs(load(degree)) <= noise * size) result(degree) = 0;
+  }
+  return result;
 }
 
 /// Unit of force for numbers of a given size: F unless they are much smaller. Units within a factor
@@ -77,7 +87,7 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit, double ma
   model.compression = problem.compression.cwiseQuotient(model.member_unit).cwiseMin(max_yield);
 
   const auto given = without_noise(problem.equilibrium);
-  const Eigen::VectorXd reference = without_noise(problem.reference);
+  const Eigen::VectorXd reference = without_noise(problem, problem.reference);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(given.rows());  // Y
   for (int i = 0; i < given.cols(); ++i) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(given, i); entry; ++entry) {
@@ -91,7 +101,7 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit, double ma
   model.displacement_unit = (reference_unit * row_unit).cwiseInverse();
   model.factor_unit = 1 / reference_unit;
   model.equilibrium = row_unit.cwiseInverse().asDiagonal() * given * model.member_unit.asDiagonal();
-  model.dead = without_noise(problem.dead).cwiseQuotient(row_unit);
+  model.dead = without_noise(problem, problem.dead).cwiseQuotient(row_unit);
   model.reference = reference.cwiseQuotient(row_unit) / reference_unit;
   scale_uncertain(problem, row_unit, model);
   return model;

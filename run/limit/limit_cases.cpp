@@ -2,13 +2,13 @@
 #include "run/limit/limit_cases.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "run/limit/loss_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 
@@ -46,18 +46,15 @@ std::string found_text(const limit::LimitFindings& found) {
   auto text = "nominal " + factor_text(nominal.lower, nominal.upper);
   if (const auto& worst = answer.worst) {
     const auto& ends = worst->ends;
-    text += worst->as_printed
-                ? fmt::format(", worst case {:.10g} ... {:.10g}, open", ends.lower, ends.upper)
-                : ", worst case " + factor_text(ends.lower, ends.upper);
+    text += worst->as_printed ? fmt::format(", worst case {:.10g} ... {:.10g} (not proved)",
+                                            ends.lower, ends.upper)
+                              : ", worst case " + factor_text(ends.lower, ends.upper);
   }
   if (!found.loss && !answer.whole()) text += ", open";
   if (const auto& loss = found.loss) {
     text += loss->is_fatal()
                 ? fmt::format(", no factor after a loss, {}", loss->proved ? "proved" : "open")
-            : std::isfinite(loss->ends.upper)
-                ? fmt::format(", {:.10g} after a loss, {}", loss->ends.upper,
-                              loss->proved ? "proved" : "open")
-                : std::string(", open after a loss");
+                : ", after a loss " + remaining_factor_text(*loss);
   }
   return text;
 }

@@ -64,7 +64,8 @@ void write_nominal(std::string& text, const LimitReport& report) {
   if (minimum.lower > 0 && minimum.upper <= largest.lower) {
     const auto [low, high] = inside(minimum.upper, largest.lower, digits_of_table);
     fmt::format_to(std::back_inserter(text),
-                   "  the dead load is carried only at load factors from {} to {}\n", low, high);
+                   "  the dead load is carried at load factors from {} to {}, not at zero\n", low,
+                   high);
   }
   write_mode(text, report.problem, *report.answer.nominal);
   text += utilisation_text(report.problem, *report.answer.nominal);
@@ -88,8 +89,10 @@ void write_interval(std::string& text, const LimitReport& report) {
   if (report.residual) text += "  while no strut falls below its residual strength:\n";
   text += "  " + interval_text(interval) + '\n';
   text += "  " + passed_text(interval) + '\n';
-  const auto& reversed = (report.residual ? *report.residual : report.answer).reversed;
-  if (!reversed || reversed->zeta.size() == 0 || interval.minimum.upper <= 0) return;
+  const auto& carrying = report.residual ? *report.residual : report.answer;
+  const auto& reversed = carrying.reversed;
+  const bool zero_is_excluded = guaranteed_interval(carrying).minimum.lower > 0;
+  if (!reversed || reversed->zeta.size() == 0 || !zero_is_excluded) return;
   text += "  load that determines the least of these factors:\n" +
           critical_load_text(report.problem, reversed->zeta);
 }

@@ -53,7 +53,7 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   };
   std::string text = loss.uncertain
                          ? "  loss of one member (upper bounds, by alternating linear programs):\n"
-                         : "  loss of one member (not proved, except for the worst one):\n";
+                         : "  loss of one member (not proved):\n";
   const auto out = std::back_inserter(text);
   std::size_t shown = 0;
   for (const auto& single : singles) {
@@ -140,6 +140,13 @@ const char* loss_state(LoadStatus status) {
   return status == LoadStatus::collapses     ? "collapses"
          : status == LoadStatus::not_carried ? "not-carried"
                                              : "undetermined";
+}
+
+std::string remaining_factor_text(const LossAnswer& loss) {
+  const auto& ends = loss.ends;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return factor_text(ends.lower_proved ? ends.lower : -unknown,
+                     ends.upper_proved ? ends.upper : unknown);
 }
 
 std::string loss_text(const LimitProblem& problem, const problems::Structure& truss,

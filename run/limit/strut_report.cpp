@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -50,13 +49,10 @@ bool at_no_factor(const LimitAnswer& answer) {
 // The factor after the worst loss of members, if that was requested.
 std::string remaining_text(const LimitAnswer& answer,
                            const std::optional<limit::LossAnswer>& loss) {
-  constexpr double unknown = std::numeric_limits<double>::infinity();
   if (loss && loss->is_fatal())
     return loss->proved ? "no load factor after a loss, proved" : "no load factor after a loss";
   if (loss) {
-    return fmt::format("load factor {} after the worst loss",
-                       factor_text(loss->ends.lower_proved ? loss->ends.lower : -unknown,
-                                   loss->ends.upper_proved ? loss->ends.upper : unknown));
+    return fmt::format("load factor {} after the worst loss", remaining_factor_text(*loss));
   }
   if (at_no_factor(answer)) return answer.whole() ? "no load factor, proved" : "no load factor";
   const auto& worst = answer.worst;

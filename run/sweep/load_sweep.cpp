@@ -24,7 +24,6 @@
 #include "run/session/kept_state.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/ending.hpp"
-#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -233,9 +232,10 @@ std::string LoadSweep::table() const {
     if (worst.status == RootStatus::not_carried) {
       fmt::format_to(out, "not carried at any factor{}\n", worst.proved ? ", proved" : "");
     } else {
-      const auto shown = in_table(worst.ends.lower, worst.ends.upper);
-      fmt::format_to(out, "{} ... {}, {}{}\n", shown.lower, shown.upper,
-                     worst.proved ? "proved" : "open", lower_end_text(interval));
+      const auto& ends = worst.ends;
+      const bool apart = !worst.proved && ends.lower_proved && ends.upper_proved;
+      fmt::format_to(out, "{}{}{}\n", factor_text(ends.lower, ends.upper),
+                     apart ? "; open: the two bounds differ" : "", lower_end_text(interval));
     }
   }
   return text + curve_text();
@@ -244,9 +244,10 @@ std::string LoadSweep::table() const {
 Verdict LoadSweep::verdict() const {
   LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
   const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
-  if (found_.last.nominal) {
+  if (const auto& nominal = found_.last.nominal) {
     const auto& largest = found_.last.nominal_factors.largest;
-    if (largest.lower_proved) steps.nominal = Bound{largest.lower, Standing::proved};
+    steps.nominal = Bound{largest.lower_proved ? largest.lower : nominal->factor,
+                          standing(largest.lower_proved)};
   } else if (found_.last.status == limit::LoadStatus::not_carried) {
     steps.nominal_at_none = Standing::proved;
   }

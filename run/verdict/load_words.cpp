@@ -1,4 +1,7 @@
 // Sentences about load factors.
+#include <algorithm>
+#include <initializer_list>
+
 #include <fmt/format.h>
 
 #include "run/verdict/answer_words.hpp"
@@ -33,9 +36,11 @@ std::string of_struts(const LoadInterval& found) {
   return text;
 }
 
-// Standing of a statement that follows from two bounds.
-Standing of_both(const Bound& one, const Bound& other) {
-  return one.standing == Standing::proved ? other.standing : one.standing;
+// Standing of a statement that follows from those of these bounds that are known.
+Standing of_all(std::initializer_list<std::optional<Bound>> bounds) {
+  const bool proved = std::ranges::none_of(
+      bounds, [](const auto& each) { return each && each->standing == Standing::computed; });
+  return proved ? Standing::proved : Standing::computed;
 }
 
 // The interval is empty: its lower end lies above its upper end.
@@ -43,7 +48,7 @@ std::optional<Standing> empty(const LoadInterval& found) {
   const auto& above = found.minimum.lower;
   const auto& below = found.maximum.upper;
   if (!above || !below || above->value <= below->value) return std::nullopt;
-  return found.if_big_m ? Standing::computed : of_both(*above, *below);
+  return found.if_big_m ? Standing::computed : of_all({above, below});
 }
 
 // The ends meet: the interval is not empty, but no factor in it is known to be carried.
@@ -81,33 +86,47 @@ std::optional<std::string> nominal_without_factor(const LoadInterval& found) {
   return std::nullopt;
 }
 
+// Factors that are not carried, outside the outer bounds of the interval.
+std::string none_outside(const LoadInterval& found) {
+  const auto& below = found.minimum.lower;
+  const auto& above = found.maximum.upper;
+  if (found.struts || (!below && !above)) return {};
+  return fmt::format(
+      ", and at none {}{}{}", below ? "below " + rounded_down(below->value) : std::string(),
+      below && above ? " or " : "", above ? "above " + rounded_up(above->value) : std::string());
+}
+
 std::string nominal(const LoadInterval& found) {
   if (auto text = nominal_without_factor(found)) return *text;
-  const auto& [value, standing] = *found.maximum.lower;
+  const auto& to = found.maximum.lower;
+  const auto& from = found.minimum.upper;
   const auto cases = in_cases(found);
-  const char* const only = found.struts ? "" : "only ";
-  if (const auto& from = found.minimum.upper; from && from->value > 0) {
-    const auto [low, high] = inside(from->value, value);
-    return fmt::format("It carries its dead load{} {}at load factors from {} to {}{}{}.", cases,
-                       only, low, high, unless_proved(standing), of_struts(found));
+  if (!from) {  // smaller factors need not be carried
+    return fmt::format(
+        "The largest factor of the reference load that it carries is at least {}{}{}.",
+        rounded_down(to->value), unless_proved(to->standing), of_struts(found));
   }
-  if (value < 0) {
-    return fmt::format("It carries its dead load{} {}at load factors up to {}{}{}.", cases, only,
-                       rounded_down(value), unless_proved(standing), of_struts(found));
+  auto standing = of_all({from, to});
+  if (from->value > 0 || to->value < 0) {
+    const auto [low, high] = inside(from->value, to->value);
+    if (!found.struts) standing = of_all({from, to, found.minimum.lower, found.maximum.upper});
+    return fmt::format("It carries its dead load{} at load factors from {} to {}{}{}{}.", cases,
+                       low, high, none_outside(found), unless_proved(standing), of_struts(found));
   }
-  auto shown = ShownBracket{rounded_down(value), {}};
+  auto shown = ShownBracket{rounded_down(to->value), {}};
   std::string no_more;
   if (const auto& upper = found.maximum.upper; upper && !found.struts) {
-    shown = in_sentence(value, upper->value);
+    shown = in_sentence(to->value, upper->value);
+    standing = of_all({from, to, upper});
     no_more = shown.lower == shown.upper ? ", and no more"
-                                         : fmt::format(", but not {} times", shown.upper);
+                                         : fmt::format(", but no more than {} times", shown.upper);
   }
   return fmt::format("It carries {} times the reference load{}{}{}{}.", shown.lower, cases, no_more,
                      unless_proved(standing), of_struts(found));
 }
 
 std::string proved_or(const Bracket& bracket) {
-  const auto standing = of_both(*bracket.lower, *bracket.upper);
+  const auto standing = of_all({bracket.lower, bracket.upper});
   return standing == Standing::proved ? ", proved" : unless_proved(standing);
 }
 
@@ -165,7 +184,7 @@ std::string guaranteed(const LoadSteps& found) {
   const auto& above = found.minimum.lower;
   if (above && above->value > found.worst.upper->value) {
     return fmt::format("; no load factor is carried under all admissible loads{}",
-                       unless_proved(of_both(*above, *found.worst.upper)));
+                       unless_proved(of_all({above, found.worst.upper})));
   }
   if (!from) return "; the least factor that is carried under all admissible loads is open";
   if (from->value > to->value)
@@ -230,9 +249,9 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   if (!found.nominal) return "The nominal load factor was not found.";
   constexpr int digits = 8;
-  const auto text =
-      fmt::format("The nominal load factor is {}{}", rounded_down(found.nominal->value, digits),
-                  unless_proved(found.nominal->standing));
+  const auto text = fmt::format("The nominal load factor is at least {}{}",
+                                rounded_down(found.nominal->value, digits),
+                                unless_proved(found.nominal->standing));
   if (!found.half_width) return text + '.';
   const auto at = fmt::format("; at alpha = {}{}", *found.half_width,
                               found.force ? ' ' + *found.force : std::string());
@@ -243,8 +262,11 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   const auto& [lower, upper] = found.worst;
   if (!lower || !upper) return text + at + " the worst case is open.";
-  return text + at +
-         fmt::format(" the worst case is {:.8g}{}", upper->value, proved_or(found.worst)) +
+  const auto shown = in_sentence(lower->value, upper->value, digits);
+  const auto worst = shown.lower == shown.upper
+                         ? shown.lower
+                         : fmt::format("between {} and {}", shown.lower, shown.upper);
+  return text + at + fmt::format(" the worst case is {}{}", worst, proved_or(found.worst)) +
          guaranteed(found) + '.';
 }
 

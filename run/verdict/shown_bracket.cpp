@@ -28,12 +28,13 @@ double value_of(const std::string& text) {
   return value;
 }
 
-// Trailing zeros are removed.
+// Trailing zeros are removed, and the sign of minus zero.
 std::string trimmed(std::string number) {
-  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
-  number.erase(number.find_last_not_of('0') + 1);
-  if (number.ends_with('.')) number.pop_back();
-  return number;
+  if (number.find('.') != std::string::npos && number.find('e') == std::string::npos) {
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.')) number.pop_back();
+  }
+  return number == "-0" ? "0" : number;
 }
 
 // @param way -1: down, 1: up
@@ -61,8 +62,8 @@ std::string rounded_up(double number, int digits) {
   return rounded(number, places_of(number, digits), 1);
 }
 
-ShownBracket in_sentence(double lower, double upper) {
-  return to(lower, upper, digits_of_sentence);
+ShownBracket in_sentence(double lower, double upper, int digits) {
+  return to(lower, upper, digits);
 }
 
 ShownBracket inside(double low, double high, int digits) {

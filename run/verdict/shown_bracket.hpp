@@ -18,7 +18,7 @@ struct ShownBracket {
 };
 
 /// Both bounds with the number of decimal places of the finer one: "0.99999" and "1.00001".
-ShownBracket in_sentence(double lower, double upper);
+ShownBracket in_sentence(double lower, double upper, int digits = digits_of_sentence);
 
 /// Both ends of a range, rounded inwards, with so many digits that it is not empty.
 /// @param digits the least number of them

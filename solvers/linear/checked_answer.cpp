@@ -9,7 +9,7 @@ namespace kusabi::linear {
 namespace {
 
 /// Share of the terms of a combination of rows below which it is zero: a multiplier has errors of
-/// about 1e-13. Such a coefficient stands for zero, whatever the bounds of its column.
+/// about 1e-13. Such a coefficient stands for zero if its column has no bound on that side.
 constexpr double rounding = 1e-11;
 
 // A sum, and the sum of the magnitudes of its terms.
@@ -116,21 +116,25 @@ std::optional<CheckedInfeasibility> CheckedInfeasibility::of(const LinearProgram
   for (double& each : multipliers) each /= largest;
   Sum excess;
   for (std::size_t i = 0; i < multipliers.size(); ++i) {
-    const double y = multipliers[i];
+    double& y = multipliers[i];
     const double pressed = y > 0 ? program.rows[i].lower : program.rows[i].upper;
     if (std::isfinite(pressed)) {
       excess.add(y * pressed);
     } else if (std::abs(y) > check_tolerance) {
       return {};
+    } else {
+      y = 0;
     }
   }
   const auto coefficients = reduced_costs(program, multipliers, false);
   for (std::size_t j = 0; j < coefficients.size(); ++j) {
     const auto& [value, size] = coefficients[j];
-    if (std::abs(value) <= rounding * size) continue;
     const double bound = value > 0 ? program.columns[j].lower : program.columns[j].upper;
-    if (!std::isfinite(bound)) return {};
-    excess.add(value * bound);
+    if (std::isfinite(bound)) {
+      excess.add(value * bound);
+    } else if (!(std::abs(value) <= rounding * size)) {
+      return {};
+    }
   }
   if (!(excess.value > rounding * excess.size)) return {};
   shown.multipliers_ = std::move(multipliers);

@@ -89,7 +89,8 @@ TEST_F(LimitCommand, ReportsTheCarriedFactorsIfZeroIsNotCarried) {
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("nominal load factor 4.414213562"));
   EXPECT_THAT(run.output,
-              HasSubstr("the dead load is carried only at load factors from 1.58578643"));
+              ContainsRegex("the dead load is carried at load factors from 1\\.58578643[0-9]* to "
+                            "4\\.4142135[0-9]*, not at zero"));
   const auto json = result_of(case_file("lambda_zero_not_carried.toml"));
   const auto& interval = json["result"]["nominal_interval"];
   EXPECT_NEAR(interval[0].get<double>(), 3 - std::sqrt(2.0), 1e-9);
@@ -127,8 +128,8 @@ TEST_F(LimitCommand, RoundsProvedBoundsToTheSafeSide) {
 TEST_F(LimitCommand, ProvesTheNominalFactorInItsCertificate) {
   const auto file = case_file("bridge_noise_1e_16.toml");
   const auto run = shell(command + " limit " + file + " --certificate " + argument("cert"));
-  EXPECT_THAT(run.output, HasSubstr("It carries 2.2602 times the reference load, but not 2.2603 "
-                                    "times."));
+  EXPECT_THAT(run.output, HasSubstr("It carries 2.2602 times the reference load, but no more "
+                                    "than 2.2603 times."));
   const auto verified = shell(command + " verify " + argument("cert") + " --problem " + file);
   EXPECT_EQ(verified.exit_code, 0) << verified.output;
   EXPECT_THAT(verified.output, HasSubstr("for alpha = 0"));
@@ -146,7 +147,7 @@ TEST_F(LimitCommand, SaysThatNoFactorIsCarriedInAllCases) {
 // The interval is not printed if it contains zero.
 TEST_F(LimitCommand, OmitsTheIntervalIfZeroIsCarried) {
   const auto run = shell(command + " limit " + example("paper/limit-3x3.toml") + " --alpha 40");
-  EXPECT_THAT(run.output, Not(HasSubstr("carried only")));
+  EXPECT_THAT(run.output, Not(HasSubstr("not at zero")));
 }
 
 TEST_F(LimitCommand, WritesACertificateByEveryMethod) {

@@ -80,7 +80,8 @@ LossSearch::LossSearch(engine::Analysis& analysis, const verify::Structure& trus
   for (const int member : parameters.kept) eligible_ -= IndexSet::single(member);
 }
 
-// The worst load known after a loss.
+// The worst load known after a loss. An answer without a proof that a load has no factor would end
+// the search, and is none.
 LossSearch::Known LossSearch::after(const IndexSet& lost) {
   const Eigen::VectorXd start = worst_.zeta / model_.force_unit;
   auto found = remaining_.solve(lost, start);
@@ -96,6 +97,9 @@ LossSearch::Known LossSearch::after(const IndexSet& lost) {
     known.zeta = found.overpowering_load * model_.force_unit;
     if (found.overpowering_motion.size() > 0)
       known.collapse.motion = problems::motion_in_units(model_, found.overpowering_motion);
+    const auto zeta = alpha_ == 0 ? Eigen::VectorXd() : known.zeta;
+    if (!proof_.shows_no_factor(lost, zeta, known.collapse.motion))
+      known = {lost, LoadStatus::undetermined, {}, {}};
   }
   return known;
 }

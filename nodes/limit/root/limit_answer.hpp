@@ -34,11 +34,16 @@ struct FactorBracket {
   [[nodiscard]] bool proved(double gap) const {
     return lower_proved && upper_proved && upper - lower <= gap;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& lower& upper& lower_proved& upper_proved;
+  }
 };
 
-/// Bounds of minus the number.
+/// Bounds of minus the number. Minus zero is zero.
 inline FactorBracket negative(const FactorBracket& bracket) {
-  return {-bracket.upper, -bracket.lower, bracket.upper_proved, bracket.lower_proved};
+  return {0.0 - bracket.upper, 0.0 - bracket.lower, bracket.upper_proved, bracket.lower_proved};
 }
 
 /// Proved bounds of the factors that carry the nominal dead load.
@@ -84,6 +89,7 @@ struct LimitZeroOne {
 
 /// Result on the worst case.
 struct LimitWorstCase {
+  /// closed: the bounds meet, those of the simplex method where they are not proved.
   RootStatus status = RootStatus::failed;
   LimitEnds ends;
   bool proved = false;  ///< true if both bounds are proved and close to each other

@@ -33,7 +33,8 @@ class RootSearch {
   /// True if the result of the last set_up() was `collapses`, which the other functions require.
   [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
 
-  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them.
+  /// Uses units not far below the uncertain loads, if the simplex method succeeds with them. After a
+  /// stop is_set_up() may be false.
   /// @param alpha in the unit of force
   void choose_units(double alpha);
 

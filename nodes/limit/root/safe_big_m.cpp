@@ -13,6 +13,7 @@ std::optional<Eigen::VectorXd> safe_big_m(engine::Analysis& analysis,
                          search.set_up(balanced_model(problem, 0)) == LoadStatus::collapses;
   if (!collapses) return std::nullopt;
   search.choose_units(alpha);
+  if (!search.is_set_up()) return std::nullopt;
   const auto root = search.solve_balanced(alpha);
   if (!root.worst) return std::nullopt;
   const auto& model = search.model();

@@ -2,6 +2,7 @@
 #include "nodes/limit/search/nominal_proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "nodes/limit/root/fixed_shares.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
+#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit {
@@ -22,13 +24,30 @@ struct WithBasis {
   linear::Basis basis;
 };
 
-FactorBracket proved_part(const LimitEnds& ends) {
+/// The best proved bounds of an end of the carried factors by all models so far.
+struct Known {
   FactorBracket bracket;
-  if (ends.lower_proved) bracket.lower = ends.lower;
-  if (ends.upper_proved) bracket.upper = ends.upper;
-  bracket.lower_proved = ends.lower_proved;
-  bracket.upper_proved = ends.upper_proved;
-  return bracket;
+  /// Width of the narrowest bracket by one model, and its evidence; infinity: there is none.
+  double width = linear::infinity;
+  verify::LimitCertificate certificate;
+
+  void add(ProvedEnds&& found);
+};
+
+// A later model may prove less than an earlier one.
+void Known::add(ProvedEnds&& found) {
+  const auto& ends = found.ends;
+  if (ends.lower_proved && !(bracket.lower >= ends.lower)) {
+    bracket.lower = ends.lower;
+    bracket.lower_proved = true;
+  }
+  if (ends.upper_proved && !(bracket.upper <= ends.upper)) {
+    bracket.upper = ends.upper;
+    bracket.upper_proved = true;
+  }
+  if (!ends.lower_proved || !ends.upper_proved || ends.upper - ends.lower >= width) return;
+  width = ends.upper - ends.lower;
+  certificate = std::move(found.certificate);
 }
 
 // Without a dead load factor zero is carried without any force, exactly: no margin is needed.
@@ -51,8 +70,9 @@ void prove_zero(const verify::Structure& truss, ProvedEnds& proved) {
 }
 
 // Both bounds of the largest factor of `problem`, which may have the opposite reference load.
+// @param again as of proved_ends
 ProvedEnds proved_largest(const verify::Structure& truss, const problems::LimitProblem& problem,
-                          const problems::LimitModel& model, const WithBasis& found) {
+                          const problems::LimitModel& model, const WithBasis& found, bool again) {
   splitting::SafeStates states(model);
   states.start_from(found.basis);
   const auto proof = proof_of_fixed_shares(states, model, 0, {}, first_room, false);
@@ -60,7 +80,7 @@ ProvedEnds proved_largest(const verify::Structure& truss, const problems::LimitP
   node.signs.resize(model.uncertain.size());
   if (proof) node = closed_node(*proof, {});
   const Worst nominal{Eigen::VectorXd::Zero(model.uncertain_count()), found.collapse};
-  auto proved = proved_ends({truss, problem, model, 0, nominal, {}, {std::move(node)}}, true);
+  auto proved = proved_ends({truss, problem, model, 0, nominal, {}, {std::move(node)}}, again);
   prove_zero(truss, proved);
   return proved;
 }
@@ -71,59 +91,62 @@ problems::LimitModel mirrored(problems::LimitModel model) {
   return model;
 }
 
-std::pair<LimitEnds, LimitEnds> prove_both(RootSearch& search, const verify::Structure& truss,
-                                           const WithBasis& largest,
-                                           const std::optional<WithBasis>& opposite,
-                                           std::vector<verify::LimitStatement>& statements) {
-  const auto add = [&](verify::LimitClaim claim, ProvedEnds& proved) {
-    const auto& ends = proved.ends;
-    const bool whole = ends.lower_proved && ends.upper_proved;
-    if (whole && (claim == verify::LimitClaim::largest || !statements.empty()))
-      statements.push_back({{}, claim, std::move(proved.certificate)});
-  };
-  statements.clear();
-  auto above = proved_largest(truss, search.problem(), search.model(), largest);
-  add(verify::LimitClaim::largest, above);
-  ProvedEnds below;
-  if (opposite) {
-    auto problem = search.problem();
-    problem.reference = -problem.reference;
-    below = proved_largest(verify::with_reversed_reference(truss), problem,
-                           mirrored(search.model()), *opposite);
-    add(verify::LimitClaim::minimum, below);
-  }
-  return {above.ends, below.ends};
-}
+/// Both ends: the largest factor, and minus the least one, with the opposite reference load. Filled
+/// on rank 0.
+struct BothEnds {
+  Known largest;
+  Known opposite;
+};
 
-NominalProof proof_in_model(RootSearch& search, const verify::Structure& truss) {
+NominalProof proof_in_model(RootSearch& search, const verify::Structure& truss, BothEnds& known) {
   auto& load_factor = search.load_factor();
   load_factor.restart();
   const WithBasis largest{search.nominal(), load_factor.basis()};
   std::optional<WithBasis> opposite;
   if (auto collapse = load_factor.opposite_collapse(search.model().dead))
     opposite = WithBasis{*std::move(collapse), load_factor.basis()};
+  const bool again = !search.ended();
   NominalProof proof;
   const auto [above, below] = engine::from_first_rank(search.analysis().transport(), [&] {
-    return prove_both(search, truss, largest, opposite, proof.statements);
+    known.largest.add(proved_largest(truss, search.problem(), search.model(), largest, again));
+    if (opposite) {
+      auto problem = search.problem();
+      problem.reference = -problem.reference;
+      known.opposite.add(proved_largest(verify::with_reversed_reference(truss), problem,
+                                        mirrored(search.model()), *opposite, again));
+    }
+    return std::pair(known.largest.bracket, known.opposite.bracket);
   });
-  proof.factors.largest = proved_part(above);
-  proof.factors.minimum = negative(proved_part(below));
+  proof.factors.largest = above;
+  proof.factors.minimum = negative(below);
   proof.factors.gap = answered_gap * search.model().factor_unit;
   const auto least = opposite ? std::optional(-opposite->collapse.factor) : std::nullopt;
   proof.collapse = search.in_units(search.nominal(), least);
   return proof;
 }
 
+std::vector<verify::LimitStatement> statements(BothEnds known) {
+  std::vector<verify::LimitStatement> all;
+  for (auto& [claim, end] : {std::pair(verify::LimitClaim::largest, &known.largest),
+                             std::pair(verify::LimitClaim::minimum, &known.opposite)}) {
+    if (!std::isfinite(end->width)) break;
+    all.push_back({{}, claim, std::move(end->certificate)});
+  }
+  return all;
+}
+
 }  // namespace
 
 NominalProof prove_nominal(RootSearch& search, const verify::Structure& truss) {
   const auto model = search.model();
-  auto proof = proof_in_model(search, truss);
+  BothEnds known;
+  auto proof = proof_in_model(search, truss, known);
   while (!proof.factors.proved() && !search.ended()) {
     auto more = with_more_yield(search.problem(), search.model());
     if (!more || search.set_up(*std::move(more)) != LoadStatus::collapses) break;
-    proof = proof_in_model(search, truss);
+    proof = proof_in_model(search, truss, known);
   }
+  proof.statements = statements(std::move(known));
   if (search.model().max_yield != model.max_yield) search.set_up(model);
   return proof;
 }

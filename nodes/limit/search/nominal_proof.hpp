@@ -20,6 +20,7 @@ struct NominalProof {
 };
 
 /// Every rank makes the same call. @pre search.is_set_up(), and is again
+/// unless it was stopped
 NominalProof prove_nominal(RootSearch& search, const verify::Structure& truss);
 
 }  // namespace kusabi::limit

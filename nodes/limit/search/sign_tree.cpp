@@ -36,12 +36,13 @@ ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts
 }
 
 SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-                   bool keep_evidence, support::Stop stop)
+                   bool keep_evidence, support::Stop stop, NoFactorProof proof)
     : model_(model),
       alpha_(alpha),
       root_(root),
       keep_evidence_(keep_evidence),
       stop_(std::move(stop)),
+      proof_(std::move(proof)),
       load_factor_(model, stop_),
       pricing_(model, stop_),
       master_(model, alpha, stop_) {
@@ -98,6 +99,7 @@ double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& 
   const auto found =
       descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, node.point.motion, plus));
   if (found.status == LoadStatus::not_carried) {
+    if (proof_ && !proof_(found.overpowering_load, found.overpowering_motion)) return known;
     out.solution({-linear::infinity,
                   numbers(found.overpowering_load),
                   numbers(found.overpowering_motion),

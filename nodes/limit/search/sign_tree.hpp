@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,6 +38,10 @@ struct ClosedNode {
 
 ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts);
 
+/// True if the motion proves that a load has no factor. @param zeta m, scaled @param motion n^d, scaled
+using NoFactorProof =
+    std::function<bool(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion)>;
+
 /// Problem type of engine::search, for Goal::best. It passes no bounds of nodes to the engine: each
 /// is opened, so that each has a proof.
 class SignTree {
@@ -54,7 +59,7 @@ class SignTree {
   struct Solution {
     double factor = 0;  ///< minus infinity: the load has no factor, and
     std::vector<double> zeta;
-    std::vector<double> motion;  ///< this motion proves it, or is empty
+    std::vector<double> motion;  ///< this motion shows it
     std::vector<double> forces;
 
     template <class Archive>
@@ -80,8 +85,9 @@ class SignTree {
   /// @param root with status `open`. All arguments must outlive the tree
   /// @param keep_evidence whether closed nodes are added to the tally
   /// @param stop ends the opening of a node, which stays open
+  /// @param proof of a load without factor, which ends the search; empty: none is required
   SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-           bool keep_evidence, support::Stop stop = {});
+           bool keep_evidence, support::Stop stop = {}, NoFactorProof proof = {});
 
   Node root() const;
   void expand(Node&& node, engine::Expansion<SignTree>& out);
@@ -104,6 +110,7 @@ class SignTree {
   const RootResult& root_;
   bool keep_evidence_;
   support::Stop stop_;
+  NoFactorProof proof_;
   LoadFactor load_factor_;
   StaticPricing pricing_;
   Master master_;

@@ -17,9 +17,9 @@
 
 namespace kusabi::limit {
 
-SignSearch search_signs(RootSearch& search, RootResult& root, double alpha) {
+SignSearch search_signs(RootSearch& search, RootResult& root, double alpha, NoFactorProof proof) {
   auto& analysis = search.analysis();
-  SignTree tree(search.model(), alpha, root, true, analysis.budget().stop());
+  SignTree tree(search.model(), alpha, root, true, analysis.budget().stop(), std::move(proof));
   engine::Options options;
   options.goal = engine::Goal::best;
   const auto outcome = analysis.search(
@@ -86,7 +86,9 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     return ends;
   });
   const auto& ends = worst.ends;
-  const bool near = ends.upper - ends.lower <= answered_gap * unit;
+  const double upper = ends.upper_proved ? ends.upper : root.worst->collapse.factor * unit;
+  const double lower = ends.lower_proved ? ends.lower : root.lower * unit;
+  const bool near = upper - lower <= answered_gap * unit;
   worst.status = near ? RootStatus::closed : RootStatus::open;
   worst.proved = near && ends.lower_proved && ends.upper_proved;
 }
@@ -109,7 +111,11 @@ bool WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::
 void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   std::vector<ClosedNode> nodes;
   if (root.status == RootStatus::open || root.status == RootStatus::unbounded) {
-    auto tree = search_signs(search_, root, search_.scaled(alpha()));
+    const auto has_no_factor = [this](const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion) {
+      return evidence_of_no_factor(truss_, search_.problem(), model(), alpha(), zeta, motion)
+          .has_value();
+    };
+    auto tree = search_signs(search_, root, search_.scaled(alpha()), has_no_factor);
     worst.search = tree.status;
     worst.nodes = tree.nodes;
     worst.tree_programs += tree.programs;

@@ -28,7 +28,8 @@ struct SignSearch {
 /// Searches the tree of signs below an open root.
 /// @param alpha scaled
 /// @param root receives loads with smaller factors, on every rank
-SignSearch search_signs(RootSearch& search, RootResult& root, double alpha);
+/// @param proof of a load without factor
+SignSearch search_signs(RootSearch& search, RootResult& root, double alpha, NoFactorProof proof);
 
 /// One worst case. Every rank makes the same calls.
 class WorstCaseSearch {

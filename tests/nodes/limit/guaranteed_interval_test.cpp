@@ -2,6 +2,7 @@
 #include "nodes/limit/guaranteed_interval.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,13 @@ TEST(GuaranteedInterval, NegatesTheFactorsOfTheReversedLoad) {
   EXPECT_FALSE(interval.minimum.upper_proved);
   EXPECT_TRUE(interval.has_factors());
   EXPECT_FALSE(interval.decided());  // from 0.6 on is not proved
+}
+
+TEST(GuaranteedInterval, HasNoMinusZero) {
+  LimitAnswer answer;
+  answer.worst = answer.reversed = worst_case(0, 0, true, true);
+  EXPECT_FALSE(std::signbit(guaranteed_interval(answer).minimum.lower));
+  EXPECT_FALSE(std::signbit(guaranteed_interval(answer).minimum.upper));
 }
 
 TEST(GuaranteedInterval, IsProvedEmptyByProvedBoundsOnly) {

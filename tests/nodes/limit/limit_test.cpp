@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -139,6 +140,26 @@ TEST(GridFamily, HasTheFactorsOfTheReference) {
       if (bays < 7) expect_proved(solved, alpha);
     }
   }
+}
+
+// A component is a rounding error of a direction if it is small relative to those at its node.
+TEST(LimitModels, KeepASmallLoadBesideAFarLargerOneAtAnotherNode) {
+  auto problem = example("paper/limit-3x3.toml");
+  const auto& number = problem.degrees.number;
+  std::vector<int> free_nodes;
+  for (int node = 0; node < number.cols(); ++node) {
+    if ((number.col(node).array() >= 0).all()) free_nodes.push_back(node);
+  }
+  ASSERT_GE(free_nodes.size(), 2U);
+  const int large = number(0, free_nodes[0]);
+  const int error = number(1, free_nodes[0]);
+  const int small = number(0, free_nodes[1]);
+  problem.dead.setZero();
+  problem.dead(large) = 1e15;
+  problem.dead(error) = problem.dead(small) = 1;
+  const auto model = limit_model(problem);
+  EXPECT_EQ(model.dead(error), 0);
+  EXPECT_GT(model.dead(small), 0);
 }
 
 TEST(CollapseModes, AreThoseOfThePaper) {

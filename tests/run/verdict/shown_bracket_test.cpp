@@ -57,6 +57,7 @@ TEST(ShownBracket, OfEqualBoundsIsEqual) {
 }
 
 TEST(ShownBracket, KeepsZero) {
+  EXPECT_EQ(rounded_up(-0.0), "0");
   EXPECT_EQ(in_sentence(0, 1e-8).lower, "0");
   EXPECT_EQ(rounded_down(0), "0");
   EXPECT_EQ(rounded_down(0.5), "0.5");

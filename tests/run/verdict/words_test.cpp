@@ -251,6 +251,9 @@ TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
   steps.minimum = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("no load factor is carried under all admissible loads."));
+  steps.worst.upper = Bound{1.50000001, Standing::proved};
+  EXPECT_THAT(headline({.answer = steps}),
+              HasSubstr("the worst case is between 1.5 and 1.5000001, proved; no load factor"));
   steps.minimum = {};
   EXPECT_THAT(headline({.answer = steps}), HasSubstr("is open"));
 }
@@ -285,7 +288,13 @@ TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
   LoadInterval nominal;
   nominal.maximum.lower = nominal.maximum.upper = Bound{-0.5, Standing::computed};
   EXPECT_EQ(headline({.answer = nominal}),
-            "It carries its dead load only at load factors up to -0.5 (computed, not proved).");
+            "The largest factor of the reference load that it carries is at least -0.5 (computed, "
+            "not proved).");
+  nominal.minimum = {Bound{-3.000001, Standing::proved}, Bound{-3, Standing::proved}};
+  EXPECT_EQ(
+      headline({.answer = nominal}),
+      "It carries its dead load at load factors from -3 to -0.5, and at none below -3.0001 or "
+      "above -0.5 (computed, not proved).");
   const MemberLoss loss{.factor = {{}, Bound{-0.5, Standing::proved}}, .lost = {"a-b"}};
   EXPECT_EQ(headline({.answer = loss}),
             "After the loss of a-b it carries its dead load only at load factors up to -0.5.");
@@ -312,8 +321,8 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
             "It is numerically undecided whether any load factor is carried in all of 2 load "
             "cases.");
   EXPECT_EQ(sentence(between(-1.1, -1), between(2.99999999, 3.00000001)),
-            "It carries 2.9999 times the reference load in each of 2 load cases, but not 3.0001 "
-            "times.");
+            "It carries 2.9999 times the reference load in each of 2 load cases, but no "
+            "more than 3.0001 times.");
   EXPECT_EQ(sentence({}, both(3)),
             "No load factor was found at which it carries its dead load in each of 2 load cases.");
 }

@@ -58,6 +58,23 @@ TEST(CheckedInfeasibility, IsACombinationThatExceedsAllBounds) {
   EXPECT_FALSE(CheckedInfeasibility::of(program, {1}));
 }
 
+// Both programs are feasible, at x = 1e8 and at x = 2e12, z = 2 - x.
+TEST(CheckedInfeasibility, DropsNoNumberThatAFeasiblePointMakesLarge) {
+  LinearProgram free;  // -x <= 0 and 1e-8 x >= 1: the first multiplier belongs to no bound
+  const int x = free.add_column({.lower = -infinity});
+  free.add_row({.upper = 0}, {{{x, -1}}});
+  free.add_row({.lower = 1}, {{{x, 1e-8}}});
+  EXPECT_FALSE(CheckedInfeasibility::of(free, {1e-8, 1}));
+  LinearProgram bounded;  // x + z >= 1 and (1e-12 - 1) x - z >= 0, with the sum 1e-12 x >= 1
+  bounded.add_column({.upper = 1e13});
+  const int z = bounded.add_column({.lower = -infinity});
+  bounded.add_row({.lower = 1}, {{{x, 1}, {z, 1}}});
+  bounded.add_row({.lower = 0}, {{{x, 1e-12 - 1}, {z, -1}}});
+  EXPECT_FALSE(CheckedInfeasibility::of(bounded, {1, 1}));
+  bounded.columns[0].upper = 1e11;
+  EXPECT_TRUE(CheckedInfeasibility::of(bounded, {1, 1}));
+}
+
 TEST(CheckedInfeasibility, NeedsNoMultipliersForBoundsThatContradictEachOther) {
   CheckedSimplex simplex(factory());
   simplex.set_column_bounds(0, 2, 1);
