@@ -6,16 +6,12 @@ returns its words. An answer is a function of the result, None without one, and 
 
 import dataclasses
 import os
-import pathlib
 import re
-import sys
 from collections.abc import Callable
 
-from measure import made
+from measure import BENCH, made
 
-BENCH = pathlib.Path(__file__).resolve().parent.parent
 EXAMPLES = BENCH.parent / "examples"
-sys.path.insert(0, str(BENCH))  # for faces.py and hold.py
 
 
 @dataclasses.dataclass
