@@ -99,19 +99,16 @@ def proved(ends):
     return ends["lower_proved"] and ends["upper_proved"]
 
 
-def bracket(key, truth=None, relative=1e-6):
+def bracket(key, truth, relative=1e-6):
     """A proved bracket that is at most `relative` of its upper end wide.
-    @param truth a number in it, which is then part of the answer"""
+    @param truth a number in it, which is part of the answer"""
     def answer(result, printed):
         ends = result["result"][key]
         low, high = ends["lower"], ends["upper"]
         if not proved(ends) or high - low > relative * abs(high):
             return f"{result['status']}, from {low} to {high}, {'' if proved(ends) else 'not '}proved"
-        said = f"{result['status']}, proved to {relative}"
-        if truth is None:
-            return said
         contains = low - relative * abs(truth) <= truth <= high + relative * abs(truth)
-        return f"{said}, {truth if contains else high}"
+        return f"{result['status']}, proved to {relative}, {truth if contains else high}"
     return answer
 
 
