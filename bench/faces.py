@@ -169,6 +169,7 @@ ROWS = [
     ("wedge-200", wedge("wedge-200", 9, 4), None, (60, None, None, 1e-4), False),
     ("wedge-450", wedge("wedge-450", 14, 4), None, (60, None, None, 1e-4), False),
     ("cube-49", cube("cube-49", 6, 6), None, (None, 1.3061, 0.95, None), False),
+    ("cube-100", cube("cube-100", 9, 9), None, (None, 1.2945, 0.95, None), False),
     ("cube-225", cube("cube-225", 14, 7), 15, (15, 1.3005, None, None), False),
     ("cube-225", cube("cube-225", 14, 7), None, (None, 1.3005, 0.95, None), False),
     ("cube-400", cube("cube-400", 19, 9), 180, (180, 1.302, 0.85, None), True),

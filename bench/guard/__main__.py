@@ -9,9 +9,10 @@
 
 Fails, exit code 1, if the answer of a row is wrong, if a count of nodes, programs, iterations or other work
 differs from that of the table, or if instructions, allocated bytes, the peak of the heap or the size of a
-file exceed it by more than 5 %. A commit that means to change a row renews it and says why. CPU seconds are
-reported and not judged. With another compiler, C library, valgrind or processor than those of the table,
-instructions and allocated bytes are not judged either.
+file differ from it by more than 5 %, also downwards, or appear or disappear. A commit that means to change a
+row, or gains, renews it and says why. CPU seconds are reported and not judged. With another compiler, C
+library, valgrind or processor than those of the table, instructions and bytes of the heap are not judged
+either. --against fails only if an answer of the first command is wrong.
 
 Requires Python 3.11, valgrind and glibc. Exit code 2: a row could not be measured.
 """
@@ -124,8 +125,7 @@ def print_list(known):
 def renew(rows, found, known, facts, reason):
     wrong = [row for row in rows if found[row.name].answer != row.right_answer]
     for row in wrong:
-        print(f"{row.name}: not renewed, since its answer is \"{found[row.name].answer}\", "
-              f"expected \"{row.right_answer}\"")
+        print(f"not renewed: {table.wrong_answer(row, found[row.name])}")
     for row in rows:
         if row not in wrong:
             known.renew(row.name, found[row.name], reason)
@@ -139,23 +139,31 @@ def renew(rows, found, known, facts, reason):
 def judge(rows, found, known, facts):
     """Prints all failures. @return the exit code"""
     other = known.other_facts(facts)
-    if other:
-        print(f"\nInstructions and allocated bytes are not judged: {other}.")
-
-    def all_lines(compare):
-        return [line for row in rows for line in compare(row, known, found[row.name], not other)]
-
-    failures, gains = all_lines(table.failures), all_lines(table.improvements)
-    if gains:
-        print("\nBetter than the table; renewed rows keep the gain:", *gains, sep="\n  ")
+    failures = [line for row in rows for line in table.failures(row, known, found[row.name], not other)]
+    unjudged = f" Instructions and bytes of the heap were not judged: {other}." if other else ""
     if not failures:
-        print(f"\nAll {len(rows)} rows are as in the table.")
+        what = "Answers, counts and files of all" if other else "All"
+        print(f"\n{what} {len(rows)} rows are as in the table.{unjudged}")
         return 0
     names = " ".join(dict.fromkeys(line.split(":", 1)[0] for line in failures))
-    print("\nFAILED:", *failures, sep="\n  ")
+    print(f"\nFAILED:{unjudged}", *failures, sep="\n  ")
     print("If the change is meant, renew the rows in the commit that makes it:\n"
           f"  python3 bench/guard --renew {names} --reason \"...\"")
     return FAILED
+
+
+def compare(asked, kusabi, against, jobs, known):
+    """Prints the ratios of two commands in the rows that both can run. @return the exit code"""
+    rows = [row for row in asked if row.available(kusabi) and row.available(against)]
+    if len(rows) < len(asked):
+        print("The row of the engine's example is left out, since it is not built beside both commands.")
+    found, other = (measured(rows, command, jobs, known) for command in (kusabi, against))
+    print_table(rows, found, {name: figures.amounts["instructions"] for name, figures in other.items()})
+    print_ratios(rows, found, other)
+    wrong = [row for row in rows if found[row.name].answer != row.right_answer]
+    if wrong:
+        print("\nFAILED:", *(table.wrong_answer(row, found[row.name]) for row in wrong), sep="\n  ")
+    return FAILED if wrong else 0
 
 
 def main():
@@ -163,18 +171,17 @@ def main():
     if asked.list:
         print_list(known)
         return 0
+    measure.require_valgrind()
     kusabi = str(asked.kusabi.resolve())
-    rows, facts = [row for row in chosen(asked) if row.available(kusabi)], measure.facts(kusabi)
-    if len(rows) < len(chosen(asked)):
-        print(f"The row of the engine's example is left out, since {engine_program(kusabi)} is not built.")
+    if asked.against:
+        return compare(chosen(asked), kusabi, str(asked.against.resolve()), asked.jobs, known)
+    rows, facts = chosen(asked), measure.facts(kusabi)
+    if not all(row.available(kusabi) for row in rows):
+        raise measure.GuardError(f"{engine_program(kusabi)} is not built; configure with KUSABI_TESTS=ON, or "
+                                 "name other rows with --row")
     if asked.renew and known.other_facts(facts) and known.rows.keys() - {row.name for row in rows}:
         raise measure.GuardError(f"{known.other_facts(facts)}: renew all")
     found = measured(rows, kusabi, asked.jobs, known)
-    if asked.against:
-        other = measured(rows, str(asked.against.resolve()), asked.jobs, known)
-        print_table(rows, found, {name: figures.amounts["instructions"] for name, figures in other.items()})
-        print_ratios(rows, found, other)
-        return 0
     print_table(rows, found, {row.name: known.amount(row.name, "instructions") for row in rows})
     code = renew(rows, found, known, facts, asked.reason) if asked.renew else judge(rows, found, known, facts)
     print(f"{time.monotonic() - begin:.0f} s")

@@ -6,16 +6,12 @@ returns its words. An answer is a function of the result, None without one, and 
 
 import dataclasses
 import os
-import pathlib
 import re
-import sys
 from collections.abc import Callable
 
-from measure import made
+from measure import BENCH, made
 
-BENCH = pathlib.Path(__file__).resolve().parent.parent
 EXAMPLES = BENCH.parent / "examples"
-sys.path.insert(0, str(BENCH))  # for faces.py and hold.py
 
 
 @dataclasses.dataclass
@@ -103,19 +99,16 @@ def proved(ends):
     return ends["lower_proved"] and ends["upper_proved"]
 
 
-def bracket(key, truth=None, relative=1e-6):
+def bracket(key, truth, relative=1e-6):
     """A proved bracket that is at most `relative` of its upper end wide.
-    @param truth a number in it, which is then part of the answer"""
+    @param truth a number in it, which is part of the answer"""
     def answer(result, printed):
         ends = result["result"][key]
         low, high = ends["lower"], ends["upper"]
         if not proved(ends) or high - low > relative * abs(high):
             return f"{result['status']}, from {low} to {high}, {'' if proved(ends) else 'not '}proved"
-        said = f"{result['status']}, proved to {relative}"
-        if truth is None:
-            return said
         contains = low - relative * abs(truth) <= truth <= high + relative * abs(truth)
-        return f"{said}, {truth if contains else high}"
+        return f"{result['status']}, proved to {relative}, {truth if contains else high}"
     return answer
 
 

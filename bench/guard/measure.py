@@ -8,17 +8,22 @@ double has 64 bits only, so everything else is taken from the other run.
 
 import json
 import os
+import pathlib
 import platform
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 
 from table import Measurement
 
-#: Without variables of the caller. OpenBLAS chooses its kernels by the processor; those of Haswell run on all
-#: processors with AVX2, and are the ones that it chooses under valgrind.
-ENVIRONMENT = {"PATH": os.defpath, "LC_ALL": "C.UTF-8", "KUSABI_CONFIG": "", "OPENBLAS_CORETYPE": "Haswell"}
+BENCH = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(BENCH))  # for openblas.py, and for faces.py and hold.py of the rows
+import openblas  # noqa: E402
+
+#: Without variables of the caller.
+ENVIRONMENT = {"PATH": os.defpath, "LC_ALL": "C.UTF-8", "KUSABI_CONFIG": "", **openblas.SETTINGS}
 HEAP = {"LD_PRELOAD": "libmemusage.so"}
 #: Valgrind itself chooses most addresses, so that `setarch -R` changes nothing.
 COUNTING = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"]
@@ -26,14 +31,6 @@ COUNTING = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out
 
 class GuardError(Exception):
     """A call that could not be measured, in one sentence."""
-
-
-def _has_avx2():
-    try:
-        with open("/proc/cpuinfo") as file:
-            return " avx2 " in file.read()
-    except OSError:
-        return False
 
 
 def made(words):
@@ -44,14 +41,17 @@ def made(words):
     return done.stdout
 
 
+def require_valgrind():
+    if shutil.which("valgrind", path=ENVIRONMENT["PATH"]) is None:
+        raise GuardError("valgrind is missing: apt-get install valgrind")
+
+
 def facts(kusabi):
     """Properties of the build and the machine on which instructions and allocated bytes depend."""
-    if shutil.which("valgrind") is None:
-        raise GuardError("valgrind is missing: apt-get install valgrind")
     compiler = re.search(r"^compiler +(.*)$", made([kusabi, "--version"]), re.MULTILINE)
     return {"compiler": compiler[1] if compiler else "unknown", "C library": " ".join(platform.libc_ver()),
             "valgrind": made(["valgrind", "--version"]).strip(),
-            "processor": platform.machine() + (" with AVX2" if _has_avx2() else "")}
+            "processor": platform.machine() + (" with AVX2" if openblas.has_avx2() else "")}
 
 
 def _run(words, folder, environment):
@@ -75,9 +75,13 @@ def _heap(said):
     return {"allocated": int(found[1]), "heap_peak": int(found[2])}
 
 
-def _instructions(words, folder):
+def _instructions(words, folder, expected):
+    """@param expected exit code of the call without valgrind"""
     log = os.path.join(folder, "valgrind.log")
-    _run([*COUNTING, f"--log-file={log}", *words], folder, ENVIRONMENT)
+    code, _, said, _ = _run([*COUNTING, f"--log-file={log}", *words], folder, ENVIRONMENT)
+    if code != expected:
+        raise GuardError(f"{' '.join(words)}: exit code {code} under valgrind, {expected} without it: "
+                         f"{said.strip()}")
     with open(log) as file:
         found = re.search(r"I +refs: +([\d,]+)", file.read())
     if not found:
@@ -128,5 +132,5 @@ def measure(row, kusabi):
                 result = json.load(file)
             counts |= work(result)
         answer = row.answer(result, printed) if code in (0, 3) else said.partition("\n")[0]
-        amounts = {"instructions": _instructions(words, folder), **amounts}
+        amounts = {"instructions": _instructions(words, folder, code), **amounts}
     return Measurement(f"exit code {code}, {answer}", amounts, counts, usage.ru_utime + usage.ru_stime)
