@@ -4,7 +4,8 @@
     python3 bench/frozen --against ../before/build/kusabi   # with another build, number by number
     python3 bench/frozen --expect numbers                   # a change that means to change numbers only
 
-Exit code 0: no difference but of the expected kinds.
+Exit code 0: every call ends by itself, and no difference but of the expected kinds. 1: otherwise, or if the
+table has a row without a call. 2: wrong options.
 """
 
 import argparse
@@ -87,7 +88,7 @@ def _summaries(call, found):
 
 
 def examine(call, arguments, rows):
-    """(call, seconds, differences, failures, summaries).
+    """(call, seconds, differences, steps that crashed or did not end, summaries).
     @param rows those of the table, if it is compared with one"""
     begin = time.time()
     found = outputs(arguments.kusabi, call, arguments.seconds)
@@ -150,9 +151,13 @@ def main():
     arguments = _arguments()
     every = all_calls()
     calls = [call for call in every if arguments.only in call.name and (call.quick or not arguments.quick)]
+    if not calls:
+        print(f"no call has \"{arguments.only}\" in its name", file=sys.stderr)
+        return 2
     of_table = arguments.renew or _is_table(arguments.against)
     rows = table.load(arguments.against) if of_table and arguments.against.exists() else {}
-    counts, unexpected, begin = collections.Counter(), 0, time.time()
+    without_call = [] if arguments.renew else sorted(rows.keys() - {call.name for call in every})
+    counts, unexpected, unended, begin = collections.Counter(), 0, 0, time.time()
     with ProcessPoolExecutor(arguments.jobs) as pool:
         running = [pool.submit(examine, call, arguments,
                                rows.get(call.name, {}) if of_table else None) for call in calls]
@@ -167,18 +172,23 @@ def main():
                 print(f"       {difference.kind}: {output}: {difference.line}", flush=True)
             counts.update(kinds)
             unexpected += any(kind not in arguments.expect for kind in kinds)
-            if arguments.renew:
+            unended += bool(failed)
+            if arguments.renew and not failed:
                 rows[call.name] = summaries
     print(f"{len(calls)} calls in {time.time() - begin:.0f} s; with differences in "
           + ", ".join(f"{kind}: {counts[kind]}" for kind in KINDS))
+    for name in without_call:
+        print(f"a row of the table has no call: {name}")
+    if unended:
+        print(f"{unended} calls did not end by themselves" + ("; not renewed" if arguments.renew else ""))
     if arguments.renew:
         table.save(arguments.against, rows, [call.name for call in every])
         print(f"wrote {arguments.against}")
-        return 0
+        return 1 if unended else 0
     if unexpected:
         print(f"{unexpected} calls have differences that are not expected"
               + (f" (only {', '.join(sorted(arguments.expect))})" if arguments.expect else ""))
-    return 1 if unexpected else 0
+    return 1 if unexpected or unended or without_call else 0
 
 
 if __name__ == "__main__":

@@ -5,14 +5,19 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import sys
 import tempfile
 
 SOURCES = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(SOURCES / "bench"))
+import openblas  # noqa: E402
 
 #: Settings without which outputs may differ: no defaults from files of the user, one thread, no terminal.
-ENVIRONMENT = {"KUSABI_CONFIG": "", "OPENBLAS_NUM_THREADS": "1", "NO_COLOR": "1", "TERM": "dumb",
-               "LC_ALL": "C.UTF-8"}
+ENVIRONMENT = {"KUSABI_CONFIG": "", "NO_COLOR": "1", "TERM": "dumb", "LC_ALL": "C.UTF-8", **openblas.SETTINGS}
+#: Folders of the sources with the problem files of the calls.
+INPUTS = ("examples", "tests/cases", "tests/meshes", "tests/programs")
 
 #: Left out of the outputs, each for a reason: keys of result files at the top.
 LEFT_OUT_KEYS = {
@@ -50,7 +55,7 @@ class Step:
 
 @dataclasses.dataclass(frozen=True)
 class Call:
-    """Steps that follow each other, in a folder in which `examples` and `tests` are those of the sources.
+    """Steps that follow each other, in a folder with copies of INPUTS.
     @param files pairs of a name and the text of a file that exists before
     @param stopped the search ends early, at a node that depends on the speed of the machine
     @param sensitive numbers depend on rounding errors by more than a table tolerates"""
@@ -103,15 +108,16 @@ def _start(binary, words, folder, seconds):
 
 
 def outputs(binary, call, seconds):
-    """{name: text} of all that the call writes. `all.exits` has the exit code of each step, or its signal."""
+    """{name: text} of all that the call writes, among them inputs that it overwrites. `all.exits` has the
+    exit code of each step, or its signal."""
     found, exits = {}, {}
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
-        for name in ("examples", "tests"):
-            (folder / name).symlink_to(SOURCES / name)
+        for name in INPUTS:
+            shutil.copytree(SOURCES / name, folder / name)
         for name, text in call.files:
             (folder / name).write_text(text)
-        before = {name for name, _ in call.files}
+        before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
         for step in call.steps:
             if step.needs and not (folder / step.needs).exists():
                 continue
@@ -120,10 +126,11 @@ def outputs(binary, call, seconds):
                 if content:
                     key = f"{step.label}.{kind}"
                     found[key] = content.decode(errors="replace").replace(place, "FOLDER")
-        for path in sorted(folder.rglob("*")):
-            name = str(path.relative_to(folder))
-            if path.is_file() and not path.is_symlink() and name not in before:
-                found[name] = path.read_bytes().decode(errors="backslashreplace").replace(place, "FOLDER")
+        for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+            content = path.read_bytes()
+            if before.get(path) != content:
+                name = str(path.relative_to(folder))
+                found[name] = content.decode(errors="backslashreplace").replace(place, "FOLDER")
     found["all.exits"] = json.dumps(exits, indent=1)
     normalised = {name: _normalised(name, text) for name, text in found.items()}
     return {name: text for name, text in normalised.items() if text}

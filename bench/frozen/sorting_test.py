@@ -14,6 +14,7 @@ import tempfile
 import unittest
 import zlib
 
+from calls import all_calls, cases_without_call
 from comparing import NUMBERS, STRUCTURE, WORDS, compare, compare_summaries, summary
 from reading import read
 
@@ -128,6 +129,11 @@ class Sorting(unittest.TestCase):
             self.assertEqual([difference.kind for difference in differences], [NUMBERS])
 
 
+class Calls(unittest.TestCase):
+    def test_each_problem_file_of_tests_cases_has_a_call(self):
+        self.assertEqual(cases_without_call(all_calls()), [])
+
+
 # A command that changes the outputs of the real one.
 BROKEN = """\
 #!/usr/bin/env python3
@@ -156,6 +162,12 @@ class Broken(unittest.TestCase):
         self.assertEqual(done.stderr, "")
         return done
 
+    def broken(self, change):
+        script = self.folder / "broken"
+        script.write_text(BROKEN.format(kusabi=KUSABI, change=change))
+        script.chmod(0o755)
+        return script
+
     def test_breakages(self):
         table, kept = self.folder / "table.tsv", self.folder / "kept"
         renewed = self.frozen(KUSABI, "--renew", "--against", str(table), "--keep", str(kept))
@@ -167,24 +179,48 @@ class Broken(unittest.TestCase):
                 ("result.write_text(result.read_text().replace('\"gap\":', '\"slack\":'))", STRUCTURE,
                  "result.json", "result.json"),
                 ("result.unlink()", STRUCTURE, "result.json", "result.json"),
+                ("pathlib.Path('tests/cases/tie.toml').write_text('overwritten')", STRUCTURE,
+                 "tests/cases/tie.toml", "tests/cases/tie.toml"),
                 ("code = 1", STRUCTURE, "all.exits", "messages"),
                 ("import os; os.abort()", STRUCTURE, "all.exits", "messages")):
-            script = self.folder / "broken"
-            script.write_text(BROKEN.format(kusabi=KUSABI, change=change))
-            script.chmod(0o755)
+            script = self.broken(change)
             for against in (table, kept, *([KUSABI] if kind == WORDS else [])):
                 with self.subTest(change, against=against):
                     done = self.frozen(script, "--against", str(against))
                     self.assertEqual(done.returncode, 1, done.stdout)
                     self.assertIn(f" {kind}: {row if against == table else output}: ", done.stdout)
                     self.assertEqual("did not end by itself: run: signal 6" in done.stdout, "abort" in change)
-        script.write_text(BROKEN.format(kusabi=KUSABI, change="out = out.replace('13', '14')"))
+        script = self.broken("out = out.replace('13', '14')")
         for expected, code in (("words,structure", 1), ("numbers", 0)):
             done = self.frozen(script, "--against", str(kept), "--expect", expected)
             self.assertEqual(done.returncode, code, done.stdout)
         for against in (table, kept, KUSABI):
             same = self.frozen(KUSABI, "--against", str(against))
             self.assertEqual(same.returncode, 0, same.stdout)
+
+    def test_a_crash_fails_though_both_crash_and_is_not_written(self):
+        crashing = self.broken("import os; os.abort()")
+        table, kept = self.folder / "table.tsv", self.folder / "kept"
+        renewed = self.frozen(crashing, "--renew", "--against", str(table), "--keep", str(kept))
+        self.assertEqual(renewed.returncode, 1, renewed.stdout)
+        self.assertNotIn("mip", table.read_text())
+        same = self.frozen(crashing, "--against", str(kept))
+        self.assertIn("objective_rhs: the same\n", same.stdout)
+        self.assertEqual(same.returncode, 1, same.stdout)
+
+    def test_a_row_of_the_table_without_a_call_fails(self):
+        table = self.folder / "table.tsv"
+        self.frozen(KUSABI, "--renew", "--against", str(table))
+        with table.open("a") as file:
+            file.write("mip of nothing\tprinted\t0\t0\t0\t0.0\n")
+        done = self.frozen(KUSABI, "--against", str(table))
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("a row of the table has no call: mip of nothing\n", done.stdout)
+
+    def test_words_that_no_call_has_are_an_error(self):
+        call = [sys.executable, str(HERE), "--kusabi", KUSABI, "--only", "no such call"]
+        done = subprocess.run(call, capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (2, 'no call has "no such call" in its name\n'))
 
 
 if __name__ == "__main__":
