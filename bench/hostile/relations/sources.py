@@ -106,8 +106,8 @@ def _limit_questions(rng, table, alpha, group_alpha=()):
         asked += [Question("limit"), Question("limit", lose=1)]
     if question_of_loss := next((each for each in asked if each.lose), None):
         supported = tables.supported_axes(table)
-        free = [node for node in table["nodes"] if node not in supported]
-        asked.append(dataclasses.replace(question_of_loss, keep=(rng.choice(free), ), more=()))
+        if free := [node for node in table["nodes"] if node not in supported]:
+            asked.append(dataclasses.replace(question_of_loss, keep=(rng.choice(free), ), more=()))
     return asked
 
 
