@@ -4,9 +4,11 @@ Random ones of the generators in this folder and the folder around it; the examp
 tests/cases. A case is named by its family and number, `wedge 1/12` for seed 1, or by its file. """
 
 import dataclasses
+import itertools
 import pathlib
 import random
 
+import bodies
 import generate
 import generate_bodies
 import girders
@@ -16,6 +18,7 @@ import programs
 import table as tables
 import trusses
 from questions import Question
+from structure import Mechanism
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 #: Ratios of stiffness: larger ones are for the oracle, where an answer may be open.
@@ -66,6 +69,10 @@ class Case:
     family: str
     table: object
     questions: list
+
+    @property
+    def is_generated(self):
+        return self.family != self.name
 
     @property
     def generic(self):
@@ -123,6 +130,18 @@ def _pressed(rng, table):
     }]
 
 
+def _bodies(seed, index, kind):
+    """A case of generate_bodies, the first of several that is no mechanism: those are refused."""
+    for draw in itertools.count():
+        case = generate_bodies.make("/".join(["relations", str(seed), *["again"] * draw]), index, [kind],
+                                    CONTRASTS)
+        try:
+            bodies.compliance(bodies.Bodies(case.text))
+            return case
+        except Mechanism:
+            continue
+
+
 def generated(family, seed, index):
     """Case number `index` of a family, the same on any machine."""
     name = f"{family} {seed}/{index}"
@@ -143,8 +162,10 @@ def generated(family, seed, index):
     if family in MIXED:
         return Case(name, family, *mixed.generated(family, seed, index))
     kind = family.removeprefix("loaded ").removeprefix("pressed ")
-    make = generate_bodies if kind in (*generate_bodies.KINDS, *hold.KINDS, *hold.SPACE_KINDS) else generate
-    case = make.make(f"relations/{seed}", index, [kind], CONTRASTS)
+    if kind in (*generate_bodies.KINDS, *hold.KINDS, *hold.SPACE_KINDS):
+        case = _bodies(seed, index, kind)
+    else:
+        case = generate.make(f"relations/{seed}", index, [kind], CONTRASTS)
     mu = float(f"{case.mu:.3g}")
     if family == kind:
         table = tables.flat(tables.read(case.text))
@@ -162,7 +183,7 @@ def of_file(path):
     files."""
     if path.stem in LEFT_OUT:
         return None
-    table = tables.read(path.read_text())
+    table = tables.read(path.read_text(encoding="utf-8"))
     name = path.relative_to(ROOT).as_posix()
     try:
         table = tables.flat(table)
