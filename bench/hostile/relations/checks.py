@@ -1,6 +1,5 @@
 """Checks of one case: its questions in other words, and its commands against each other."""
 
-import collections
 import pathlib
 import random
 import tempfile
@@ -22,9 +21,6 @@ RELATIONS = [
     relation for module in (positions, amounts, wording, pieces, contacts, meshes, mixed)
     for relation in module.RELATIONS
 ]
-#: Parts that the last bit of a coordinate decides in special positions: forces along one line, or through one
-#: point, are in equilibrium only if their moment is exactly zero.
-SPECIAL = ("cones", "count", "bracket", "intervals")
 #: Checks of one case: each further one saves the answer to the question in its own words.
 CHECKS = 8
 
@@ -44,7 +40,7 @@ class Finding:
         folder.mkdir(parents=True, exist_ok=True)
         stem = "-".join((self.relation, self.command, self.case)).replace("/", "-").replace(" ", "_")
         for number, (suffix, text) in enumerate(self.files, 1):
-            (folder / f"{stem}-{number}{suffix}").write_text(text)
+            (folder / f"{stem}-{number}{suffix}").write_text(text, encoding="utf-8")
 
 
 class Examined:
@@ -53,7 +49,9 @@ class Examined:
     def __init__(self, kusabi, folder, case):
         self.asker, self.case = Asker(kusabi, folder), case
         self.asked = commands.Asked(self.asker, case)
-        self.base, self.counts, self.findings = {}, collections.Counter(), []
+        self.base, self.findings = {}, []
+        #: By relation, command and case: "agree", "open: " with the reason, "different" or "unfit".
+        self.outcomes = {}
 
     def _text(self, question, table, suffix=".toml", about=""):
         comment = "\\" if suffix == ".lp" else "*" if suffix == ".mps" else "#"
@@ -62,15 +60,17 @@ class Examined:
         return suffix, head + (tables.write(table) if isinstance(table, dict) else table.text())
 
     def _judge(self, check, compare, files):
-        """Counts the outcome of compare()."""
+        """Records the outcome of compare()."""
+        case, _, relation, command = check
         try:
             compare()
-            self.counts["agree"] += 1
+            outcome = "agree"
         except agreement.Undecided as why:
-            self.counts["open"] += 1
-            self.counts[f"open: {str(why).split(':')[0]}"] += 1
+            outcome = f"open: {str(why).split(':')[0]}"
         except agreement.Disagreement as found:
+            outcome = "different"
             self.findings.append(Finding(check, found.part, found.line, files(found.line)))
+        self.outcomes[relation, command, case] = outcome
 
     def in_other_words(self, relation, question):
         """False: the relation does not apply."""
@@ -85,14 +85,16 @@ class Examined:
         def compare():
             if question not in self.base:
                 self.base[question] = self.asker.ask(self.asker.write(self.case.table, "original"), question)
+            if self.case.is_generated and self.base[question].code in agreement.REFUSED:
+                raise agreement.Disagreement("refused", self.base[question].said)
             answer = self.asker.ask(self.asker.write(changed.table, "changed", changed.files), other)
             agreement.compare(question, self.base[question], answer, changed)
 
         def judged():
             try:
                 compare()
-            except agreement.Disagreement as found:
-                if changed.exact or self.case.generic or found.part not in SPECIAL:
+            except agreement.RoundedAnew:
+                if self.case.generic:
                     raise
                 raise agreement.Undecided("special position, coordinates rounded anew") from None
 
@@ -144,7 +146,7 @@ def case_of(name):
 
 
 def examine(kusabi, name, wanted=None, count=CHECKS):
-    """(counts, findings) of some checks of a case; wanted: pairs of a relation and a command, otherwise at
+    """(outcomes, findings) of some checks of a case; wanted: pairs of a relation and a command, otherwise at
     random."""
     with tempfile.TemporaryDirectory() as folder:
         case = case_of(name)
@@ -153,8 +155,8 @@ def examine(kusabi, name, wanted=None, count=CHECKS):
         if wanted is not None:
             for pair in wanted:
                 if pair not in pairs or not pairs[pair]():
-                    examined.counts["unfit: " + " | ".join(pair)] += 1
-            return examined.counts, examined.findings
+                    examined.outcomes[(*pair, name)] = "unfit"
+            return examined.outcomes, examined.findings
         order = random.Random(f"checks/{name}").sample(sorted(pairs), len(pairs))
         # One question of each relation comes first: relations of a single command are as frequent as others.
         first = list({pair[0]: pair for pair in order}.values())
@@ -163,7 +165,7 @@ def examine(kusabi, name, wanted=None, count=CHECKS):
             if done == count:
                 break
             done += pairs[pair]()
-        return examined.counts, examined.findings
+        return examined.outcomes, examined.findings
 
 
 def files_of_the_project():

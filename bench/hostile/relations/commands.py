@@ -49,7 +49,10 @@ class Asked:
         answer = self.asker.ask(path, question, *more)
         if table is None and not more:
             self.known[question] = answer
-        if answer.code not in (None, 0, 3):
+        agreement.crash(answer.code, answer.said)
+        if answer.code in agreement.REFUSED:
+            if table is None and self.case.is_generated:
+                raise Disagreement("refused", answer.said)
             raise Undecided(f"refused: {answer.said}")
         if answer.result is None:
             raise Undecided("no answer in time")
@@ -147,10 +150,12 @@ def rays_of_patterns(asked, rng, case, mu):
     if not tables.is_plane(case.table):
         raise Unfit("in space")
     patterns, rays = (complete(asked(Question(command, mu=mu))) for command in ("patterns", "rays"))
-    if int(patterns.result["count"]) != len(rays.result["cones"]):
+    numbers = range(len(patterns.names))
+    mine, theirs = questions.cones(patterns, numbers).keys(), questions.ray_cones(rays, numbers)
+    if mine != theirs:
         raise Disagreement(
-            "count",
-            f"{patterns.result['count']} patterns, {len(rays.result['cones'])} cones of rays at {mu!r}")
+            "cones", f"{len(mine)} patterns, {len(theirs)} cones of rays at {mu!r}; "
+            f"only on one side {sorted(map(agreement.cone_name, mine ^ theirs))[0]}")
 
 
 def one_exists(asked, rng, case, mu):
@@ -223,21 +228,26 @@ def ends_of_factors(asked, rng, case, mu):
     ends = [end for interval in intervals for end in interval if math.isfinite(end)]
     points = {end + sign * NEAR * max(1.0, abs(end))
               for end in ends for sign in (-1, 1)} | {0.0, rng.uniform(-2, 2)}
+    compared = 0
     for factor in rng.sample(sorted(points), min(4, len(points))):
         expected = _inside(intervals, factor, 0.1 * NEAR * max(1.0, abs(factor)))
         if expected is None:
             continue
         got = _is_held(asked, _at_factor(case.table, factor), mu)
+        compared += got is not None
         if got is not None and got != expected:
             raise Disagreement(
                 "held",
                 f"factors {intervals} at {mu!r}, but {factor!r} as dead load is {'' if got else 'not '}held")
+    if not compared:
+        raise Undecided("no factor away from ends")
 
 
 def zero_and_dead_load(asked, rng, case, mu):
     """The factor 0 is held at a coefficient if and only if `hold` without a coefficient says so."""
     _needs_reference(case)
     found = questions.bracket(complete(asked(Question("hold"))).result["holding_friction"])
+    compared = 0
     for at in [mu] + [
             x for x in (found.low and found.low * (1 - NEAR), found.high and found.high * (1 + NEAR)) if x
     ]:
@@ -248,10 +258,13 @@ def zero_and_dead_load(asked, rng, case, mu):
         if answer.is_open:
             continue
         held = _inside(questions.held(answer), 0.0, 1e-7)
+        compared += held is not None
         if held is not None and held != expected:
             raise Disagreement(
                 "held",
                 f"held from {found.low!r} .. {found.high!r} on, but at {at!r} {questions.held(answer)}")
+    if not compared:
+        raise Undecided("the factor zero is at an end")
 
 
 def more_friction(asked, rng, case, mu):
@@ -272,6 +285,7 @@ def sums_of_reactions(asked, rng, case, mu):
         raise Unfit("no state under the dead load")
     least = grip["least"]["held"]
     most = grip["most"]["held"] if grip["most"] else None
+    compared = 0
     beyond = [least - SUM * max(1.0, least)] + ([] if most is None else [most + SUM * max(1.0, most)])
     for total in beyond:
         if total <= 0:
@@ -279,9 +293,12 @@ def sums_of_reactions(asked, rng, case, mu):
         got = asked(Question("hold", mu=mu, total=total))
         if got.is_open:
             continue
+        compared += 1
         if _inside(questions.held(got), 0.0, 0.0) is True:
             raise Disagreement("grip",
                                f"sums {least!r} to {most!r} at {mu!r}, but 0 is held with the sum {total!r}")
+    if not compared:
+        raise Undecided("no sum beyond the ends")
 
 
 # Limit loads
@@ -296,10 +313,6 @@ def _uncertain(case):
     raise Unfit("no half-widths")
 
 
-def _interval(result):
-    return result.get("guaranteed_interval_of_all_cases", result.get("guaranteed_interval"))
-
-
 def no_half_width(asked, rng, case, mu):
     """With half-widths of zero, the guaranteed interval is that of the nominal load."""
     question = _uncertain(case)
@@ -307,7 +320,7 @@ def no_half_width(asked, rng, case, mu):
                                                              for entry in case.table["loads"]):
         raise Unfit("half-widths of the file, or load cases")
     nominal = complete(asked(Question("limit"))).result["nominal_interval"]
-    found = _interval(complete(asked(dataclasses.replace(question, alpha=0.0))).result)
+    found = questions.guaranteed(complete(asked(dataclasses.replace(question, alpha=0.0))).result)
     ends = nominal if isinstance(nominal, list) else [nominal["lower"], nominal["upper"]]
     for end, value in zip(("lower", "upper"), ends):
         if value is not None and found["empty"] is False and not (
@@ -322,7 +335,7 @@ def wider_loads(asked, rng, case, mu):
     question = _uncertain(case)
     if question.alpha is None:
         raise Unfit("half-widths by name")
-    one, other = (_interval(complete(asked(each)).result)
+    one, other = (questions.guaranteed(complete(asked(each)).result)
                   for each in (question, dataclasses.replace(question, alpha=1.25 * question.alpha)))
     if one["empty"] and other["empty"] is False:
         raise Disagreement("interval", f"empty at {question.alpha!r}, not at {1.25 * question.alpha!r}")
@@ -511,9 +524,9 @@ def _certified(command):
         for name in written:
             # Loads are in the problem file only.
             with_problem = ("--problem", "between.toml")
-            for more in (with_problem, ) if command == "hold" else (
-                (), with_problem):  # loads are in the problem file only
+            for more in (with_problem, ) if command == "hold" else ((), with_problem):
                 code, text = asker.run("verify", name, "--serial", *more, seconds=SECONDS)
+                agreement.crash(code, text)
                 if code is None:
                     raise Undecided("no proof in time")
                 if code != 0 and questions.is_proved(answer):

@@ -1,5 +1,5 @@
-"""Expected disagreements, from known-failures.toml. The file only becomes shorter: a disagreement that is no
-longer there is an error."""
+"""Expected disagreements, from known-failures.toml. The file only becomes shorter: a line whose check agrees,
+or does not apply to its case, is an error."""
 
 import sys
 import tomllib
@@ -12,22 +12,20 @@ class Known:
 
     lines: RELATION | COMMAND | PART | CASE, as the command prints them; these cases are always checked.
     families: the same with a family instead of a case: other cases of this family may differ in this part.
-    wrong: SUBCOMMAND | CASE: the answer about the file itself is wrong, and any relation may show it.
-    Each entry of families and wrong needs a line that is one of its examples.
+    Each entry needs a line that is one of its examples.
     """
 
     def __init__(self, path):
-        groups = tomllib.loads(path.read_text()).get("failure", []) if path else []
-        self.lines = self._listed(path, groups, "lines", 4)
-        self.families = self._listed(path, groups, "families", 4)
-        self.wrong = self._listed(path, groups, "wrong", 2)
+        groups = tomllib.loads(path.read_text(encoding="utf-8")).get("failure", []) if path else []
+        self.lines = self._listed(path, groups, "lines")
+        self.families = self._listed(path, groups, "families")
 
     @staticmethod
-    def _listed(path, groups, key, parts):
+    def _listed(path, groups, key):
         found = {tuple(line.split(" | ")) for group in groups for line in group.get(key, ())}
         for line in found:
-            if len(line) != parts:
-                sys.exit(f"{path}: '{' | '.join(line)}' in {key}; expected {parts} parts, separated by ' | '")
+            if len(line) != 4:
+                sys.exit(f"{path}: '{' | '.join(line)}' in {key}; expected 4 parts, separated by ' | '")
         return found
 
     def cases(self):
@@ -38,12 +36,11 @@ class Known:
         return result
 
     def expects(self, finding):
-        return (finding.key in self.lines or (*finding.key[:3], finding.family) in self.families or
-                (finding.command.split()[0], finding.case) in self.wrong)
+        return finding.key in self.lines or (*finding.key[:3], finding.family) in self.families
 
-    def obsolete(self, findings):
-        """Entries without a disagreement in the cases of the lines."""
-        shown = self.lines & {finding.key for finding in findings}
-        families = {(*line[:3], checks.family_of(line[3])) for line in shown}
-        wrong = {(line[1].split()[0], line[3]) for line in shown}
-        return sorted((self.lines - shown) | (self.families - families) | (self.wrong - wrong))
+    def obsolete(self, outcomes):
+        """Lines whose check agrees or does not apply, and families without another line. An open check shows
+        neither that its line is needed nor that it is not."""
+        old = {line for line in self.lines if outcomes[line[0], line[1], line[3]] in ("agree", "unfit")}
+        families = {(*line[:3], checks.family_of(line[3])) for line in self.lines - old}
+        return sorted(old | (self.families - families))

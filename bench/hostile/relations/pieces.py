@@ -3,6 +3,7 @@
 import copy
 
 import table as tables
+from positions import ROUNDING
 from relation import ALL, FRICTION, Changed, Relation, every_component
 from table import Unfit
 
@@ -13,6 +14,8 @@ def _beyond(table):
     far = 1.0
     while far < 4 * size:
         far *= 2
+    if min(1.0, tables.shortest(table)) < far * ROUNDING * 1e6:
+        raise Unfit("so long that lengths beyond it are rounded")
     return far
 
 

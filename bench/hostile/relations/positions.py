@@ -183,14 +183,18 @@ def _noise_removed(rng, table, question):
 
 
 def _moved(distance):
+    """distance: relative to the size of the structure, with which the rounding that it causes grows"""
 
     def change(rng, table, question):
-        by = [rng.choice((-1.0, 1.0)) * distance for _ in range(table["dimension"])]
-        size = tables.extent(table)
+        # A power of two, so that coordinates of few digits keep their bits.
+        size = 2.0**math.frexp(tables.extent(table))[1]
+        if tables.shortest(table) < distance * size * ROUNDING * 1e6:
+            raise Unfit("nodes as close to each other as the rounding")
+        by = [rng.choice((-1.0, 1.0)) * distance * size for _ in range(table["dimension"])]
         exact = all(
             (x + offset) - offset == x for place in table["nodes"].values() for x, offset in zip(place, by))
         tables.change_places(table, lambda place: [x + offset for x, offset in zip(place, by)])
-        return Changed(table, exact=exact, error=0.0 if exact else distance * ROUNDING / size)
+        return Changed(table, exact=exact, error=0.0 if exact else distance * ROUNDING)
 
     return change
 

@@ -7,11 +7,14 @@ instead of their names, intervals as pairs of numbers, bounds with their standin
 import dataclasses
 import json
 import math
+import os
 import pathlib
 import subprocess
 
 import table as tables
 
+#: Variables of the calls beside the caller's: no file of default options.
+ENVIRONMENT = {"KUSABI_CONFIG": ""}
 #: Longest time of one call in seconds; a call that takes longer is counted as open.
 SECONDS = 60
 
@@ -83,8 +86,9 @@ class Asker:
         """(exit code, output); None: no answer in time"""
         self.calls += 1
         try:
-            done = subprocess.run([self.kusabi, *map(str, words)], capture_output=True, text=True,
-                                  errors="replace", timeout=seconds, cwd=self.folder)
+            done = subprocess.run([self.kusabi, *map(str, words)], capture_output=True, encoding="utf-8",
+                                  errors="replace", timeout=seconds, cwd=self.folder,
+                                  env={**os.environ, **ENVIRONMENT})
         except subprocess.TimeoutExpired:
             return None, "no answer in time"
         return done.returncode, done.stdout + done.stderr
@@ -93,9 +97,9 @@ class Asker:
         """Writes a problem file, or a program in its own format, and further files beside it."""
         is_table = isinstance(table, dict)
         path = self.folder / (name + (".toml" if is_table else table.suffix))
-        path.write_text(tables.write(table) if is_table else table.text())
+        path.write_text(tables.write(table) if is_table else table.text(), encoding="utf-8")
         for other, text in (files or {}).items():
-            (self.folder / other).write_text(text)
+            (self.folder / other).write_text(text, encoding="utf-8")
         return path
 
     def ask(self, path, question, *more):
@@ -106,7 +110,7 @@ class Asker:
         lines = [line for line in text.strip().splitlines() if not line.startswith("wrote ")]
         answer = Answer(code, lines[-1] if lines else "", text=text)
         if output.exists():
-            whole = json.loads(output.read_text())
+            whole = json.loads(output.read_text(encoding="utf-8"))
             answer.result, answer.verdict = whole["result"], whole.get("verdict")
             answer.names = [each["node"] for each in whole.get("problem", {}).get("contact", ())]
         return answer
@@ -164,6 +168,11 @@ def held(answer):
         return [(-math.inf, math.inf)]
     return [(-math.inf if each["low"] is None else each["low"],
              math.inf if each["high"] is None else each["high"]) for each in answer.result["intervals"]]
+
+
+def guaranteed(result):
+    """The guaranteed interval of `limit`, with load cases that of all of them; None without half-widths."""
+    return result.get("guaranteed_interval_of_all_cases", result.get("guaranteed_interval"))
 
 
 def is_proved(answer):

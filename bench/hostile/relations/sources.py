@@ -4,9 +4,11 @@ Random ones of the generators in this folder and the folder around it; the examp
 tests/cases. A case is named by its family and number, `wedge 1/12` for seed 1, or by its file. """
 
 import dataclasses
+import itertools
 import pathlib
 import random
 
+import bodies
 import generate
 import generate_bodies
 import girders
@@ -16,6 +18,7 @@ import programs
 import table as tables
 import trusses
 from questions import Question
+from structure import Mechanism
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 #: Ratios of stiffness: larger ones are for the oracle, where an answer may be open.
@@ -68,6 +71,10 @@ class Case:
     questions: list
 
     @property
+    def is_generated(self):
+        return self.family != self.name
+
+    @property
     def generic(self):
         """False if coordinates may be chosen such that forces are on one line, or patterns at a limit."""
         return self.family.removeprefix("loaded ") in GENERIC
@@ -106,8 +113,8 @@ def _limit_questions(rng, table, alpha, group_alpha=()):
         asked += [Question("limit"), Question("limit", lose=1)]
     if question_of_loss := next((each for each in asked if each.lose), None):
         supported = tables.supported_axes(table)
-        free = [node for node in table["nodes"] if node not in supported]
-        asked.append(dataclasses.replace(question_of_loss, keep=(rng.choice(free), ), more=()))
+        if free := [node for node in table["nodes"] if node not in supported]:
+            asked.append(dataclasses.replace(question_of_loss, keep=(rng.choice(free), ), more=()))
     return asked
 
 
@@ -121,6 +128,18 @@ def _pressed(rng, table):
         "kind": "reference", "nodes": [rng.choice(list(table["nodes"]))],
         "force": [rng.choice((0.0, -1.0, 1.0, 0.5)) for _ in range(table["dimension"] - 1)] + [-1.0]
     }]
+
+
+def _bodies(seed, index, kind):
+    """A case of generate_bodies, the first of several that is no mechanism: those are refused."""
+    for draw in itertools.count():
+        case = generate_bodies.make("/".join(["relations", str(seed), *["again"] * draw]), index, [kind],
+                                    CONTRASTS)
+        try:
+            bodies.compliance(bodies.Bodies(case.text))
+            return case
+        except Mechanism:
+            continue
 
 
 def generated(family, seed, index):
@@ -143,8 +162,10 @@ def generated(family, seed, index):
     if family in MIXED:
         return Case(name, family, *mixed.generated(family, seed, index))
     kind = family.removeprefix("loaded ").removeprefix("pressed ")
-    make = generate_bodies if kind in (*generate_bodies.KINDS, *hold.KINDS, *hold.SPACE_KINDS) else generate
-    case = make.make(f"relations/{seed}", index, [kind], CONTRASTS)
+    if kind in (*generate_bodies.KINDS, *hold.KINDS, *hold.SPACE_KINDS):
+        case = _bodies(seed, index, kind)
+    else:
+        case = generate.make(f"relations/{seed}", index, [kind], CONTRASTS)
     mu = float(f"{case.mu:.3g}")
     if family == kind:
         table = tables.flat(tables.read(case.text))
@@ -162,7 +183,7 @@ def of_file(path):
     files."""
     if path.stem in LEFT_OUT:
         return None
-    table = tables.read(path.read_text())
+    table = tables.read(path.read_text(encoding="utf-8"))
     name = path.relative_to(ROOT).as_posix()
     try:
         table = tables.flat(table)

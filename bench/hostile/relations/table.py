@@ -6,6 +6,7 @@ Tables here are flat: the nodes of a `[[mesh]]` are in `[nodes]`, and groups are
 """
 
 import copy
+import itertools
 import json
 import math
 import re
@@ -255,6 +256,12 @@ def rename(table, node_name):
             if key in entry:
                 entry[key] = [{**place, "nodes": [name(old) for old in place["nodes"]]} if isinstance(
                     place, dict) else name(place) for place in entry[key]]
+
+
+def shortest(table):
+    """Shortest distance of two nodes at different places."""
+    places = sorted(set(map(tuple, table["nodes"].values())))
+    return min((math.dist(a, b) for a, b in itertools.combinations(places, 2)), default=math.inf)
 
 
 def extent(table):

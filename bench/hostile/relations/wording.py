@@ -1,6 +1,7 @@
 """Relations of words: the same entries in another order, under other names, in other groups."""
 
 import copy
+import math
 
 import table as tables
 from relation import ALL, Changed, Relation, every_component
@@ -167,6 +168,8 @@ def _split_members(rng, table, question):
     if question.lose is not None or every_component(table, question):
         raise Unfit("one member more")
     supports = tables.supported_axes(table)
+    if sum(map(len, supports.values())) < math.comb(table["dimension"] + 1, 2):
+        raise Unfit("an unconstrained body, of which the guided middle is no part")
     choices = []
     for entry in tables.entries(table, "members"):
         if "buckling" in entry:
