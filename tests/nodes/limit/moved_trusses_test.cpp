@@ -138,8 +138,7 @@ TEST_P(MovedTruss, HasTheFactorsOfTheTrussAsItWas) {
     if (!problem_of(without_zeros(truss))) continue;
     const auto largest = least_over_vertices(without_zeros(truss), 1);
     const auto least = least_over_vertices(without_zeros(truss), -1);
-    const auto found =
-        findings(without_zeros(GetParam()(truss)), {.alpha = half_width}).answer;
+    const auto found = findings(without_zeros(GetParam()(truss)), {.alpha = half_width}).answer;
     EXPECT_TRUE(found.whole());
     ASSERT_EQ(largest.has_value(), least.has_value());
     const auto interval = guaranteed_interval(found);
