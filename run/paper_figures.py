@@ -124,7 +124,7 @@ def worst_case(run):
 
 
 def sway(mode):
-    return lambda run: "sway" if run.result[mode]["sway"] else "not sway"
+    return lambda run: "sway" if run.result[mode]["along_reference_load"] else "not sway"
 
 
 def sizes(run):
@@ -157,7 +157,7 @@ def curve_ends(name):
 
 
 def curve_modes(name):
-    return lambda run: ", ".join("sway" if each["sway"] else "not sway" for each in run.result[name])
+    return lambda run: ", ".join("sway" if each["along_reference_load"] else "not sway" for each in run.result[name])
 
 
 def breakpoints(run):

@@ -20,6 +20,8 @@ CommandList command_list() {
            example_space_truss_subcommand,
            example_plane_truss_subcommand,
            example_grid_subcommand,
+           example_dome_subcommand,
+           example_tower_subcommand,
            import_subcommand,
            export_mps_subcommand,
            export_cbf_subcommand,

@@ -106,8 +106,8 @@ long count_of(const Scene& scene, ContactState state) {
   return std::ranges::count(scene.candidates, state, &DrawnCandidate::state);
 }
 
-long count_of(const Scene& scene, BarYield yield) {
-  return std::ranges::count(scene.bars, yield, &DrawnBar::yield);
+long count_of(const Scene& scene, BarState state) {
+  return std::ranges::count(scene.bars, state, &DrawnBar::state);
 }
 
 bool has(const Scene& scene, DrawnLoad::Kind kind) {
@@ -165,13 +165,15 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
                                      scales.largest_displacement, units.length);
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"), text});
   }
-  if (const auto count = count_of(scene, BarYield::tension); count > 0)
+  if (const auto count = count_of(scene, BarState::tension); count > 0)
     entries.push_back(
         {line_of("moved", "bar tension"), fmt::format("yields in tension ({})", count)});
-  if (const auto count = count_of(scene, BarYield::compression); count > 0) {
+  if (const auto count = count_of(scene, BarState::compression); count > 0) {
     entries.push_back(
         {line_of("moved", "bar compression"), fmt::format("yields in compression ({})", count)});
   }
+  if (const auto count = count_of(scene, BarState::lost); count > 0)
+    entries.push_back({line_of(kind, "bar lost"), fmt::format("lost ({})", count)});
   add_supports(entries, scene);
 }
 
@@ -229,10 +231,12 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"),
                        "moved, each by a factor of its own"});
   }
-  if (any([](const Scene& its) { return count_of(its, BarYield::tension) > 0; }))
+  if (any([](const Scene& its) { return count_of(its, BarState::tension) > 0; }))
     entries.push_back({line_of("moved", "bar tension"), "yields in tension"});
-  if (any([](const Scene& its) { return count_of(its, BarYield::compression) > 0; }))
+  if (any([](const Scene& its) { return count_of(its, BarState::compression) > 0; }))
     entries.push_back({line_of("moved", "bar compression"), "yields in compression"});
+  if (any([](const Scene& its) { return count_of(its, BarState::lost) > 0; }))
+    entries.push_back({line_of("rest", "bar lost"), "lost"});
   add_supports(entries, scenes.front());  // all are of one structure
   add_obstacle(entries, scenes.front());
   if (any([](const Scene& its) { return count_of(its, ContactState::contact) > 0; })) {

@@ -12,12 +12,12 @@
 
 namespace kusabi::pictures {
 
-/// Yield state of a bar.
-enum class BarYield { none, tension, compression };
+/// State of a bar in a collapse: it yields, or it was lost before.
+enum class BarState { none, tension, compression, lost };
 
 struct DrawnBar {
   std::array<int, 2> nodes;
-  BarYield yield = BarYield::none;
+  BarState state = BarState::none;
 };
 
 struct DrawnSupport {

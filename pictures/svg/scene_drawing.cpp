@@ -58,7 +58,9 @@ class SceneDrawing {
     canvas_.begin_group(moves ? "rest" : "rest still");
     if (!moves || scene_.dimension == 2)
       faces([this](int node) { return scene_.positions.col(node); });
-    for (const auto& bar : scene_.bars) canvas_.line("bar", at(bar.nodes[0]), at(bar.nodes[1]));
+    for (const auto& bar : scene_.bars)
+      canvas_.line(bar.state == BarState::lost ? "bar lost" : "bar", at(bar.nodes[0]),
+                   at(bar.nodes[1]));
     canvas_.end_group();
   }
 
@@ -66,8 +68,9 @@ class SceneDrawing {
     canvas_.begin_group("moved");
     faces([this](int node) { return moved(scene_, scales_, node); });
     for (const auto& bar : scene_.bars) {
-      const auto* const kind = bar.yield == BarYield::tension       ? "bar tension"
-                               : bar.yield == BarYield::compression ? "bar compression"
+      if (bar.state == BarState::lost) continue;
+      const auto* const kind = bar.state == BarState::tension       ? "bar tension"
+                               : bar.state == BarState::compression ? "bar compression"
                                                                     : "bar";
       canvas_.line(kind, moved_at(bar.nodes[0]), moved_at(bar.nodes[1]));
     }

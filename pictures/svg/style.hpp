@@ -21,6 +21,7 @@ text { font-family: system-ui, -apple-system, "Segoe UI", "DejaVu Sans", Helveti
 line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: round; }
 .rest .bar { stroke: #b7c0c9; stroke-width: 1.1; }
 .rest .face { fill: #eef1f4; stroke: #c8d0d8; stroke-width: .7; }
+.rest .lost { stroke: #cf222e; stroke-width: 1.5; stroke-dasharray: 6 4; }
 .still .bar { stroke: #6e7781; stroke-width: 1.3; }
 .still .face { fill: #e6ebf0; stroke: #8c959f; }
 .moved .bar { stroke: #24292f; stroke-width: 1.7; }
@@ -79,7 +80,7 @@ text { fill: #e6edf3; }
 .still .f0 { fill: #161c24; } .still .f1 { fill: #1d2530; } .still .f2 { fill: #25303c; } .still .f3 { fill: #2e3a49; } .still .f4 { fill: #384657; }
 .moved .f0, .moved .f1, .moved .f2, .moved .f3, .moved .f4 { stroke: #5f86ad; }
 .moved .f0 { fill: #17293c; } .moved .f1 { fill: #1e354d; } .moved .f2 { fill: #26425f; } .moved .f3 { fill: #2f5072; } .moved .f4 { fill: #3a6089; }
-.moved .tension { stroke: #ff7b72; }
+.rest .lost, .moved .tension { stroke: #ff7b72; }
 .moved .compression { stroke: #58a6ff; }
 .support .rolling, .separated { fill: #0d1117; }
 .obstacle .surface, .support .ground, .support .spring, .support .tie { stroke: #9ea7b3; }

@@ -36,10 +36,10 @@ CollapseMode collapse_mode(const LimitProblem& problem, const Eigen::VectorXd& m
   }
   if (!resultant.isZero(0.0)) {
     const Eigen::VectorXd direction = resultant.normalized();
-    mode.sway = true;
+    mode.along_reference = true;
     for (const auto& [node, velocity] : mode.moving) {
       const Eigen::VectorXd across = velocity - direction * direction.dot(velocity);
-      if (across.cwiseAbs().maxCoeff() > minimum) mode.sway = false;
+      if (across.cwiseAbs().maxCoeff() > minimum) mode.along_reference = false;
     }
   }
   return mode;

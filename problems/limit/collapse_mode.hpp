@@ -1,4 +1,5 @@
-// Description of a collapse mode: moving nodes, yielding members, and whether it is a sway mode.
+// Description of a collapse mode: moving nodes, yielding members, and whether all move
+// along the reference load.
 #pragma once
 
 #include <vector>
@@ -27,9 +28,9 @@ struct YieldingMember {
 struct CollapseMode {
   std::vector<NodeVelocity> moving;      ///< moving nodes, in their order
   std::vector<YieldingMember> yielding;  ///< in their order
-  /// True if every velocity is along the resultant of the reference load (sway-type mode of the
-  /// paper).
-  bool sway = false;
+  /// True if every velocity is along the resultant of the reference load: under horizontal forces the
+  /// sway-type mode of the paper.
+  bool along_reference = false;
 };
 
 /// @param motion u, n^d, f_R^T u = 1

@@ -77,6 +77,21 @@ std::vector<Settled> columns_of(std::span<LimitProblem* const> cases) {
 
 }  // namespace
 
+GroupHalfWidths of_cases(GroupHalfWidths groups, std::span<LimitProblem* const> cases,
+                         const Structure& whole) {
+  if (!whole.uncertain) return groups;
+  const auto columns = columns_of(cases);
+  std::erase_if(groups, [&](const auto& asked) {
+    const auto& name = asked.first;
+    const auto has_it = [&](const Settled& each) { return is_called(*each.column, name); };
+    const auto is_it = [&](const UncertainParameter& each) {
+      return each.name == name || each.group == name;
+    };
+    return std::ranges::none_of(columns, has_it) && std::ranges::any_of(*whole.uncertain, is_it);
+  });
+  return groups;
+}
+
 void fix_half_widths(LimitProblem& problem,
                      std::span<const std::pair<std::string, double>> groups) {
   LimitProblem* const one = &problem;

@@ -12,11 +12,20 @@
 
 namespace kusabi::problems {
 
+/// Half-widths by the name of a load or a group, force.
+using GroupHalfWidths = std::vector<std::pair<std::string, double>>;
+
 /// Requested half-widths of parameters without one in the file, in the unit of force.
 struct RequestedHalfWidths {
   std::optional<double> alpha{};  ///< of all parameters without a half-width of their own
-  std::vector<std::pair<std::string, double>> groups{};  ///< by the name of a load or a group, >= 0
+  GroupHalfWidths groups{};       ///< by the name of a load or a group, >= 0
 };
+
+/// The half-widths of groups without those whose name occurs in other load cases of the structure
+/// only, which are admissible and have no effect.
+/// @param whole with all load cases of the file
+GroupHalfWidths of_cases(GroupHalfWidths groups, std::span<LimitProblem* const> cases,
+                         const Structure& whole);
 
 /// The requested half-widths do not fit the file; the message has the expected ones.
 class HalfWidthError : public std::invalid_argument {

@@ -1,7 +1,10 @@
-// Text is split at commas, and at the last equals sign.
+// A name ends at the first equals sign that is followed by a number and the end of its entry, so that
+// names may contain commas and equals signs.
 #include "run/command/group_half_widths.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,21 +13,39 @@
 
 namespace kusabi::run {
 
+namespace {
+
+struct HalfWidth {
+  std::string name;
+  double half_width;
+  std::size_t end;  ///< of the entry, in the text
+};
+
+// The entry that begins at this place.
+std::optional<HalfWidth> half_width_at(const std::string& text, std::size_t from) {
+  for (auto equals = text.find('=', from + 1); equals != std::string::npos;
+       equals = text.find('=', equals + 1)) {
+    const auto end = std::min(text.find(',', equals), text.size());
+    const auto value = number_in(text.substr(equals + 1, end - equals - 1));
+    if (value && *value >= 0) return HalfWidth{text.substr(from, equals - from), *value, end};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<std::pair<std::string, double>> group_half_widths(const std::string& text) {
   std::vector<std::pair<std::string, double>> groups;
   for (std::size_t from = 0; from < text.size();) {
-    const auto to = std::min(text.find(',', from), text.size());
-    const auto part = text.substr(from, to - from);
-    const auto equals = std::min(part.rfind('='), part.size());
-    const auto value = number_in(part.substr(std::min(equals + 1, part.size())));
-    if (equals == 0 || !value || *value < 0) {
+    auto entry = half_width_at(text, from);
+    if (!entry) {
       throw WrongInput(
           fmt::format("--group-alpha '{}': expected NAME=NUMBER,NAME=NUMBER,... with numbers that "
                       "are not negative",
                       text));
     }
-    groups.emplace_back(part.substr(0, equals), *value);
-    from = to + 1;
+    groups.emplace_back(std::move(entry->name), entry->half_width);
+    from = entry->end + 1;
   }
   return groups;
 }

@@ -7,8 +7,7 @@
 
 namespace kusabi::run {
 
-/// Names, which may contain any character except commas, with their half-widths; empty for an empty
-/// text.
+/// Names, which may contain commas, with their half-widths; empty for an empty text.
 /// @throws WrongInput
 std::vector<std::pair<std::string, double>> group_half_widths(const std::string& text);
 

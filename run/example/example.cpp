@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "problems/families/dome.hpp"
 #include "problems/families/grid_truss.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
+#include "problems/families/tower.hpp"
 #include "problems/files/toml/structure_writer.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
@@ -117,6 +119,48 @@ class Grid final : public Example {
   int bays_ = 0;
 };
 
+class Dome final : public Example {
+ public:
+  void describe(OptionTable& table) override {
+    using problems::DomeKind;
+    table.choice("--kind", size_.kind,
+                 {{"ring", DomeKind::ring},
+                  {"lantern", DomeKind::lantern},
+                  {"double-layer", DomeKind::double_layer}},
+                 "rings around an apex, rings around an open eye with a lantern, or two layers of "
+                 "rings around an open eye");
+    table.number("--rings", &size_.rings, between(2, problems::max_rings),
+                 "number of rings, of which the outermost one is supported");
+    table.number("--sectors", &size_.sectors, between(3, problems::max_sectors),
+                 "number of nodes of a ring");
+    table.number("--radius", &size_.radius, above(0), "radius of the outermost ring").unit("m");
+    table.number("--rise", &size_.rise, above(0), "height of the apex above that ring").unit("m");
+    describe_output(table);
+  }
+
+ private:
+  [[nodiscard]] problems::Structure structure() const override { return problems::dome(size_); }
+
+  problems::DomeSize size_;
+};
+
+class Tower final : public Example {
+ public:
+  void describe(OptionTable& table) override {
+    table.number("--storeys", &size_.storeys, between(1, problems::max_storeys),
+                 "number of storeys");
+    table.number("--height", &size_.height, above(0), "height of a storey").unit("m");
+    table.number("--base", &size_.base, above(0), "width at the supports").unit("m");
+    table.number("--top", &size_.top, above(0), "width at the top").unit("m");
+    describe_output(table);
+  }
+
+ private:
+  [[nodiscard]] problems::Structure structure() const override { return problems::tower(size_); }
+
+  problems::TowerSize size_;
+};
+
 }  // namespace
 
 constexpr Registration example_space_truss_subcommand{
@@ -145,5 +189,22 @@ constexpr Registration example_grid_subcommand{
      .description = "A plane grid truss with crossed diagonals and loads for limit analysis.",
      .example = "--bays 10 --output grid.toml"},
     make<Grid>};
+
+constexpr Registration example_dome_subcommand{
+    {.name = "example dome",
+     .chapter = "Generated problem files",
+     .purpose = "dome for limit analysis",
+     .description = "A dome with a reference load and four uncertain loads for limit analysis.",
+     .example = "--kind lantern --rings 7 --sectors 24 --output dome.toml"},
+    make<Dome>};
+
+constexpr Registration example_tower_subcommand{
+    {.name = "example tower",
+     .chapter = "Generated problem files",
+     .purpose = "braced tower for limit analysis",
+     .description =
+         "A braced square tower with a reference load and four uncertain loads for limit analysis.",
+     .example = "--storeys 26 --output tower.toml"},
+    make<Tower>};
 
 }  // namespace kusabi::run

@@ -1,5 +1,4 @@
 // Cone program with the margin t* of a node as its optimum, in the scaled units of t*.
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/listed_names.hpp"
 #include "run/command/registrations.hpp"
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
@@ -23,8 +23,6 @@ namespace kusabi::run {
 namespace {
 
 using Names = std::vector<std::string>;
-
-constexpr std::string_view separators = ", ";
 
 class ExportCbf final : public ExportedFile {
  public:
@@ -55,29 +53,14 @@ void ExportCbf::describe(OptionTable& table) {
   describe_output(table);
 }
 
-// Names may contain commas and blanks: the longest name that the text begins with is taken.
 support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view option) const {
-  const auto begins = [&](const std::string& name) {
-    return text.starts_with(name) &&
-           (text.size() == name.size() || separators.find(text[name.size()]) != std::string::npos);
-  };
-  const auto& names = problem_.contact_names;
-  support::IndexSet set;
-  while (!text.empty()) {
-    std::size_t longest = names.size();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool longer = longest == names.size() || names[i].size() > names[longest].size();
-      if (longer && begins(names[i])) longest = i;
-    }
-    if (longest == names.size()) {
-      throw WrongInput(fmt::format("{}: {} has no contact candidate '{}'; expected {}", option,
-                                   input().file, text.substr(0, text.find_first_of(separators)),
-                                   fmt::join(names, " or ")));
-    }
-    set.insert(static_cast<int>(longest));
-    text.remove_prefix(names[longest].size());
-    text.remove_prefix(std::min(text.size(), text.find_first_not_of(separators)));
+  const auto [found, unknown] = listed_names(text, problem_.contact_names);
+  if (!unknown.empty()) {
+    throw WrongInput(fmt::format("{}: {} has no contact candidate '{}'; expected {}", option,
+                                 input().file, unknown, fmt::join(problem_.contact_names, " or ")));
   }
+  support::IndexSet set;
+  for (const auto i : found) set.insert(static_cast<int>(i));
   return set;
 }
 

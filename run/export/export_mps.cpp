@@ -41,7 +41,7 @@ class ExportMps final : public ExportedFile {
   void write(std::ostream& out) const override;
 
  private:
-  void set_half_widths();
+  void set_half_widths(const problems::Structure& whole);
   [[nodiscard]] linear::MixedProgram program() const;
   [[nodiscard]] std::vector<std::string> comments() const;
   [[nodiscard]] std::vector<std::string> comments_on_worst_case() const;
@@ -83,15 +83,17 @@ void ExportMps::prepare(CommandRun& run) {
   const auto structure = input().structure(run);
   struts_ = problems::residual_strengths(input().text.toml, input().file, *structure).size() > 0;
   problem_ = problems::limit_problem(problems::in_chosen_case(structure, load_case_));
-  if (choice_ == Program::worst_case) set_half_widths();
+  if (choice_ == Program::worst_case) set_half_widths(*structure);
   engine::require_equal_on_all_ranks(run.session().transport(), problem_->fingerprint);
 }
 
-void ExportMps::set_half_widths() {
+void ExportMps::set_half_widths(const problems::Structure& whole) {
   problems::LimitProblem* const one = &*problem_;
   try {
     alpha_ = problems::set_half_widths(
-        {&one, 1}, {.alpha = alpha_, .groups = group_half_widths(group_alpha_)});
+        {&one, 1},
+        {.alpha = alpha_,
+         .groups = problems::of_cases(group_half_widths(group_alpha_), {&one, 1}, whole)});
   } catch (const problems::HalfWidthError& error) {
     throw WrongInput(
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));

@@ -54,7 +54,7 @@ std::vector<NamedCurve> curves_of(const CurveReport& report) {
 
 /// A mode by the names of its members.
 struct NamedMode {
-  bool sway;
+  bool along_reference;
   std::vector<std::string> yielding;  // those in tension and those in compression
   std::vector<std::string> tension;
   std::vector<std::string> compression;
@@ -62,7 +62,7 @@ struct NamedMode {
 
 NamedMode named_mode(const LimitProblem& problem, const CurvePiece& piece) {
   const auto mode = problems::collapse_mode(problem, piece.from.motion);
-  NamedMode result{mode.sway, {}, {}, {}};
+  NamedMode result{mode.along_reference, {}, {}, {}};
   for (const auto& [member, elongation] : mode.yielding) {
     result.yielding.push_back(problems::member_name(problem, member));
     auto& list = elongation > 0 ? result.tension : result.compression;
@@ -84,9 +84,9 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
   double error = 0;
   for (const auto& piece : curve.pieces) {
     const auto mode = named_mode(problem, piece);
-    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {}, {} yielding\n", piece.from.at,
-                   piece.from.factor, mode.sway ? "sway" : "not sway",
-                   counted(mode.yielding.size(), "member"));
+    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {} yielding{}\n", piece.from.at, piece.from.factor,
+                   counted(mode.yielding.size(), "member"),
+                   mode.along_reference ? ", along the reference load" : "");
     if (!mode.tension.empty()) {
       fmt::format_to(out, "{:27}in tension:     {}\n", "", fmt::join(mode.tension, " "));
     }
@@ -113,7 +113,7 @@ ordered_json pieces_json(const LimitProblem& problem, const LoadCurve& curve) {
                       {"factor_from", piece.from.factor},
                       {"factor_to", piece.factor_at_end},
                       {"error", number_or_null(piece.error)},
-                      {"sway", mode.sway},
+                      {"along_reference_load", mode.along_reference},
                       {"yielding", mode.yielding},
                       {"tension", mode.tension}});
   }
@@ -141,7 +141,7 @@ void CurveReport::add_to(ordered_json& result) const {
 }
 
 void CurveReport::write_csv(std::ostream& out) const {
-  out << "curve,beta,load,factor,error,sway,tension,compression\n";
+  out << "curve,beta,load,factor,error,along_reference_load,tension,compression\n";
   for (const auto& named : curves_of(*this)) {
     const auto row = [&](double beta, const std::string& rest) {
       fmt::print(out, "{},{},{},{}\n", named.name, beta, beta * named.load, rest);
@@ -150,7 +150,8 @@ void CurveReport::write_csv(std::ostream& out) const {
       const auto mode = named_mode(problem, piece);
       row(piece.from.at,
           fmt::format("{},{},{},{},{}", piece.from.factor,
-                      piece.error ? fmt::format("{}", *piece.error) : "", mode.sway ? 1 : 0,
+                      piece.error ? fmt::format("{}", *piece.error) : "",
+                      mode.along_reference ? 1 : 0,
                       csv_cell(fmt::format("{}", fmt::join(mode.tension, " "))),
                       csv_cell(fmt::format("{}", fmt::join(mode.compression, " ")))));
     }

@@ -50,7 +50,7 @@ class Limit final : public Subcommand {
 
  private:
   void take_cases(const problems::CheckedStructure& whole);
-  void set_half_widths();
+  void set_half_widths(const problems::Structure& whole);
   void warn_without_uncertain_loads(CommandRun& run) const;
   [[nodiscard]] const char* option_of_worst_case() const;
   void refuse_with_losses() const;
@@ -145,12 +145,14 @@ void Limit::refuse_without_worst_case() const {
 }
 
 // Half-widths of uncertain loads, from the file and the call.
-void Limit::set_half_widths() {
+void Limit::set_half_widths(const problems::Structure& whole) {
   options_.asked.groups = group_half_widths(group_alpha_);
   std::vector<problems::LimitProblem*> problems;
   for (auto& each : cases_) problems.push_back(&each.problem);
+  auto asked = options_.asked;
+  asked.groups = problems::of_cases(std::move(asked.groups), problems, whole);
   try {
-    options_.parameters.alpha = problems::set_half_widths(problems, options_.asked);
+    options_.parameters.alpha = problems::set_half_widths(problems, asked);
   } catch (const problems::HalfWidthError& error) {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
@@ -200,9 +202,10 @@ void Limit::prepare(CommandRun& run) {
   options_.parameters.residual =
       problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
   take_cases(structure);
-  set_half_widths();
+  set_half_widths(*structure);
   warn_without_uncertain_loads(run);
-  options_.parameters.loss = options_.loss.parameters(cases_.front().problem);
+  options_.parameters.loss =
+      options_.loss.parameters(*cases_.front().truss, cases_.front().problem);
   engine::Facts facts;
   for (const auto& [name, truss, problem, found] : cases_) {
     engine::require_equal_on_all_ranks(run.session().transport(), problem.fingerprint);

@@ -7,7 +7,10 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "run/limit/limit_report.hpp"
+#include "run/limit/limit_words.hpp"
 #include "run/limit/loss_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
@@ -36,27 +39,36 @@ const char* state_of(const limit::LimitFindings& found) {
   return is_carried_at_none(found.answer) ? "not-carried" : "solved";
 }
 
-std::string found_text(const limit::LimitFindings& found) {
+// The results of one case in a line, and the critical combination of its actions in another.
+std::string found_text(const LimitCase& each) {
+  const auto& found = each.found;
   const auto& answer = found.answer;
   if (is_carried_at_none(answer)) {
     return fmt::format("not carried at any factor{}", answer.whole() ? ", proved" : ", open");
   }
   if (!answer.nominal) return "open";
-  const auto& nominal = answer.nominal_factors.largest;
-  auto text = "nominal " + factor_text(nominal.lower, nominal.upper);
+  std::vector<std::string> parts;
+  // With factors in the middle of their ranges a combination has no meaning of its own.
+  if (each.truss->actions.empty() || !answer.worst) {
+    const auto& nominal = answer.nominal_factors.largest;
+    parts.push_back("nominal " + factor_text(nominal.lower, nominal.upper));
+  }
   if (const auto& worst = answer.worst) {
     const auto& ends = worst->ends;
-    text += worst->as_printed ? fmt::format(", worst case {:.10g} ... {:.10g} (not proved)",
-                                            ends.lower, ends.upper)
-                              : ", worst case " + factor_text(ends.lower, ends.upper);
+    parts.push_back(worst->as_printed ? fmt::format("worst case {:.10g} ... {:.10g} (not proved)",
+                                                    ends.lower, ends.upper)
+                                      : "worst case " + factor_text(ends.lower, ends.upper));
   }
-  if (!found.loss && !answer.whole()) text += ", open";
+  if (!found.loss && !answer.whole()) parts.emplace_back("open");
   if (const auto& loss = found.loss) {
-    text += loss->is_fatal()
-                ? fmt::format(", no factor after a loss, {}", loss->proved ? "proved" : "open")
-                : ", after a loss " + remaining_factor_text(*loss);
+    parts.push_back(loss->is_fatal() ? fmt::format("no factor after a loss, {}",
+                                                   loss->proved ? "proved" : "open")
+                                     : "after a loss " + remaining_factor_text(*loss));
   }
-  return text;
+  auto text = fmt::format("{}", fmt::join(parts, ", "));
+  if (!answer.worst) return text;
+  const auto combination = combination_text(each.truss, each.problem, answer.worst->zeta);
+  return combination.empty() ? text : fmt::format("{}\n    {}", text, combination);
 }
 
 }  // namespace
@@ -134,18 +146,24 @@ limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
   return intersection(intervals);
 }
 
-std::string cases_text(std::span<const LimitCase> cases) {
+std::string loads_text(std::span<const LimitCase> cases, std::optional<double> alpha) {
+  if (!cases.front().truss->actions.empty()) return " in every combination of actions";
+  const auto is_uncertain = [&](const auto& column) { return *alpha * column.half_width > 0; };
+  const auto any_is_uncertain = [&](const LimitCase& each) {
+    return std::ranges::any_of(each.problem.uncertain, is_uncertain);
+  };
+  return alpha && std::ranges::any_of(cases, any_is_uncertain) ? " under all admissible loads"
+                                                               : " under the dead load";
+}
+
+std::string cases_text(std::span<const LimitCase> cases, std::optional<double> alpha) {
   std::string text =
       fmt::format("{} load cases{}\n", cases.size(), with_struts(cases) ? upper_values : "");
   const auto out = std::back_inserter(text);
-  for (const auto& each : cases)
-    fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found));
+  for (const auto& each : cases) fmt::format_to(out, "  {}: {}\n", each.name, found_text(each));
   const auto interval = interval_of_all(cases);
-  if (with_worst_case(cases)) {
-    fmt::format_to(out, "in all cases: {}\n  {}\n", interval_text(interval), passed_text(interval));
-  } else {
-    fmt::format_to(out, "in all cases: {}\n", interval_text(interval, " under the dead load"));
-  }
+  fmt::format_to(out, "in all cases: {}\n", interval_text(interval, loads_text(cases, alpha)));
+  if (with_worst_case(cases)) fmt::format_to(out, "  {}\n", passed_text(interval));
   fmt::format_to(
       out, "{} {}\n\nload case {}\n",
       all_whole(cases) ? "the least factor is that of" : "the least known factor is that of",
@@ -160,6 +178,8 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
     ordered_json row{{"name", each.name},
                      {"nominal", answer.nominal ? ordered_json(answer.nominal->factor) : nullptr}};
     if (const auto& worst = answer.worst) {
+      if (!each.truss->actions.empty())
+        row["critical_factors"] = factors_json(each.truss, each.problem, worst->zeta);
       row["worst_case"] = {{"lower", number_or_null(worst->ends.lower)},
                            {"upper", number_or_null(worst->ends.upper)},
                            {"proved", worst->proved}};

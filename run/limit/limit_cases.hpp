@@ -1,6 +1,7 @@
 // Load cases of a problem file, and the governing one.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,8 +58,11 @@ std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase
 /// otherwise under the nominal ones.
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases);
 
-/// One row per case, and the governing case.
-std::string cases_text(std::span<const LimitCase> cases);
+/// The loads of a statement on all cases: " under all admissible loads". @param alpha of the search
+std::string loads_text(std::span<const LimitCase> cases, std::optional<double> alpha);
+
+/// One row per case, and the governing case. @param alpha of the search
+std::string cases_text(std::span<const LimitCase> cases, std::optional<double> alpha);
 
 /// The key `cases` of a result.
 nlohmann::ordered_json cases_json(std::span<const LimitCase> cases);

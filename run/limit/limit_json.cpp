@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "problems/limit/action_factors.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
@@ -27,46 +28,15 @@ const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
 }
 
-// A load by nodes; zeros are left out.
-ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
-  auto list = ordered_json::array();
-  for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
-    std::vector<double> force;
-    for (int axis = 0; axis < problem.dimension; ++axis) {
-      const int degree = problem.degrees.number(axis, node);
-      force.push_back(degree < 0 ? 0 : load(degree));
-    }
-    if (std::ranges::any_of(force, [](double each) { return each != 0; })) {
-      list.push_back({{"node", node_name(problem, node)}, {"force", force}});
-    }
-  }
-  return list;
-}
-
 // All null if no critical load is known.
-void add_critical_load(ordered_json& result, const LimitProblem& problem,
-                       const Eigen::VectorXd& zeta) {
+void add_critical_load(ordered_json& result, const problems::Structure& truss,
+                       const LimitProblem& problem, const Eigen::VectorXd& zeta) {
   const bool known = zeta.size() == problem.uncertain_count();
   const Eigen::VectorXd load = known ? problems::dead_load(problem, zeta) : problem.dead;
   result["critical_load"] = known ? load_json(problem, load) : ordered_json();
   result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
   result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
-}
-
-ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
-  const auto mode = problems::collapse_mode(problem, collapse.motion);
-  auto moving = ordered_json::array();
-  for (const auto& [node, velocity] : mode.moving) {
-    moving.push_back({{"node", node_name(problem, node)}, {"velocity", numbers(velocity)}});
-  }
-  auto yielding = ordered_json::array();
-  for (const auto& [member, elongation] : mode.yielding) {
-    const auto& bar = problem.members[static_cast<std::size_t>(member)];
-    yielding.push_back({{"member", {node_name(problem, bar.first), node_name(problem, bar.second)}},
-                        {"in", elongation > 0 ? "tension" : "compression"},
-                        {"elongation", elongation}});
-  }
-  return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
+  if (!truss.actions.empty()) result["critical_factors"] = factors_json(truss, problem, zeta);
 }
 
 // Reactions by names of the supported nodes.
@@ -123,10 +93,10 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
                           {"upper_proved", worst.ends.upper_proved},
                           {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
-  add_critical_load(result, report.problem, worst.zeta);
+  add_critical_load(result, report.truss, report.problem, worst.zeta);
   if (worst.collapse) {
     result["critical_interval"] = carried_between(*worst.collapse);
-    result["collapse_mode"] = mode_json(report.problem, *worst.collapse);
+    result["collapse_mode"] = mode_json(report.problem, worst.collapse->motion);
     result["forces"] = numbers(worst.collapse->forces);
     result["utilisation"] = numbers(utilisation(report.problem, worst.collapse->forces));
     result["support_reactions"] = support_reactions_json(
@@ -171,7 +141,7 @@ ordered_json result_json(const LimitReport& report) {
   if (answer.nominal) {
     result["nominal_interval"] = carried_between(*answer.nominal);
     result["nominal_bounds"] = interval_json(nominal_interval(answer, {}));
-    result["nominal_mode"] = mode_json(problem, *answer.nominal);
+    result["nominal_mode"] = mode_json(problem, answer.nominal->motion);
     result["nominal_forces"] = numbers(answer.nominal->forces);
     result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));
     result["nominal_support_reactions"] =
@@ -217,6 +187,40 @@ const OptionWords<limit::LimitMethod>& limit_method_words() {
   return words;
 }
 
+ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
+  auto list = ordered_json::array();
+  for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
+    std::vector<double> force;
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const int degree = problem.degrees.number(axis, node);
+      force.push_back(degree < 0 ? 0 : load(degree));
+    }
+    if (std::ranges::any_of(force, [](double each) { return each != 0; })) {
+      list.push_back({{"node", node_name(problem, node)}, {"force", force}});
+    }
+  }
+  return list;
+}
+
+ordered_json mode_json(const LimitProblem& problem, const Eigen::VectorXd& motion,
+                       std::span<const int> lost) {
+  const auto mode = problems::collapse_mode(problem, motion);
+  auto moving = ordered_json::array();
+  for (const auto& [node, velocity] : mode.moving) {
+    moving.push_back({{"node", node_name(problem, node)}, {"velocity", numbers(velocity)}});
+  }
+  auto yielding = ordered_json::array();
+  for (const auto& [member, elongation] : mode.yielding) {
+    if (std::ranges::find(lost, member) != lost.end()) continue;
+    const auto& bar = problem.members[static_cast<std::size_t>(member)];
+    yielding.push_back({{"member", {node_name(problem, bar.first), node_name(problem, bar.second)}},
+                        {"in", elongation > 0 ? "tension" : "compression"},
+                        {"elongation", elongation}});
+  }
+  return {
+      {"along_reference_load", mode.along_reference}, {"moving", moving}, {"yielding", yielding}};
+}
+
 // Meaning of zeta, parameter by parameter.
 ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
   auto list = ordered_json::array();
@@ -225,6 +229,17 @@ ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd&
     list.push_back(
         {{"name", problems::parameter_name(problem, j)}, {"value", half_width * zeta(j)}});
   }
+  return list;
+}
+
+// The factor of each action; null if no critical load is known or the action has no effect.
+ordered_json factors_json(const problems::Structure& truss, const LimitProblem& problem,
+                          const Eigen::VectorXd& zeta) {
+  auto list = ordered_json::array();
+  if (zeta.size() != problem.uncertain_count()) return list;
+  for (const auto& [action, factor, reference] : problems::action_factors(truss, problem, zeta))
+    list.push_back(
+        {{"action", action}, {"factor", number_or_null(factor)}, {"reference", reference}});
   return list;
 }
 

@@ -38,8 +38,9 @@ void write_mode(std::string& text, const LimitProblem& problem,
     (elongation > 0 ? tension : compression).push_back(problems::member_name(problem, member));
   }
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "  collapse mode: {}, {} {}, {} {}\n", mode.sway ? "sway" : "not sway",
-                 counted(mode.moving.size(), "node"), mode.moving.size() == 1 ? "moves" : "move",
+  fmt::format_to(out, "  collapse mode: {} {}{}, {} {}\n", counted(mode.moving.size(), "node"),
+                 mode.moving.size() == 1 ? "moves" : "move",
+                 mode.along_reference ? " along the reference load" : "",
                  counted(mode.yielding.size(), "member"),
                  mode.yielding.size() == 1 ? "yields" : "yield");
   if (!tension.empty()) fmt::format_to(out, "    in tension:     {}\n", fmt::join(tension, " "));
@@ -58,7 +59,10 @@ void write_zero(std::string& text, const char* load, double factor) {
 
 void write_nominal(std::string& text, const LimitReport& report) {
   const auto& [minimum, largest, gap] = report.answer.nominal_factors;
-  fmt::format_to(std::back_inserter(text), "nominal load factor {}{}\n",
+  fmt::format_to(std::back_inserter(text), "{} {}{}\n",
+                 report.truss.actions.empty() || !report.answer.worst
+                     ? "nominal load factor"
+                     : "with all factors of actions in the middle of their ranges: load factor",
                  factor_text(largest.lower, largest.upper), report.residual ? upper_value : "");
   write_zero(text, "the dead load", largest.upper);
   if (minimum.lower > 0 && minimum.upper <= largest.lower) {
@@ -87,14 +91,15 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 void write_interval(std::string& text, const LimitReport& report) {
   const auto interval = guaranteed_interval(report.answer, report.residual);
   if (report.residual) text += "  while no strut falls below its residual strength:\n";
-  text += "  " + interval_text(interval) + '\n';
+  const auto loads = loads_text(report.cases, report.options.parameters.alpha);
+  text += "  " + interval_text(interval, loads) + '\n';
   text += "  " + passed_text(interval) + '\n';
   const auto& carrying = report.residual ? *report.residual : report.answer;
   const auto& reversed = carrying.reversed;
   const bool zero_is_excluded = guaranteed_interval(carrying).minimum.lower > 0;
   if (!reversed || reversed->zeta.size() == 0 || !zero_is_excluded) return;
   text += "  load that determines the least of these factors:\n" +
-          critical_load_text(report.problem, reversed->zeta);
+          critical_load_text(report.truss, report.problem, reversed->zeta);
 }
 
 void write_worst(std::string& text, const LimitReport& report) {
@@ -104,22 +109,29 @@ void write_worst(std::string& text, const LimitReport& report) {
   const auto out = std::back_inserter(text);
   const auto unit = unit_of_alpha(problem);
   const auto alpha = problems::common_half_width(problem, *options.parameters.alpha);
-  fmt::format_to(out, "\nworst case of {} uncertain loads, {}{}\n", problem.uncertain_count(),
-                 alpha ? fmt::format("alpha = {}{}{}", *alpha, unit ? " " : "", unit.value_or(""))
-                       : "each within its own half-width",
-                 report.residual ? upper_value : "");
+  const auto bounds =
+      !report.truss.actions.empty() ? std::string("combinations of actions")
+      : alpha                       ? fmt::format("worst case of {}, alpha = {}{}{}",
+                                                  counted(static_cast<std::uint64_t>(problem.uncertain_count()),
+                                                          "uncertain load"),
+                                                  *alpha, unit ? " " : "", unit.value_or(""))
+                                    : fmt::format(
+                                          "worst case of {} uncertain loads, each within its own "
+                                                                "half-width",
+                                          problem.uncertain_count());
+  fmt::format_to(out, "\n{}{}\n", bounds, report.residual ? upper_value : "");
   const auto along = std::ranges::count_if(
       problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
   if (along > 0) {
-    fmt::format_to(
-        out, "  {} of them act along the reference load; the load factor does not include them\n",
-        along);
+    fmt::format_to(out, "  {} {} along the reference load; the load factor does not include {}\n",
+                   counted(static_cast<std::uint64_t>(along), "uncertain load"),
+                   along == 1 ? "acts" : "act", along == 1 ? "it" : "them");
   }
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(
         out,
         "  some admissible dead load is not carried at any load factor of either sign, proved\n");
-    text += critical_load_text(problem, worst.zeta);
+    text += critical_load_text(report.truss, problem, worst.zeta);
   } else {
     write_ends(text, worst);
     if (worst.collapse) {
@@ -127,7 +139,7 @@ void write_worst(std::string& text, const LimitReport& report) {
       write_mode(text, problem, *worst.collapse);
       text += utilisation_text(problem, *worst.collapse);
     }
-    if (worst.zeta.size() > 0) text += critical_load_text(problem, worst.zeta);
+    if (worst.zeta.size() > 0) text += critical_load_text(report.truss, problem, worst.zeta);
     if (!worst.as_printed) write_interval(text, report);
   }
   if (worst.zero_one) text += zero_one_text(worst);
@@ -158,7 +170,7 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
 }  // namespace
 
 std::string LimitReport::table(const Page& page) const {
-  std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
+  std::string text = cases.size() > 1 ? cases_text(cases, options.parameters.alpha) : std::string();
   if (!answer.nominal) return text + page.warning(no_nominal(answer));
   const auto out = std::back_inserter(text);
   write_nominal(text, *this);

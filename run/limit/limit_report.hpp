@@ -48,8 +48,21 @@ struct LimitReport {
   [[nodiscard]] nlohmann::ordered_json json() const;
 };
 
+/// A load by nodes, in the order of the nodes; zeros are left out. @param load n^d
+nlohmann::ordered_json load_json(const problems::LimitProblem& problem,
+                                 const Eigen::VectorXd& load);
+
+/// A collapse mode: nodes that move, members that yield. @param lost members that are not there
+nlohmann::ordered_json mode_json(const problems::LimitProblem& problem,
+                                 const Eigen::VectorXd& motion, std::span<const int> lost = {});
+
 /// zeta of each uncertain load, by its name: the key `critical_parameters`. @param zeta m
 nlohmann::ordered_json parameters_json(const problems::LimitProblem& problem,
                                        const Eigen::VectorXd& zeta);
+
+/// The factors of the actions of a combination under a load: the key `critical_factors`.
+nlohmann::ordered_json factors_json(const problems::Structure& truss,
+                                    const problems::LimitProblem& problem,
+                                    const Eigen::VectorXd& zeta);
 
 }  // namespace kusabi::run

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "problems/limit/action_factors.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
@@ -21,6 +22,8 @@
 #include "run/limit/strut_report.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
+#include "run/verdict/answer_words.hpp"
+#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -37,6 +40,23 @@ constexpr std::size_t max_in_sentence = 8;
 
 std::string size_text(double size, const std::string& unit) {
   return fmt::format("{:.6g} {}", size, unit.empty() ? "in the file's unit of force" : unit);
+}
+
+// The nodes on which a load acts: "at p q t".
+std::string nodes_of(const LimitProblem& problem, const problems::UncertainColumn& column) {
+  std::vector<int> nodes;
+  for (const auto& each : column.direction) {
+    const int node = problem.degrees.free[static_cast<std::size_t>(each.degree)].node;
+    if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
+  }
+  std::vector<std::string> names;
+  for (const int node : nodes) {
+    if (names.size() == max_in_sentence) break;
+    names.push_back(problem.node_names[static_cast<std::size_t>(node)]);
+  }
+  const auto more = nodes.size() - names.size();
+  return fmt::format("at {}{}", fmt::join(names, " "),
+                     more > 0 ? fmt::format(" and {} more", more) : std::string());
 }
 
 // "4 members yield: a-b b-c c-d d-e."
@@ -80,7 +100,14 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   std::string text = "  utilisation of other members:";
   const auto full = static_cast<std::size_t>(
       std::ranges::count_if(others, [&](int i) { return used(i) >= in_full; }));
-  if (full > 0) text += fmt::format(" {} at 100 %,", full);
+  if (full > 0) {
+    const auto named = std::min(full, max_named);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < named; ++i)
+      names.push_back(problems::member_name(problem, others[i]));
+    text += fmt::format(" {} at 100 % ({}{}),", full, fmt::join(names, " "),
+                        named < full ? " and others" : "");
+  }
   others.erase(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(full));
   const auto all = others.size();
   others.resize(std::min(all, max_named));
@@ -90,8 +117,26 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   return text + (all > max_named ? fmt::format("; {} others have less\n", all - max_named) : "\n");
 }
 
-std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+std::string combination_text(const problems::Structure& truss, const LimitProblem& problem,
+                             const Eigen::VectorXd& zeta) {
   if (zeta.size() != problem.uncertain_count()) return {};
+  std::vector<std::string> fixed;
+  std::vector<std::string> multiplied;
+  for (const auto& [action, factor, reference] : problems::action_factors(truss, problem, zeta)) {
+    auto& list = reference ? multiplied : fixed;
+    list.push_back(factor ? fmt::format("{:.6g} {}", *factor, action)
+                          : fmt::format("{} on supports only", action));
+  }
+  if (multiplied.empty()) return {};
+  return fmt::format("{}{}{} times the load factor", fmt::join(fixed, ", "),
+                     fixed.empty() ? "" : "; ", fmt::join(multiplied, ", "));
+}
+
+std::string critical_load_text(const problems::Structure& truss, const LimitProblem& problem,
+                               const Eigen::VectorXd& zeta) {
+  if (zeta.size() != problem.uncertain_count()) return {};
+  if (const auto text = combination_text(truss, problem, zeta); !text.empty())
+    return fmt::format("  critical combination: {}\n", text);
   const auto& unit = problem.units.force;
   std::string text = "  critical part of the dead load:\n";
   // Key: axis, + before -, value as displayed.
@@ -113,8 +158,8 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
     if (column.name.empty()) continue;
-    text += fmt::format("    {}{}: {:.6g} times\n", zeta(j) >= 0 ? '+' : '-', column.name,
-                        std::abs(zeta(j)) * column.half_width);
+    text += fmt::format("    {}{} ({}): {:.6g} times\n", zeta(j) >= 0 ? '+' : '-', column.name,
+                        nodes_of(problem, column), std::abs(zeta(j)) * column.half_width);
   }
   return text;
 }
@@ -148,6 +193,48 @@ LoadRange load_range(const LimitOptions& options, std::span<const LimitCase> cas
   return loads;
 }
 
+// The action that the load factor multiplies; empty if the load cases are no combinations.
+std::string reference_action(const problems::Structure& truss) {
+  const auto found = std::ranges::find(truss.actions, true, &problems::ActionFactors::reference);
+  return found == truss.actions.end() ? std::string() : found->action;
+}
+
+// Load factors of one case: under every admissible load if some case has a worst case.
+limit::GuaranteedInterval interval_of(const LimitCase& each, bool worst) {
+  return worst ? guaranteed_interval(each.found.answer, each.found.residual)
+               : nominal_interval(each.found.answer, each.found.residual);
+}
+
+// The load cases in which the carried factors of all cases begin and end.
+std::string cases_at_ends(std::span<const LimitCase> cases, const LoadInterval& interval) {
+  if (cases.size() < 2) return {};
+  const bool worst = with_worst_case(cases);
+  if (interval.carried_at_none) {
+    const auto none = std::ranges::find_if(
+        cases, [&](const auto& each) { return interval_of(each, worst).at_none; });
+    return none == cases.end() ? std::string() : fmt::format("That is load case {}.", none->name);
+  }
+  const auto& [from, to] = std::tie(interval.minimum, interval.maximum);
+  if (!from.lower || !to.upper) return {};
+  const auto lower = [&](const auto& each) { return interval_of(each, worst).minimum.lower; };
+  const auto upper = [&](const auto& each) { return interval_of(each, worst).largest.upper; };
+  const auto& begins = *std::ranges::max_element(cases, {}, lower);
+  const auto& ends = *std::ranges::min_element(cases, {}, upper);
+  if (from.lower->value > to.upper->value) {
+    return fmt::format("Load case {} is carried only from {} on{}, load case {} only up to {}{}.",
+                       begins.name, rounded_down(from.lower->value),
+                       unless_proved(from.lower->standing), ends.name, rounded_up(to.upper->value),
+                       unless_proved(to.upper->standing));
+  }
+  const auto combination = [&] {
+    const auto& critical = ends.found.answer.worst;
+    if (!critical) return std::string();
+    return combination_text(*ends.truss, ends.problem, critical->zeta);
+  }();
+  return fmt::format("The least of the largest factors is that of load case {}{}{}.", ends.name,
+                     combination.empty() ? "" : ": ", combination);
+}
+
 LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases) {
   const auto found = interval_of_all(cases);
   LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
@@ -156,6 +243,7 @@ LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCas
     interval.carried_at_none = standing(found.at_none_proved);
     return interval;
   }
+  interval.reference_action = reference_action(*cases.front().truss);
   interval.minimum = bracket(found.minimum);
   interval.maximum = bracket(found.largest);
   interval.if_big_m = std::ranges::any_of(cases, [](const auto& each) {
@@ -190,6 +278,8 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
     yields(*answer.nominal, cases.size() > 1 ? "At the least of the largest factors" : "Then");
   }
   interval.incomplete = !all_whole(cases);
+  if (auto text = cases_at_ends(cases, interval); !text.empty() && !options.parameters.loss)
+    verdict.details.insert(verdict.details.begin(), std::move(text));
   verdict.answer = interval;
   const bool of_losses =
       std::ranges::all_of(cases, [](const auto& each) { return each.found.loss.has_value(); });

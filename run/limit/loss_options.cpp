@@ -1,12 +1,14 @@
 // Names of members from those of nodes.
 #include "run/limit/loss_options.hpp"
 
-#include <algorithm>
 #include <cstddef>
+#include <set>
+#include <unordered_map>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "run/command/listed_names.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
@@ -14,38 +16,59 @@ namespace {
 
 using problems::LimitProblem;
 
-// Members that are named, and those at named nodes.
-std::vector<int> kept_members(const LimitProblem& problem, const std::string& names) {
-  std::vector<bool> kept(static_cast<std::size_t>(problem.member_count()));
-  for (std::size_t from = 0; from < names.size();) {
-    const auto to = std::min(names.find(' ', from), names.size());
-    const auto name = names.substr(from, to - from);
-    from = to + 1;
-    if (name.empty()) continue;
-    bool any = false;
-    for (int i = 0; i < problem.member_count(); ++i) {
-      const auto& bar = problem.members[static_cast<std::size_t>(i)];
-      const auto& first = problem.node_names[static_cast<std::size_t>(bar.first)];
-      const auto& second = problem.node_names[static_cast<std::size_t>(bar.second)];
-      if (name != first && name != second && name != first + '-' + second &&
-          name != second + '-' + first) {
-        continue;
+// Names of the nodes and members of a truss, and the members that each stands for.
+class MemberNames {
+ public:
+  MemberNames(const problems::Structure& truss, const LimitProblem& problem);
+
+  std::vector<std::string> names;
+  std::vector<std::vector<int>> members;  ///< of each name
+
+ private:
+  void add(const std::string& name, int member);
+
+  std::unordered_map<std::string, std::size_t> places_;
+};
+
+MemberNames::MemberNames(const problems::Structure& truss, const LimitProblem& problem) {
+  std::vector<std::vector<std::string>> of_node;
+  for (const auto& name : truss.node_names) of_node.push_back({name});
+  for (const auto& [name, node] : truss.more_names)
+    of_node[static_cast<std::size_t>(node)].push_back(name);
+  for (int i = 0; i < problem.member_count(); ++i) {
+    const auto& bar = problem.members[static_cast<std::size_t>(i)];
+    for (const auto& first : of_node[static_cast<std::size_t>(bar.first)]) {
+      for (const auto& second : of_node[static_cast<std::size_t>(bar.second)]) {
+        for (const auto& name : {first, second, first + '-' + second, second + '-' + first})
+          add(name, i);
       }
-      any = true;
-      kept[static_cast<std::size_t>(i)] = true;
-    }
-    if (!any) {
-      throw WrongInput(fmt::format(
-          "--keep '{}': no such node or member; expected names separated by blanks, a member as "
-          "NODE-NODE",
-          name));
     }
   }
-  std::vector<int> members;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i]) members.push_back(static_cast<int>(i));
+}
+
+void MemberNames::add(const std::string& name, int member) {
+  const auto [place, is_new] = places_.try_emplace(name, names.size());
+  if (is_new) {
+    names.push_back(name);
+    members.emplace_back();
   }
-  return members;
+  members[place->second].push_back(member);
+}
+
+// Members that are named, and those at named nodes.
+std::vector<int> kept_members(const problems::Structure& truss, const LimitProblem& problem,
+                              const std::string& text) {
+  const MemberNames all(truss, problem);
+  const auto [found, unknown] = listed_names(text, all.names);
+  if (!unknown.empty()) {
+    throw WrongInput(fmt::format(
+        "--keep '{}': no such node or member; expected names separated by blanks or commas, a "
+        "member as NODE-NODE",
+        unknown));
+  }
+  std::set<int> members;
+  for (const auto i : found) members.insert(all.members[i].begin(), all.members[i].end());
+  return {members.begin(), members.end()};
 }
 
 }  // namespace
@@ -62,7 +85,7 @@ void LossOptions::describe(OptionTable& table) {
   table
       .text("--keep", kept, "NAMES",
             "members (NODE-NODE) that cannot be lost, and nodes all of whose members cannot; "
-            "separated by blanks")
+            "separated by blanks or commas")
       .needs("--lose");
   table
       .number("--sudden", &sudden, between(1, 100),
@@ -71,9 +94,10 @@ void LossOptions::describe(OptionTable& table) {
       .needs("--lose");
 }
 
-std::optional<limit::LossParameters> LossOptions::parameters(const LimitProblem& problem) const {
+std::optional<limit::LossParameters> LossOptions::parameters(const problems::Structure& truss,
+                                                             const LimitProblem& problem) const {
   if (maximum == 0) return std::nullopt;
-  return limit::LossParameters{maximum, at_least, kept_members(problem, kept), sudden};
+  return limit::LossParameters{maximum, at_least, kept_members(truss, problem, kept), sudden};
 }
 
 }  // namespace kusabi::run

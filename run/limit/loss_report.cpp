@@ -164,7 +164,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
     fmt::format_to(out, "  worst loss known: {}\n", fmt::join(names_of(problem, loss.lost), " "));
   }
   if (loss.is_fatal()) text += fatal_text(problem, truss, loss);
-  if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(problem, loss.zeta);
+  if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(truss, problem, loss.zeta);
   if (loss.collapse && loss.ends.upper < 0)
     fmt::format_to(out, "  negative: {}{} alone then collapses the structure\n",
                    loss.sudden == 1 ? std::string() : fmt::format("{} times ", loss.sudden),
@@ -207,9 +207,16 @@ ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
                        {"state", loss_state(single.status)}});
   }
   json["single"] = std::move(singles);
-  if (loss.zeta.size() > 0) json["critical_parameters"] = parameters_json(problem, loss.zeta);
+  json["lost_index"] = loss.lost;
+  if (loss.zeta.size() > 0) {
+    json["critical_parameters"] = parameters_json(problem, loss.zeta);
+    json["critical_load"] = load_json(problem, problems::dead_load(problem, loss.zeta));
+  }
   if (loss.collapse) {
     json["forces"] = numbers(loss.collapse->forces);
+    json["collapse_mode"] = mode_json(problem, loss.collapse->motion, loss.lost);
+  } else if (loss.fatal_motion.size() > 0) {
+    json["collapse_mode"] = mode_json(problem, loss.fatal_motion, loss.lost);
   }
   return json;
 }

@@ -76,7 +76,10 @@ std::string strut_text(const LimitReport& report) {
                  remaining_text(*report.residual, report.residual_loss));
   if (report.residual->worst) {
     const auto carried = guaranteed_interval(*report.residual);
-    if (!carried.has_factors()) fmt::format_to(out, "    {}\n", interval_text(carried));
+    if (!carried.has_factors())
+      fmt::format_to(
+          out, "    {}\n",
+          interval_text(carried, loads_text(report.cases, report.options.parameters.alpha)));
   }
   const auto names = struts_at_strength(report);
   fmt::format_to(out, "  struts at their strength at the collapse: {}\n",

@@ -16,8 +16,7 @@ std::string factor_text(double lower, double upper);
 
 /// "factors -2.634577 ... 1.882777 are carried under all admissible loads, proved": the known
 /// bounds, without a line end. @param loads those of the interval
-std::string interval_text(const limit::GuaranteedInterval& interval,
-                          std::string_view loads = " under all admissible loads");
+std::string interval_text(const limit::GuaranteedInterval& interval, std::string_view loads);
 
 /// Statement on the design load at every stage of loading, without a line end.
 std::string passed_text(const limit::GuaranteedInterval& interval);

@@ -1,6 +1,8 @@
 // Nominal and worst case side by side, if both exist.
 #include "run/report/limit_section.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -31,6 +33,8 @@ class LimitSection {
     for (auto scene = scenes_.scenes.rbegin(); scene != scenes_.scenes.rend(); ++scene)
       collapse(*scene);
     if (ResultReader::find(result_, "collapse_mode") == nullptr) critical_load();
+    single_losses();
+    combinations();
     factors();
     utilisation();
     page_.close();
@@ -40,14 +44,24 @@ class LimitSection {
   // A large picture, and the members that yield beside it.
   void collapse(const pictures::Scene& scene) {
     const bool worst = scene.name == "worst case";
-    page_.element("h3", fmt::format("Collapse under the {}, {}", scene.name, scene.note));
+    const bool loss = scene.name == "worst loss";
+    page_.element("h3", fmt::format("Collapse {} the {}, {}", loss ? "after" : "under", scene.name,
+                                    scene.note));
     page_.open("div", {{"class", "beside"}}).open("figure");
-    page_.verbatim(
-        inline_svg({worst ? "collapse-worst" : "collapse-nominal", "Collapse mode, " + scene.name,
-                    "The structure at collapse, " + scene.note, true},
-                   scene));
+    page_.verbatim(inline_svg(
+        {loss    ? "collapse-loss"
+         : worst ? "collapse-worst"
+                 : "collapse-nominal",
+         "Collapse mode, " + scene.name, "The structure at collapse, " + scene.note, true},
+        scene));
     page_.close().open("div");
-    mode(worst ? "collapse_mode" : "nominal_mode");
+    if (loss) {
+      const auto& found = reader_.at(result_, "member_loss");
+      page_.element("p", "Lost: " + joined(reader_.names(found, "lost")));
+      mode(found, "collapse_mode");
+    } else {
+      mode(result_, worst ? "collapse_mode" : "nominal_mode");
+    }
     if (worst) critical_load();
     page_.close().close();
   }
@@ -107,8 +121,100 @@ class LimitSection {
     add_facts(page_, "Factors of the reference load", facts);
   }
 
-  void mode(const char* key) {
-    const auto& yielding = reader_.list(reader_.at(result_, key), "yielding");
+  // The load factor after the loss of each member, the smallest first.
+  void single_losses() {
+    const auto* const loss = ResultReader::find(result_, "member_loss");
+    if (loss == nullptr || ResultReader::find(*loss, "single") == nullptr) return;
+    std::vector<const ResultJson*> singles;
+    for (const auto& each : reader_.list(*loss, "single")) singles.push_back(&each);
+    if (singles.empty()) return;
+    const auto value = [&](const ResultJson* single) {
+      const auto* const factor = ResultReader::find(*single, "factor");
+      if (factor != nullptr) return factor->get<double>();
+      return reader_.text(*single, "state") == "not-carried" ? -HUGE_VAL : HUGE_VAL;
+    };
+    std::ranges::stable_sort(singles, {}, value);
+    page_.open("details").element("summary", "Load factor after the loss of one member");
+    const bool uncertain =
+        ResultReader::find(*loss, "uncertain") != nullptr && reader_.at(*loss, "uncertain") == true;
+    begin_table(page_,
+                uncertain ? "Upper bounds of the load factor after the loss of one member"
+                          : "Load factor after the loss of one member, computed",
+                {"member", "load factor"});
+    for (const auto* const single : singles) {
+      page_.open("tr").element("th", reader_.text(*single, "member"), {{"scope", "row"}});
+      page_.open("td");
+      const auto* const factor = ResultReader::find(*single, "factor");
+      if (factor != nullptr) {
+        add_number(page_, factor);
+      } else {
+        page_.words(reader_.text(*single, "state") == "not-carried" ? "carried at no factor"
+                                                                   : "open");
+      }
+      page_.close().close();
+    }
+    end_table(page_);
+    page_.close();
+  }
+
+  // The factors of the actions in the critical load of each combination.
+  void combinations() {
+    if (ResultReader::find(result_, "critical_factors") == nullptr) return;
+    std::vector<std::string> actions;
+    for (const auto& each : reader_.list(result_, "critical_factors"))
+      actions.push_back(reader_.text(each, "action"));
+    std::vector<const ResultJson*> cases;
+    if (ResultReader::find(result_, "cases") != nullptr) {
+      for (const auto& each : reader_.list(result_, "cases")) cases.push_back(&each);
+    } else {
+      cases.push_back(&result_);
+    }
+    // Actions that exclude each other are in different cases.
+    for (const auto* const each : cases) {
+      if (ResultReader::find(*each, "critical_factors") == nullptr) continue;
+      for (const auto& factor : reader_.list(*each, "critical_factors")) {
+        const auto name = reader_.text(factor, "action");
+        if (std::ranges::find(actions, name) == actions.end()) actions.push_back(name);
+      }
+    }
+    std::vector<std::string> columns{"combination", "largest load factor, at least", "at most"};
+    columns.insert(columns.end(), actions.begin(), actions.end());
+    begin_table(page_, "Combinations of actions: the worst case of each", columns);
+    for (const auto* const each : cases) combination(*each, actions);
+    end_table(page_);
+  }
+
+  void combination(const ResultJson& row, const std::vector<std::string>& actions) {
+    const auto* const name = ResultReader::find(row, "name");
+    page_.open("tr").element("th", name == nullptr ? "all actions" : name->get<std::string>(),
+                             {{"scope", "row"}});
+    const auto* const worst = ResultReader::find(row, "worst_case");
+    for (const char* const key : {"lower", "upper"}) {
+      page_.open("td");
+      add_number(page_, worst == nullptr ? nullptr : ResultReader::find(*worst, key));
+      page_.close();
+    }
+    for (const auto& action : actions) {
+      page_.open("td");
+      bool reference = false;
+      const ResultJson* factor = nullptr;
+      if (ResultReader::find(row, "critical_factors") != nullptr) {
+        for (const auto& each : reader_.list(row, "critical_factors")) {
+          if (reader_.text(each, "action") != action) continue;
+          factor = ResultReader::find(each, "factor");
+          reference = reader_.at(each, "reference") == true;
+        }
+      }
+      if (reference) page_.words("λ · ");
+      add_number(page_, factor);
+      page_.close();
+    }
+    page_.close();
+  }
+
+  // @param object with the mode under `key`
+  void mode(const ResultJson& object, const char* key) {
+    const auto& yielding = reader_.list(reader_.at(object, key), "yielding");
     if (yielding.empty()) return;
     begin_table(page_, "Yielding members", {"member", "in", "rate of elongation"});
     for (const auto& each : yielding) {
@@ -135,6 +241,29 @@ class LimitSection {
         page_.close();
       }
       page_.close();
+    }
+    end_table(page_);
+    uncertain_loads();
+  }
+
+  // The named loads in the critical dead load, with the nodes at which they act.
+  void uncertain_loads() {
+    if (ResultReader::find(result_, "critical_parameters") == nullptr ||
+        ResultReader::find(result_, "critical_factors") != nullptr)
+      return;
+    const auto& values = reader_.list(result_, "critical_parameters");
+    const auto& loads = reader_.list(problem_, "uncertain_loads", values.size());
+    begin_table(page_, "Uncertain loads in the critical dead load", {"load", "times", "at"});
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      std::vector<std::string> nodes;
+      for (const auto& component : reader_.list(loads[j], "components")) {
+        const auto node = reader_.text(component, "node");
+        if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
+      }
+      page_.open("tr").element("th", reader_.text(values[j], "name"), {{"scope", "row"}});
+      page_.open("td");
+      add_number(page_, ResultReader::find(values[j], "value"));
+      page_.close().element("td", joined(nodes)).close();
     }
     end_table(page_);
   }

@@ -155,14 +155,14 @@ class SweepSection {
   void pieces() {
     const auto& pieces = reader_.list(result_, "curve");
     if (pieces.empty()) return;
-    begin_table(
-        page_, "Linear pieces of the curve",
-        {"α from", "to", "factor from", "to", "proved within", "sways", "yielding members"});
+    begin_table(page_, "Linear pieces of the curve",
+                {"α from", "to", "factor from", "to", "proved within", "along the reference load",
+                 "yielding members"});
     for (const auto& piece : pieces) {
       page_.open("tr");
       for (const char* const key : {"from", "to", "factor_from", "factor_to", "error"})
         number(piece, key);
-      words(is_true(reader_.at(piece, "sway")) ? "yes" : "no");
+      words(is_true(reader_.at(piece, "along_reference_load")) ? "yes" : "no");
       names(piece, "yielding");
       page_.close();
     }

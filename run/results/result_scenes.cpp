@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -231,6 +232,7 @@ class SceneReader {
       add_loads(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
                 reader_.at(reader_.at(reader_.all(), "problem"), "structure"), "dead_loads");
     }
+    read_loss(all);
     const auto* const worst_mode = ResultReader::find(result_, "collapse_mode");
     if (worst_mode != nullptr && is_chosen(all)) {
       const auto& interval = reader_.list(result_, "critical_interval", 2);
@@ -250,12 +252,40 @@ class SceneReader {
     }
   }
 
+  // The collapse after the worst loss of members.
+  void read_loss(ResultScenes& all) const {
+    const auto* const loss = ResultReader::find(result_, "member_loss");
+    if (loss == nullptr) return;
+    const auto* const mode = ResultReader::find(*loss, "collapse_mode");
+    const auto lost = reader_.names(*loss, "lost");
+    if (mode == nullptr || lost.empty() || !is_chosen(all)) return;
+    const auto* const factor = ResultReader::find(*loss, "upper");
+    all.scenes.push_back(
+        collapse("worst loss", factor == nullptr ? -HUGE_VAL : factor->get<double>(), *mode));
+    auto& scene = all.scenes.back();
+    for (const auto& index : reader_.list(*loss, "lost_index", lost.size())) {
+      const auto i = static_cast<std::size_t>(reader_.index(index, scene.bars.size()));
+      scene.bars[i].state = pictures::BarState::lost;
+    }
+    add_line(scene, listed_names("lost", lost));
+    const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
+    if (ResultReader::find(*loss, "critical_load") == nullptr) {
+      add_loads(scene, pictures::DrawnLoad::Kind::dead, structure, "dead_loads");
+      return;
+    }
+    for (const auto& load : reader_.list(*loss, "critical_load"))
+      add_load(scene, pictures::DrawnLoad::Kind::dead, node_named(reader_.text(load, "node")),
+               load);
+  }
+
   Scene collapse(const std::string& name, double factor, const ResultJson& mode) const {
     auto scene = structure_.scene;
     scene.collapse = true;
     scene.name = name;
-    scene.note = fmt::format("λ = {:.6g}", factor);
-    scene.lines = {fmt::format("collapses at load factor λ = {:.10g}", factor)};
+    const bool carried = factor > -HUGE_VAL;
+    scene.note = carried ? fmt::format("λ = {:.6g}", factor) : "at any load factor";
+    scene.lines = {carried ? fmt::format("collapses at load factor λ = {:.10g}", factor)
+                           : "collapses at any load factor"};
     scene.displacements = Eigen::Matrix3Xd::Zero(3, scene.positions.cols());
     for (const auto& moving : reader_.list(mode, "moving")) {
       scene.displacements.col(node_named(reader_.text(moving, "node"))) =
@@ -267,8 +297,8 @@ class SceneReader {
       const std::array<int, 2> nodes{node_named(ends[0]), node_named(ends[1])};
       for (auto& bar : scene.bars) {
         if (bar.nodes != nodes) continue;
-        bar.yield = reader_.text(yielding, "in") == "tension" ? pictures::BarYield::tension
-                                                              : pictures::BarYield::compression;
+        bar.state = reader_.text(yielding, "in") == "tension" ? pictures::BarState::tension
+                                                              : pictures::BarState::compression;
       }
     }
     add_loads(scene, pictures::DrawnLoad::Kind::reference,

@@ -222,6 +222,7 @@ class WrittenVerdict {
                        .if_big_m = truth(answer, "if_big_m"),
                        .incomplete = truth(answer, "incomplete"),
                        .cases = count(answer, "cases"),
+                       .reference_action = some_text(answer, "reference_action").value_or(""),
                        .struts = ResultReader::find(answer, "struts") != nullptr};
     if (const auto* const loads = ResultReader::find(answer, "uncertain"))
       found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};

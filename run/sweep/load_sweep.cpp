@@ -59,7 +59,7 @@ class LoadSweep final : public Swept {
     }
     truss_ = problems::in_chosen_case(structure, options_.load_case);
     problem_ = problems::limit_problem(truss_);
-    fix_groups();
+    fix_groups(*structure);
     const auto& uncertain = problem_.uncertain;
     if (uncertain.empty()) {
       throw WrongInput(
@@ -99,7 +99,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
-  void fix_groups();
+  void fix_groups(const problems::Structure& whole);
   void refuse_struts(const problems::CheckedStructure& structure) const;
 
   const SweepOptions& options_;
@@ -120,9 +120,11 @@ void LoadSweep::refuse_struts(const problems::CheckedStructure& structure) const
                   file));
 }
 
-void LoadSweep::fix_groups() {
+void LoadSweep::fix_groups(const problems::Structure& whole) {
+  problems::LimitProblem* const one = &problem_;
   try {
-    problems::fix_half_widths(problem_, group_half_widths(options_.group_alpha));
+    problems::fix_half_widths(
+        problem_, problems::of_cases(group_half_widths(options_.group_alpha), {&one, 1}, whole));
   } catch (const problems::HalfWidthError& error) {
     throw WrongInput(fmt::format("--group-alpha: {}", error.what()));
   }
@@ -138,7 +140,7 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
   }
   return {{"from", alpha_at(piece.from.at)},      {"to", alpha_at(piece.to)},
           {"factor_from", piece.from.factor},     {"factor_to", piece.factor_at_end},
-          {"error", number_or_null(piece.error)}, {"sway", mode.sway},
+          {"error", number_or_null(piece.error)}, {"along_reference_load", mode.along_reference},
           {"yielding", std::move(yielding)},      {"tension", std::move(tension)}};
 }
 
@@ -210,9 +212,9 @@ std::string LoadSweep::curve_text() const {
   const auto out = std::back_inserter(text);
   for (const auto& piece : curve()->pieces) {
     const auto mode = problems::collapse_mode(problem_, piece.from.motion);
-    fmt::format_to(out, "{:>12.8g} {:>12.8g}  {}, {} yielding\n", alpha_at(piece.from.at),
-                   piece.from.factor, mode.sway ? "sway" : "not sway",
-                   counted(mode.yielding.size(), "member"));
+    fmt::format_to(out, "{:>12.8g} {:>12.8g}  {} yielding{}\n", alpha_at(piece.from.at),
+                   piece.from.factor, counted(mode.yielding.size(), "member"),
+                   mode.along_reference ? ", along the reference load" : "");
   }
   const auto& last = curve()->pieces.back();
   fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);

@@ -13,12 +13,23 @@ namespace {
 // @param cases "each of", "all of"
 std::string within(const LoadInterval& found, const char* cases = "each of") {
   const auto& loads = *found.uncertain;
+  if (!found.reference_action.empty()) {
+    return "in every combination of actions" +
+           (found.cases > 1 ? fmt::format(", in {} {} load cases", cases, found.cases)
+                            : std::string());
+  }
   std::string text = "for every dead load within its bounds";
   if (loads.half_width == 0) text = "under its dead load";
   if (loads.half_width.value_or(0) != 0)
     text = "for every dead load within " + half_width_text(*loads.half_width, loads.force);
   if (found.cases > 1) text += fmt::format(", in {} {} load cases", cases, found.cases);
   return text;
+}
+
+// What the load factor multiplies.
+std::string reference(const LoadInterval& found) {
+  return found.reference_action.empty() ? "the reference load"
+                                        : "the action " + found.reference_action;
 }
 
 const char* if_large(const LoadInterval& found) {
@@ -102,9 +113,9 @@ std::string nominal(const LoadInterval& found) {
   const auto& from = found.minimum.upper;
   const auto cases = in_cases(found);
   if (!from) {  // smaller factors need not be carried
-    return fmt::format(
-        "The largest factor of the reference load that it carries is at least {}{}{}.",
-        rounded_down(to->value), unless_proved(to->standing), of_struts(found));
+    return fmt::format("The largest factor of {} that it carries is at least {}{}{}.",
+                       reference(found), rounded_down(to->value), unless_proved(to->standing),
+                       of_struts(found));
   }
   auto standing = of_all({from, to});
   if (from->value > 0 || to->value < 0) {
@@ -121,8 +132,8 @@ std::string nominal(const LoadInterval& found) {
     no_more = shown.lower == shown.upper ? ", and no more"
                                          : fmt::format(", but no more than {} times", shown.upper);
   }
-  return fmt::format("It carries {} times the reference load{}{}{}{}.", shown.lower, cases, no_more,
-                     unless_proved(standing), of_struts(found));
+  return fmt::format("It carries {} times {}{}{}{}{}.", shown.lower, reference(found), cases,
+                     no_more, unless_proved(standing), of_struts(found));
 }
 
 std::string proved_or(const Bracket& bracket) {
@@ -149,19 +160,18 @@ std::string factors_headline(const LoadInterval& found) {
     return fmt::format("No load factor was found that it carries {}{}.", loads, of_struts(found));
   const auto& from = found.minimum.upper;
   if (!from) {
-    return fmt::format(
-        "The largest factor of the reference load that it carries is at least {}{}{}, {}{}.",
-        rounded_down(to->value), if_large(found), unless_proved(to->standing), loads,
-        of_struts(found));
+    return fmt::format("The largest factor of {} that it carries is at least {}{}{}, {}{}.",
+                       reference(found), rounded_down(to->value), if_large(found),
+                       unless_proved(to->standing), loads, of_struts(found));
   }
   if (is_undecided(found)) {
     return fmt::format("It is {}undecided whether any load factor is carried {}.",
                        found.struts ? "" : "numerically ", within(found, "all of"));
   }
   const auto [low, high] = inside(from->value, to->value);
-  return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}{}.",
-                     low, unless_proved(from->standing), high, if_large(found),
-                     unless_proved(to->standing), loads, of_struts(found));
+  return fmt::format("It carries every factor from {}{} to {}{}{} of {}, {}{}.", low,
+                     unless_proved(from->standing), high, if_large(found),
+                     unless_proved(to->standing), reference(found), loads, of_struts(found));
 }
 
 // True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.

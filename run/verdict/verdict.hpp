@@ -182,6 +182,8 @@ struct LoadInterval {
   /// Part of the request, such as a curve, was not computed.
   bool incomplete = false;
   std::uint64_t cases = 1;  ///< load cases; the factors are carried in all of them
+  /// The action that the load factor multiplies, in combinations of actions; empty: other loads.
+  std::string reference_action{};
   /// Factors are carried while no strut falls below its residual strength; the outer bounds are
   /// those of full strength.
   bool struts = false;

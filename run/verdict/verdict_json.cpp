@@ -150,6 +150,7 @@ ordered_json answer_json(const LoadInterval& found) {
                     {"if_big_m", found.if_big_m},
                     {"incomplete", found.incomplete},
                     {"cases", found.cases}};
+  if (!found.reference_action.empty()) json["reference_action"] = found.reference_action;
   if (found.struts) json["struts"] = true;
   return json;
 }

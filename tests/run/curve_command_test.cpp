@@ -109,7 +109,7 @@ TEST_F(CurveCommand, FollowsTheCriticalLoadOfAnEarlierResult) {
   const auto followed =
       result_of(three + " --curve-to 2 --curve-load " + argument("twenty.json"))["load_curve"];
   ASSERT_EQ(followed.size(), 1U);
-  EXPECT_EQ(followed[0]["sway"], true);
+  EXPECT_EQ(followed[0]["along_reference_load"], true);
   EXPECT_NEAR(followed[0]["factor_from"], 48.3662, 0.5e-4);
   EXPECT_NEAR(value_of(followed, 1), 44.3662, 0.5e-4);
   const auto same = result_of(three + " --alpha 20 --curve --curve-to 2")["curve"];
@@ -148,7 +148,7 @@ TEST_F(CurveCommand, WritesEveryBreakpointAsCsv) {
   std::istringstream lines(content(in_folder("curves.csv")));
   std::string line;
   std::getline(lines, line);
-  EXPECT_EQ(line, "curve,beta,load,factor,error,sway,tension,compression");
+  EXPECT_EQ(line, "curve,beta,load,factor,error,along_reference_load,tension,compression");
   for (const auto& [name, key, load] :
        {std::tuple("critical", "curve", 0.45), std::tuple("worst", "worst_curve", 0.45),
         std::tuple("load", "load_curve", 5.0)}) {
@@ -166,7 +166,7 @@ TEST_F(CurveCommand, WritesEveryBreakpointAsCsv) {
       EXPECT_EQ(std::stod(cells[1]), piece["from"].get<double>());
       EXPECT_EQ(std::stod(cells[3]), piece["factor_from"].get<double>());
       EXPECT_EQ(cells[4].empty(), std::string(key) != "worst_curve");
-      EXPECT_EQ(cells[5], piece["sway"].get<bool>() ? "1" : "0");
+      EXPECT_EQ(cells[5], piece["along_reference_load"].get<bool>() ? "1" : "0");
       EXPECT_EQ(cells[6], fmt::format("{}", fmt::join(piece["tension"].get<Names>(), " ")));
       for (const auto& member : piece["yielding"].get<Names>()) {
         EXPECT_THAT(cells[6] + ' ' + cells[7], HasSubstr(member));

@@ -212,7 +212,7 @@ TEST_F(LoadCases, HaveAResultForEachCase) {
   EXPECT_NEAR(result["cases"][1]["nominal"].get<double>(), 1, 1e-9);
   const auto run = shell(command + " limit " + file());
   EXPECT_THAT(run.output, HasSubstr("the least factor is that of push\n"));
-  EXPECT_THAT(run.output, HasSubstr("1 of them act along the reference load"));
+  EXPECT_THAT(run.output, HasSubstr("1 uncertain load acts along the reference load"));
   auto alone = json;
   shell(ranks(2) + command + " limit " + file() + " --output " + argument("out.json"));
   auto together = Json::parse(content(in_folder("out.json")));

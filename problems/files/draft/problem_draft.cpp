@@ -55,6 +55,11 @@ int ProblemDraft::add_node(const std::string& name, const Eigen::VectorXd& place
   return number;
 }
 
+void ProblemDraft::add_name(const std::string& name, int node) {
+  node_numbers_.emplace(name, node);
+  structure_.more_names.emplace(name, node);
+}
+
 void ProblemDraft::add_group(const std::string& name, NamedGroup group) {
   groups_.emplace(name, std::move(group));
 }

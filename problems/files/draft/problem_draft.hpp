@@ -60,7 +60,7 @@ class ProblemDraft {
   int add_node(const std::string& name, const Eigen::VectorXd& place,
                support::SourcePosition position);
   /// Adds a second name for a node.
-  void add_name(const std::string& name, int node) { node_numbers_.emplace(name, node); }
+  void add_name(const std::string& name, int node);
   /// Adds a name for several nodes in lists of nodes.
   void add_group(const std::string& name, NamedGroup group);
   void add_mesh(const std::string& name, NamedMesh mesh) { meshes_named_.emplace(name, mesh); }

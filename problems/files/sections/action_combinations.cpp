@@ -91,6 +91,7 @@ class LoadCases {
 
  private:
   [[nodiscard]] FactorRange range(const Action& action, const Combination& combination) const;
+  void add_factors(const Action& action, FactorRange factors, const std::string& load_case);
   void add_bounded(const Action& action, FactorRange factors, const std::string& load_case);
   void add_load(Load::Kind kind, const ForceComponent& component, double force,
                 const std::string& load_case);
@@ -113,10 +114,14 @@ FactorRange LoadCases::range(const Action& action, const Combination& combinatio
 
 void LoadCases::add(const Combination& combination) {
   for (const Action& action : all_.actions) {
-    if (action.permanent) add_bounded(action, range(action, combination), combination.name);
+    if (!action.permanent) continue;
+    const FactorRange factors = range(action, combination);
+    add_factors(action, factors, combination.name);
+    add_bounded(action, factors, combination.name);
   }
   for (const Action* action : combination.variable) {
     const FactorRange factors = range(*action, combination);
+    add_factors(*action, factors, combination.name);
     if (action != &all_.actions[all_.reference]) {
       add_bounded(*action, factors, combination.name);
       continue;
@@ -127,10 +132,18 @@ void LoadCases::add(const Combination& combination) {
   }
 }
 
+void LoadCases::add_factors(const Action& action, FactorRange factors,
+                            const std::string& load_case) {
+  const bool reference = &action == &all_.actions[all_.reference];
+  structure_.actions.push_back(
+      {action.name.text, factors.lower, factors.upper, reference, load_case});
+}
+
 // Nominal load in the middle of the range, rounded, and an uncertain load whose half-width is
 // rounded up, so that the loads at both ends of the range are within it.
 void LoadCases::add_bounded(const Action& action, FactorRange factors,
                             const std::string& load_case) {
+  if (factors.lower == 0 && factors.upper == 0) return;
   double largest = 0;
   for (const auto& each : action.components) largest = std::max(largest, std::abs(each.force));
   // Exponent of a scaling by a power of two, which is exact; zero for forces of usual size.
@@ -167,6 +180,10 @@ void LoadCases::add_load(Load::Kind kind, const ForceComponent& component, doubl
 }
 
 }  // namespace
+
+std::size_t ActionCombinations::variable_sets() const {
+  return alternatives(actions).size();
+}
 
 double ActionCombinations::cases() const {
   const auto sets = alternatives(actions);

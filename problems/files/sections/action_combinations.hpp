@@ -22,7 +22,7 @@ struct Action {
   TomlText name;
   std::optional<FactorRange> permanent{};  ///< gamma_inf, gamma_sup; absent: a variable action
   double factor = 0;                       ///< gamma_Q
-  double combination = 0;                  ///< psi_0
+  double combination = 0;                  ///< psi_0; 0 where another action leads
   bool either_way = false;
   std::string alternatives{};                ///< actions with the same text exclude each other
   std::vector<ForceComponent> components{};  ///< each once
@@ -35,11 +35,14 @@ struct ActionCombinations {
   bool both_rules = false;    ///< (6.10a) and (6.10b) in place of (6.10)
   double reduction = 1;       ///< xi of (6.10b)
 
+  /// Number of variable actions that can act together: those that exclude each other count once.
+  [[nodiscard]] std::size_t variable_sets() const;
+
   /// Number of load cases; a double, since exclusive actions multiply it.
   [[nodiscard]] double cases() const;
 
   /// Adds the load cases to a structure without loads: dead loads and uncertain loads of fixed
-  /// half-width, and the reference load.
+  /// half-width, the reference load, and the factors of the actions.
   void add_to(Structure& structure) const;
 };
 

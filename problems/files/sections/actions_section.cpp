@@ -50,6 +50,7 @@ class ActionsReader {
   void read_variable(const toml::node& factor, const TomlTable& table, Action& action) const;
   void read_forces(const TomlTable& table, Action& action) const;
   void find_reference();
+  void require_reference_in_all_cases() const;
   void limit_cases() const;
 
   ProblemDraft& draft_;
@@ -76,6 +77,7 @@ ActionCombinations ActionsReader::read() {
   all_.actions.reserve(tables.size());
   for (const TomlTable& table : tables) read_action(table);
   find_reference();
+  require_reference_in_all_cases();
   limit_cases();
   return std::move(all_);
 }
@@ -187,9 +189,13 @@ void ActionsReader::read_variable(const toml::node& factor, const TomlTable& tab
   action.factor = is_true(factor)
                       ? variable_factor
                       : reader_.positive(factor, "variable", "factor", min_factor, max_factor);
-  action.combination = reader_.positive(
-      reader_.require(table, "psi0", "psi0 = the factor of the action where another one leads"),
-      "psi0", "factor", min_factor, 1);
+  const auto& psi0 =
+      reader_.require(table, "psi0", "psi0 = the factor of the action where another one leads");
+  action.combination = reader_.number(psi0, "psi0");
+  if (action.combination != 0 && !(action.combination >= min_factor && action.combination <= 1)) {
+    reader_.fail(psi0, fmt::format("psi0 is {}; expected 0, or a factor from {:g} to 1",
+                                   action.combination, min_factor));
+  }
   if (const toml::node* entry = table.table->get("exclusive"); entry != nullptr) {
     action.alternatives = reader_.text(*entry, "exclusive").text;
   }
@@ -238,6 +244,17 @@ void ActionsReader::find_reference() {
             name, found->either_way ? "either way" : "exclusive"));
   }
   all_.reference = static_cast<std::size_t>(found - all_.actions.begin());
+}
+
+// Where another action leads, the load factor multiplies psi0 times the reference action.
+void ActionsReader::require_reference_in_all_cases() const {
+  const Action& reference = all_.actions[all_.reference];
+  if (reference.combination > 0 || (all_.variable_sets() == 1 && !all_.both_rules)) return;
+  reader_.fail(reference_name_.position,
+               fmt::format("reference names {}, whose psi0 is 0: where another action leads, the "
+                           "load factor would multiply nothing; expected an action with a psi0 "
+                           "above 0, or the only variable action with rule = \"6.10\"",
+                           support::in_quotes(reference.name.text)));
 }
 
 void ActionsReader::limit_cases() const {

@@ -51,6 +51,8 @@ Structure in_load_case(Structure structure, const std::string& name) {
     keep(*structure.uncertain, structure.sources.uncertain, name,
          [](const UncertainParameter& each) { return each.components.size(); });
   }
+  std::erase_if(structure.actions, [&](const auto& each) { return each.load_case != name; });
+  for (auto& each : structure.actions) each.load_case.clear();
   return structure;
 }
 

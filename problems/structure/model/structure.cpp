@@ -28,6 +28,14 @@ std::string which_at_node(const Structure& structure, std::size_t index) {
 
 }  // namespace
 
+std::optional<int> node_named(const Structure& structure, const std::string& name) {
+  const auto first = std::ranges::find(structure.node_names, name);
+  if (first != structure.node_names.end())
+    return static_cast<int>(first - structure.node_names.begin());
+  const auto further = structure.more_names.find(name);
+  return further == structure.more_names.end() ? std::nullopt : std::optional(further->second);
+}
+
 std::string quoted_name(const Structure& structure, int node) {
   return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
 }

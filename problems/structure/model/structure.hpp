@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,16 @@ struct UncertainParameter {
   std::optional<double> half_width{};  ///< of zeta_j, force; nothing: the value of alpha
   std::string group{};                 ///< name of its group in the file; may be empty
   std::string load_case{};             ///< empty: in all cases
+};
+
+/// The factors of an action in one load case, a combination by EN 1990. Its part of the dead load is
+/// the forces of the file times each factor between both.
+struct ActionFactors {
+  std::string action;
+  double lower;
+  double upper;
+  bool reference = false;  ///< the load factor multiplies `upper` times the action
+  std::string load_case{};
 };
 
 /// Condition of a plane element in the third direction.
@@ -196,7 +207,8 @@ struct Structure {
   int dimension = 0;  ///< d: 2 or 3
   Units units;
   std::vector<std::string> node_names;
-  Eigen::MatrixXd coordinates;  ///< d x nodes, length
+  std::map<std::string, int> more_names{};  ///< further names of nodes, such as those of two meshes
+  Eigen::MatrixXd coordinates;              ///< d x nodes, length
   std::vector<Member> members;
   std::vector<Element> elements;  ///< members and elements may be mixed
   std::vector<Spring> springs;
@@ -214,6 +226,8 @@ struct Structure {
   /// Uncertain components of the dead load. Nothing: every free component without dead and
   /// reference load, with weight 1.
   std::optional<std::vector<UncertainParameter>> uncertain;
+  /// The actions of each load case that is a combination by EN 1990; empty: other load cases.
+  std::vector<ActionFactors> actions{};
   Sources sources;
   /// Questionable or ignored entries of the file, a line each, with their places.
   std::vector<std::string> warnings;
@@ -224,6 +238,9 @@ int body_elements(const Structure& structure);
 
 /// An element or outline, elements first.
 const Element& body_element(const Structure& structure, int index);
+
+/// The node with this name, which may be its first or a further one; nothing if there is none.
+std::optional<int> node_named(const Structure& structure, const std::string& name);
 
 /// The name of a node in quotes, for messages.
 std::string quoted_name(const Structure& structure, int node);

@@ -71,7 +71,7 @@ TEST(FactorCurves, AgreeWithFigure5AndTheReference) {
   expect_points(*found.worst_curve, expected.at("worst"), 1, 1e-6);
   constexpr double printed = 0.5e-4;
   const auto sways = [&](const CurvePiece& piece) {
-    return problems::collapse_mode(problem, piece.from.motion).sway;
+    return problems::collapse_mode(problem, piece.from.motion).along_reference;
   };
   for (const auto* curve : {&*found.curve, &*found.worst_curve}) {
     const auto& pieces = curve->pieces;

@@ -166,7 +166,7 @@ TEST(CollapseModes, AreThoseOfThePaper) {
   const LimitProblem problem = example("paper/limit-3x3.toml");
   const auto sways = [&](double alpha) {
     return problems::collapse_mode(problem, Solved(problem, alpha).root.worst->collapse.motion)
-        .sway;
+        .along_reference;
   };
   EXPECT_TRUE(sways(0));
   EXPECT_TRUE(sways(20));
