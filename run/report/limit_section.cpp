@@ -149,7 +149,7 @@ class LimitSection {
         add_number(page_, factor);
       } else {
         page_.words(reader_.text(*single, "state") == "not-carried" ? "carried at no factor"
-                                                                   : "open");
+                                                                    : "open");
       }
       page_.close().close();
     }

@@ -26,7 +26,7 @@ std::string within(const LoadInterval& found, const char* cases = "each of") {
   return text;
 }
 
-// What the load factor multiplies.
+// The name of the load that the factor multiplies.
 std::string reference(const LoadInterval& found) {
   return found.reference_action.empty() ? "the reference load"
                                         : "the action " + found.reference_action;
