@@ -2,6 +2,7 @@
 #include "problems/limit/action_factors.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace kusabi::problems {
 namespace {
@@ -23,9 +24,9 @@ std::vector<ActionFactor> action_factors(const Structure& truss, const LimitProb
     if (!range.reference && range.lower != range.upper) {
       const auto column =
           std::ranges::find(problem.uncertain, range.action, &UncertainColumn::name);
-      each.factor.reset();
-      if (column != problem.uncertain.end())
-        each.factor = factor_at(range, shares(column - problem.uncertain.begin()));
+      if (column == problem.uncertain.end())
+        throw std::logic_error("an action with a range of factors is no uncertain load");
+      each.factor = factor_at(range, shares(column - problem.uncertain.begin()));
     }
     factors.push_back(std::move(each));
   }

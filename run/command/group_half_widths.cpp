@@ -37,6 +37,7 @@ std::optional<HalfWidth> half_width_at(const std::string& text, std::size_t from
 std::vector<std::pair<std::string, double>> group_half_widths(const std::string& text) {
   std::vector<std::pair<std::string, double>> groups;
   for (std::size_t from = 0; from < text.size();) {
+    from = std::min(text.find_first_not_of(' ', from), text.size() - 1);
     auto entry = half_width_at(text, from);
     if (!entry) {
       throw WrongInput(

@@ -14,14 +14,18 @@ void skip_separators(std::string_view& text) {
 
 }  // namespace
 
-ListedNames listed_names(std::string_view text, std::span<const std::string> known) {
+ListedNames names_in_list(std::string_view text, std::span<const std::string> known) {
   ListedNames names;
   const auto begins = [&](const std::string& name) {
     return !name.empty() && text.starts_with(name) &&
            (text.size() == name.size() ||
             separators.find(text[name.size()]) != std::string_view::npos);
   };
-  for (skip_separators(text); !text.empty(); skip_separators(text)) {
+  const auto whole = text;
+  for (bool first = true; !text.empty(); first = false) {
+    // A name may begin with a blank.
+    if (!first || std::ranges::none_of(known, begins)) skip_separators(text);
+    if (text.empty()) break;
     auto longest = known.size();
     for (std::size_t i = 0; i < known.size(); ++i) {
       const bool longer = longest == known.size() || known[i].size() > known[longest].size();
@@ -34,6 +38,7 @@ ListedNames listed_names(std::string_view text, std::span<const std::string> kno
     names.found.push_back(longest);
     text.remove_prefix(known[longest].size());
   }
+  if (names.found.empty()) names.unknown = whole;
   return names;
 }
 

@@ -17,6 +17,6 @@ struct ListedNames {
 
 /// A text of names that are separated by blanks or commas. At each place the longest known name that
 /// the text begins with is taken, so that names may contain blanks and commas.
-ListedNames listed_names(std::string_view text, std::span<const std::string> known);
+ListedNames names_in_list(std::string_view text, std::span<const std::string> known);
 
 }  // namespace kusabi::run

@@ -28,7 +28,7 @@ class Draw final : public Subcommand {
     table.former_name("--svg", "--output", FormerName::silent);
     table.number("--pattern", &pattern_, above(0),
                  "number of the pattern or ray to draw in detail; for a result of kusabi limit, 1 "
-                 "is the nominal load and 2 the worst case");
+                 "is the nominal load and 2 the worst case or the worst loss");
     table.quiet_and_serial();
   }
   void read(CommandRun& run) override { text_ = result_text(run.session(), file_); }

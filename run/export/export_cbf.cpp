@@ -54,7 +54,7 @@ void ExportCbf::describe(OptionTable& table) {
 }
 
 support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view option) const {
-  const auto [found, unknown] = listed_names(text, problem_.contact_names);
+  const auto [found, unknown] = names_in_list(text, problem_.contact_names);
   if (!unknown.empty()) {
     throw WrongInput(fmt::format("{}: {} has no contact candidate '{}'; expected {}", option,
                                  input().file, unknown, fmt::join(problem_.contact_names, " or ")));

@@ -47,12 +47,11 @@ Eigen::MatrixXd of_result(const std::string& text, const std::string& file,
 }  // namespace
 
 Eigen::VectorXd curve_load(const std::string& text, const std::string& file,
-                           const LimitProblem& problem) {
+                           const problems::Structure& truss, const LimitProblem& problem) {
   const auto first = text.find_first_not_of(" \t\r\n");
   const bool is_result = first != std::string::npos && text[first] == '{';
   const Eigen::MatrixXd forces =
-      is_result ? of_result(text, file, problem)
-                : problems::read_node_forces(text, file, problem.node_names, problem.dimension);
+      is_result ? of_result(text, file, problem) : problems::read_node_forces(text, file, truss);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.free_count());
   for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
     for (int axis = 0; axis < problem.dimension; ++axis) {

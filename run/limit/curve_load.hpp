@@ -15,6 +15,6 @@ namespace kusabi::run {
 /// @param file its name, for messages
 /// @throws support::InputError; also if the load is zero on all free displacements
 Eigen::VectorXd curve_load(const std::string& text, const std::string& file,
-                           const problems::LimitProblem& problem);
+                           const problems::Structure& truss, const problems::LimitProblem& problem);
 
 }  // namespace kusabi::run

@@ -219,7 +219,7 @@ void Limit::prepare(CommandRun& run) {
   }
   if (!options_.curve_load.empty()) {
     options_.parameters.curve_load =
-        curve_load(load_text_, options_.curve_load, cases_.front().problem);
+        curve_load(load_text_, options_.curve_load, cases_.front().truss, cases_.front().problem);
     support::Fingerprint load;
     load.add(load_text_);
     facts.emplace_back("--curve-load", hexadecimal(load.value()));

@@ -48,8 +48,7 @@ std::string found_text(const LimitCase& each) {
   }
   if (!answer.nominal) return "open";
   std::vector<std::string> parts;
-  // With factors in the middle of their ranges a combination has no meaning of its own.
-  if (each.truss->actions.empty() || !answer.worst) {
+  if (!has_ranges(each.truss)) {
     const auto& nominal = answer.nominal_factors.largest;
     parts.push_back("nominal " + factor_text(nominal.lower, nominal.upper));
   }
@@ -66,8 +65,9 @@ std::string found_text(const LimitCase& each) {
                                      : "after a loss " + remaining_factor_text(*loss));
   }
   auto text = fmt::format("{}", fmt::join(parts, ", "));
-  if (!answer.worst) return text;
-  const auto combination = combination_text(each.truss, each.problem, answer.worst->zeta);
+  if (each.found.loss) return text;
+  const auto combination = combination_text(each.truss, each.problem,
+                                            answer.worst ? answer.worst->zeta : Eigen::VectorXd());
   return combination.empty() ? text : fmt::format("{}\n    {}", text, combination);
 }
 
@@ -79,6 +79,11 @@ const LimitCase& governing(std::span<const LimitCase> cases) {
 
 bool all_whole(std::span<const LimitCase> cases) {
   return std::ranges::all_of(cases, [](const auto& each) { return each.found.whole(); });
+}
+
+bool has_ranges(const problems::Structure& truss) {
+  return std::ranges::any_of(
+      truss.actions, [](const auto& each) { return !each.reference && each.lower != each.upper; });
 }
 
 bool with_worst_case(std::span<const LimitCase> cases) {
@@ -147,7 +152,10 @@ limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
 }
 
 std::string loads_text(std::span<const LimitCase> cases, std::optional<double> alpha) {
-  if (!cases.front().truss->actions.empty()) return " in every combination of actions";
+  if (!cases.front().truss->actions.empty()) {
+    return cases.size() > 1 ? " in every combination of actions"
+                            : " for all factors of the actions within their ranges";
+  }
   const auto is_uncertain = [&](const auto& column) { return *alpha * column.half_width > 0; };
   const auto any_is_uncertain = [&](const LimitCase& each) {
     return std::ranges::any_of(each.problem.uncertain, is_uncertain);
@@ -162,8 +170,10 @@ std::string cases_text(std::span<const LimitCase> cases, std::optional<double> a
   const auto out = std::back_inserter(text);
   for (const auto& each : cases) fmt::format_to(out, "  {}: {}\n", each.name, found_text(each));
   const auto interval = interval_of_all(cases);
-  fmt::format_to(out, "in all cases: {}\n", interval_text(interval, loads_text(cases, alpha)));
-  if (with_worst_case(cases)) fmt::format_to(out, "  {}\n", passed_text(interval));
+  if (!cases.front().found.loss) {
+    fmt::format_to(out, "in all cases: {}\n", interval_text(interval, loads_text(cases, alpha)));
+    if (with_worst_case(cases)) fmt::format_to(out, "  {}\n", passed_text(interval));
+  }
   fmt::format_to(
       out, "{} {}\n\nload case {}\n",
       all_whole(cases) ? "the least factor is that of" : "the least known factor is that of",
@@ -177,9 +187,11 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
     const auto& answer = each.found.answer;
     ordered_json row{{"name", each.name},
                      {"nominal", answer.nominal ? ordered_json(answer.nominal->factor) : nullptr}};
+    if (!each.truss->actions.empty() && !each.found.loss) {
+      row["critical_factors"] = factors_json(each.truss, each.problem,
+                                             answer.worst ? answer.worst->zeta : Eigen::VectorXd());
+    }
     if (const auto& worst = answer.worst) {
-      if (!each.truss->actions.empty())
-        row["critical_factors"] = factors_json(each.truss, each.problem, worst->zeta);
       row["worst_case"] = {{"lower", number_or_null(worst->ends.lower)},
                            {"upper", number_or_null(worst->ends.upper)},
                            {"proved", worst->proved}};

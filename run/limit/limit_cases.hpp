@@ -35,6 +35,10 @@ bool all_whole(std::span<const LimitCase> cases);
 /// Addition to the title of a table of factors of a truss with struts.
 inline constexpr const char* upper_values = ", all struts at their strength: upper values";
 
+/// True if the case is a combination of actions with ranges of factors: with all in the middle, the
+/// nominal load has no meaning of its own.
+bool has_ranges(const problems::Structure& truss);
+
 /// True if some case has a worst case.
 bool with_worst_case(std::span<const LimitCase> cases);
 

@@ -29,14 +29,13 @@ const std::string& node_name(const LimitProblem& problem, int node) {
 }
 
 // All null if no critical load is known.
-void add_critical_load(ordered_json& result, const problems::Structure& truss,
-                       const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+void add_critical_load(ordered_json& result, const LimitProblem& problem,
+                       const Eigen::VectorXd& zeta) {
   const bool known = zeta.size() == problem.uncertain_count();
   const Eigen::VectorXd load = known ? problems::dead_load(problem, zeta) : problem.dead;
   result["critical_load"] = known ? load_json(problem, load) : ordered_json();
   result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
   result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
-  if (!truss.actions.empty()) result["critical_factors"] = factors_json(truss, problem, zeta);
 }
 
 // Reactions by names of the supported nodes.
@@ -93,7 +92,7 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
                           {"upper_proved", worst.ends.upper_proved},
                           {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
-  add_critical_load(result, report.truss, report.problem, worst.zeta);
+  add_critical_load(result, report.problem, worst.zeta);
   if (worst.collapse) {
     result["critical_interval"] = carried_between(*worst.collapse);
     result["collapse_mode"] = mode_json(report.problem, worst.collapse->motion);
@@ -119,7 +118,7 @@ void add_interval(ordered_json& result, const LimitReport& report) {
 
 ordered_json samples_json(const LimitReport& report) {
   auto factors = ordered_json::array();
-  for (const double factor : report.answer.samples) factors.push_back(number_or_null(factor));
+  for (const double factor : report.answer.samples) factors.push_back(factor);
   return {{"seed", report.options.parameters.seed},
           {"least", number_or_null(*std::ranges::min_element(report.answer.samples))},
           {"factors", std::move(factors)}};
@@ -133,7 +132,7 @@ ordered_json result_json(const LimitReport& report) {
   if (!report.load_case.empty()) {
     result["case"] = report.load_case;
     result["cases"] = cases_json(report.cases);
-    if (report.options.parameters.alpha) {
+    if (report.options.parameters.alpha && !report.loss) {
       result["guaranteed_interval_of_all_cases"] = interval_json(interval_of_all(report.cases));
     }
   }
@@ -148,8 +147,12 @@ ordered_json result_json(const LimitReport& report) {
         support_reactions_json(report, *answer.nominal, problem.dead);
   }
   if (report.residual) result["struts"] = strut_json(report);
-  if (report.loss) result["member_loss"] = loss_json(problem, *report.loss);
+  if (report.loss) result["member_loss"] = loss_json(problem, report.truss, *report.loss);
   if (answer.worst) add_worst_case(result, report, *answer.worst);
+  if (!report.truss.actions.empty() && !report.loss) {
+    result["critical_factors"] =
+        factors_json(report.truss, problem, answer.worst ? answer.worst->zeta : Eigen::VectorXd());
+  }
   if (options.parameters.alpha && !report.loss) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
   CurveReport{options, problem, answer}.add_to(result);
@@ -232,14 +235,12 @@ ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd&
   return list;
 }
 
-// The factor of each action; null if no critical load is known or the action has no effect.
 ordered_json factors_json(const problems::Structure& truss, const LimitProblem& problem,
                           const Eigen::VectorXd& zeta) {
   auto list = ordered_json::array();
   if (zeta.size() != problem.uncertain_count()) return list;
   for (const auto& [action, factor, reference] : problems::action_factors(truss, problem, zeta))
-    list.push_back(
-        {{"action", action}, {"factor", number_or_null(factor)}, {"reference", reference}});
+    list.push_back({{"action", action}, {"factor", factor}, {"reference", reference}});
   return list;
 }
 

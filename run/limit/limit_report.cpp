@@ -50,7 +50,7 @@ void write_mode(std::string& text, const LimitProblem& problem,
 }
 
 // Note on load factor zero, if it is not carried.
-void write_zero(std::string& text, const char* load, double factor) {
+void write_zero(std::string& text, std::string_view load, double factor) {
   if (factor < 0) {
     fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
                    load);
@@ -60,9 +60,9 @@ void write_zero(std::string& text, const char* load, double factor) {
 void write_nominal(std::string& text, const LimitReport& report) {
   const auto& [minimum, largest, gap] = report.answer.nominal_factors;
   fmt::format_to(std::back_inserter(text), "{} {}{}\n",
-                 report.truss.actions.empty() || !report.answer.worst
-                     ? "nominal load factor"
-                     : "with all factors of actions in the middle of their ranges: load factor",
+                 has_ranges(report.truss)
+                     ? "with all factors of actions in the middle of their ranges: load factor"
+                     : "nominal load factor",
                  factor_text(largest.lower, largest.upper), report.residual ? upper_value : "");
   write_zero(text, "the dead load", largest.upper);
   if (minimum.lower > 0 && minimum.upper <= largest.lower) {
@@ -87,11 +87,45 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
     text += "  open: the two bounds differ\n";
 }
 
+// The loads of a statement on the governing case alone.
+std::string loads_of_governing(const LimitReport& report) {
+  return loads_text({&governing(report.cases), 1}, report.options.parameters.alpha);
+}
+
+// "worst case of 4 uncertain loads, alpha = 2 kN": heading of the worst case.
+std::string heading_of_worst(const LimitReport& report) {
+  if (!report.truss.actions.empty()) return "combinations of actions";
+  const auto& problem = report.problem;
+  const auto alpha = problems::common_half_width(problem, *report.options.parameters.alpha);
+  const auto unit = unit_of_alpha(problem);
+  const auto half_width =
+      alpha ? fmt::format("alpha = {}{}{}", *alpha, unit ? " " : "", unit.value_or(""))
+            : std::string("each within its own half-width");
+  if (alpha == 0) return "no load is uncertain: " + half_width;
+  return fmt::format(
+      "worst case of {}, {}",
+      counted(static_cast<std::uint64_t>(problem.uncertain_count()), "uncertain load"), half_width);
+}
+
+// Number of uncertain loads, or of actions, that change the reference load.
+void write_along(std::string& text, const LimitReport& report) {
+  const auto& problem = report.problem;
+  if (problems::common_half_width(problem, *report.options.parameters.alpha) == 0) return;
+  const auto along = std::ranges::count_if(
+      problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
+  if (along == 0) return;
+  fmt::format_to(std::back_inserter(text),
+                 "  {} {} along the reference load; the load factor does not include {}\n",
+                 counted(static_cast<std::uint64_t>(along),
+                         report.truss.actions.empty() ? "uncertain load" : "other action"),
+                 along == 1 ? "acts" : "act", along == 1 ? "it" : "them");
+}
+
 // Load factors carried under all loads, and the load at their lower end if zero is not among them.
 void write_interval(std::string& text, const LimitReport& report) {
   const auto interval = guaranteed_interval(report.answer, report.residual);
   if (report.residual) text += "  while no strut falls below its residual strength:\n";
-  const auto loads = loads_text(report.cases, report.options.parameters.alpha);
+  const auto loads = loads_of_governing(report);
   text += "  " + interval_text(interval, loads) + '\n';
   text += "  " + passed_text(interval) + '\n';
   const auto& carrying = report.residual ? *report.residual : report.answer;
@@ -103,39 +137,21 @@ void write_interval(std::string& text, const LimitReport& report) {
 }
 
 void write_worst(std::string& text, const LimitReport& report) {
-  const auto& options = report.options;
   const auto& problem = report.problem;
   const auto& worst = *report.answer.worst;
   const auto out = std::back_inserter(text);
-  const auto unit = unit_of_alpha(problem);
-  const auto alpha = problems::common_half_width(problem, *options.parameters.alpha);
-  const auto bounds =
-      !report.truss.actions.empty() ? std::string("combinations of actions")
-      : alpha                       ? fmt::format("worst case of {}, alpha = {}{}{}",
-                                                  counted(static_cast<std::uint64_t>(problem.uncertain_count()),
-                                                          "uncertain load"),
-                                                  *alpha, unit ? " " : "", unit.value_or(""))
-                                    : fmt::format(
-                                          "worst case of {} uncertain loads, each within its own "
-                                                                "half-width",
-                                          problem.uncertain_count());
-  fmt::format_to(out, "\n{}{}\n", bounds, report.residual ? upper_value : "");
-  const auto along = std::ranges::count_if(
-      problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
-  if (along > 0) {
-    fmt::format_to(out, "  {} {} along the reference load; the load factor does not include {}\n",
-                   counted(static_cast<std::uint64_t>(along), "uncertain load"),
-                   along == 1 ? "acts" : "act", along == 1 ? "it" : "them");
-  }
+  fmt::format_to(out, "\n{}{}\n", heading_of_worst(report), report.residual ? upper_value : "");
+  write_along(text, report);
+  const char* const some_load =
+      report.truss.actions.empty() ? "admissible dead load" : "combination of actions";
   if (worst.status == RootStatus::not_carried) {
-    fmt::format_to(
-        out,
-        "  some admissible dead load is not carried at any load factor of either sign, proved\n");
+    fmt::format_to(out, "  some {} is not carried at any load factor of either sign, proved\n",
+                   some_load);
     text += critical_load_text(report.truss, problem, worst.zeta);
   } else {
     write_ends(text, worst);
     if (worst.collapse) {
-      write_zero(text, "an admissible dead load", worst.ends.upper);
+      write_zero(text, "some " + std::string(some_load), worst.ends.upper);
       write_mode(text, problem, *worst.collapse);
       text += utilisation_text(problem, *worst.collapse);
     }

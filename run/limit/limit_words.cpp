@@ -122,11 +122,8 @@ std::string combination_text(const problems::Structure& truss, const LimitProble
   if (zeta.size() != problem.uncertain_count()) return {};
   std::vector<std::string> fixed;
   std::vector<std::string> multiplied;
-  for (const auto& [action, factor, reference] : problems::action_factors(truss, problem, zeta)) {
-    auto& list = reference ? multiplied : fixed;
-    list.push_back(factor ? fmt::format("{:.6g} {}", *factor, action)
-                          : fmt::format("{} on supports only", action));
-  }
+  for (const auto& [action, factor, reference] : problems::action_factors(truss, problem, zeta))
+    (reference ? multiplied : fixed).push_back(fmt::format("{:.6g} {}", factor, action));
   if (multiplied.empty()) return {};
   return fmt::format("{}{}{} times the load factor", fmt::join(fixed, ", "),
                      fixed.empty() ? "" : "; ", fmt::join(multiplied, ", "));
@@ -135,9 +132,13 @@ std::string combination_text(const problems::Structure& truss, const LimitProble
 std::string critical_load_text(const problems::Structure& truss, const LimitProblem& problem,
                                const Eigen::VectorXd& zeta) {
   if (zeta.size() != problem.uncertain_count()) return {};
-  if (const auto text = combination_text(truss, problem, zeta); !text.empty())
-    return fmt::format("  critical combination: {}\n", text);
+  if (const auto text = combination_text(truss, problem, zeta); !text.empty()) {
+    const bool corner = (zeta.array().abs() == 1).all();
+    return fmt::format("  critical {}: {}\n",
+                       corner ? "combination" : "factors, within their ranges", text);
+  }
   const auto& unit = problem.units.force;
+  if (zeta.isZero(0.0)) return {};
   std::string text = "  critical part of the dead load:\n";
   // Key: axis, + before -, value as displayed.
   std::map<std::tuple<int, bool, std::string>, std::vector<std::string>> places;
@@ -205,45 +206,71 @@ limit::GuaranteedInterval interval_of(const LimitCase& each, bool worst) {
                : nominal_interval(each.found.answer, each.found.residual);
 }
 
+// The load cases with a load that is carried at no factor.
+std::string cases_at_none(std::span<const LimitCase> cases, bool worst) {
+  std::vector<std::string> names;
+  for (const auto& each : cases) {
+    if (interval_of(each, worst).at_none) names.push_back(each.name);
+  }
+  if (names.empty()) return {};
+  return names.size() == 1 ? fmt::format("That is so in load case {}.", names.front())
+                           : fmt::format("That is so in load cases {}.", fmt::join(names, ", "));
+}
+
+// The critical combination of the actions of a case, with struts at their residual strength.
+std::string critical_combination(const LimitCase& each) {
+  const auto& answer = each.found.residual ? *each.found.residual : each.found.answer;
+  return combination_text(each.truss, each.problem,
+                          answer.worst ? answer.worst->zeta : Eigen::VectorXd());
+}
+
 // The load cases in which the carried factors of all cases begin and end.
 std::string cases_at_ends(std::span<const LimitCase> cases, const LoadInterval& interval) {
-  if (cases.size() < 2) return {};
-  const bool worst = with_worst_case(cases);
-  if (interval.carried_at_none) {
-    const auto none = std::ranges::find_if(
-        cases, [&](const auto& each) { return interval_of(each, worst).at_none; });
-    return none == cases.end() ? std::string() : fmt::format("That is load case {}.", none->name);
+  if (cases.size() < 2) {
+    const auto combination = critical_combination(cases.front());
+    if (combination.empty() || interval.carried_at_none) return {};
+    return fmt::format("Critical combination{}: {}.", all_whole(cases) ? "" : " known",
+                       combination);
   }
+  const bool worst = with_worst_case(cases);
+  if (interval.carried_at_none) return cases_at_none(cases, worst);
   const auto& [from, to] = std::tie(interval.minimum, interval.maximum);
   if (!from.lower || !to.upper) return {};
   const auto lower = [&](const auto& each) { return interval_of(each, worst).minimum.lower; };
-  const auto upper = [&](const auto& each) { return interval_of(each, worst).largest.upper; };
+  const auto upper = [&](const auto& each) {
+    const auto largest = interval_of(each, worst).largest;
+    return interval.struts ? largest.lower : largest.upper;
+  };
   const auto& begins = *std::ranges::max_element(cases, {}, lower);
   const auto& ends = *std::ranges::min_element(cases, {}, upper);
   if (from.lower->value > to.upper->value) {
+    if (&begins == &ends) {
+      return fmt::format(
+          "In load case {} a load is carried only from {} on{}, and another one only "
+          "up to {}{}.",
+          begins.name, rounded_down(from.lower->value), unless_proved(from.lower->standing),
+          rounded_up(to.upper->value), unless_proved(to.upper->standing));
+    }
     return fmt::format("Load case {} is carried only from {} on{}, load case {} only up to {}{}.",
                        begins.name, rounded_down(from.lower->value),
                        unless_proved(from.lower->standing), ends.name, rounded_up(to.upper->value),
                        unless_proved(to.upper->standing));
   }
-  const auto combination = [&] {
-    const auto& critical = ends.found.answer.worst;
-    if (!critical) return std::string();
-    return combination_text(*ends.truss, ends.problem, critical->zeta);
-  }();
-  return fmt::format("The least of the largest factors is that of load case {}{}{}.", ends.name,
-                     combination.empty() ? "" : ": ", combination);
+  const auto combination = critical_combination(ends);
+  return fmt::format("The least {}of the largest factors is that of load case {}{}{}.",
+                     all_whole(cases) ? "" : "known ", ends.name, combination.empty() ? "" : ": ",
+                     combination);
 }
 
 LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases) {
   const auto found = interval_of_all(cases);
   LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
   if (with_worst_case(cases)) interval.uncertain = load_range(options, cases);
+  interval.reference_action = reference_action(*cases.front().truss);
   if (found.at_none) {
     interval.carried_at_none = standing(found.at_none_proved);
     return interval;
   }
-  interval.reference_action = reference_action(*cases.front().truss);
   interval.minimum = bracket(found.minimum);
   interval.maximum = bracket(found.largest);
   interval.if_big_m = std::ranges::any_of(cases, [](const auto& each) {
@@ -286,6 +313,12 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   if (of_losses) {
     verdict.details.clear();
     const auto& loss = *governs.found.loss;
+    if (cases.size() > 1 && !loss.lost.empty()) {
+      verdict.details.push_back(loss.is_fatal()
+                                    ? fmt::format("That is so in load case {}.", governs.name)
+                                    : fmt::format("The least factor {}is that of load case {}.",
+                                                  all_whole(cases) ? "" : "known ", governs.name));
+    }
     if (loss.collapse) yields(*loss.collapse, "Then", loss.lost);
     verdict.answer = member_loss(cases, options.parameters.loss->kept);
   } else if (options.parameters.loss && !interval.carried_at_none) {

@@ -59,7 +59,7 @@ void MemberNames::add(const std::string& name, int member) {
 std::vector<int> kept_members(const problems::Structure& truss, const LimitProblem& problem,
                               const std::string& text) {
   const MemberNames all(truss, problem);
-  const auto [found, unknown] = listed_names(text, all.names);
+  const auto [found, unknown] = names_in_list(text, all.names);
   if (!unknown.empty()) {
     throw WrongInput(fmt::format(
         "--keep '{}': no such node or member; expected names separated by blanks or commas, a "

@@ -182,7 +182,8 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
   return text;
 }
 
-ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
+ordered_json loss_json(const LimitProblem& problem, const problems::Structure& truss,
+                       const LossAnswer& loss) {
   ordered_json json{
       {"most", loss.maximum},
       {"uncertain", loss.uncertain},
@@ -211,6 +212,7 @@ ordered_json loss_json(const LimitProblem& problem, const LossAnswer& loss) {
   if (loss.zeta.size() > 0) {
     json["critical_parameters"] = parameters_json(problem, loss.zeta);
     json["critical_load"] = load_json(problem, problems::dead_load(problem, loss.zeta));
+    if (!truss.actions.empty()) json["critical_factors"] = factors_json(truss, problem, loss.zeta);
   }
   if (loss.collapse) {
     json["forces"] = numbers(loss.collapse->forces);

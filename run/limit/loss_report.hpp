@@ -26,7 +26,7 @@ std::string loss_text(const problems::LimitProblem& problem, const problems::Str
 
 /// The key `member_loss` of a result.
 nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,
-                                 const limit::LossAnswer& loss);
+                                 const problems::Structure& truss, const limit::LossAnswer& loss);
 
 /// Of the load case in which the least factor remains. @param kept members that are not lost
 /// @pre every case has an answer

@@ -77,9 +77,9 @@ std::string strut_text(const LimitReport& report) {
   if (report.residual->worst) {
     const auto carried = guaranteed_interval(*report.residual);
     if (!carried.has_factors())
-      fmt::format_to(
-          out, "    {}\n",
-          interval_text(carried, loads_text(report.cases, report.options.parameters.alpha)));
+      fmt::format_to(out, "    {}\n",
+                     interval_text(carried, loads_text({&governing(report.cases), 1},
+                                                       report.options.parameters.alpha)));
   }
   const auto names = struts_at_strength(report);
   fmt::format_to(out, "  struts at their strength at the collapse: {}\n",
@@ -100,7 +100,8 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
     json["proved"] = worst->proved;
     json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
   }
-  if (report.residual_loss) json["member_loss"] = loss_json(report.problem, *report.residual_loss);
+  if (report.residual_loss)
+    json["member_loss"] = loss_json(report.problem, report.truss, *report.residual_loss);
   return json;
 }
 

@@ -32,7 +32,7 @@ class LimitSection {
     // The worst case, which is the answer if it is known, comes last in the file.
     for (auto scene = scenes_.scenes.rbegin(); scene != scenes_.scenes.rend(); ++scene)
       collapse(*scene);
-    if (ResultReader::find(result_, "collapse_mode") == nullptr) critical_load();
+    if (ResultReader::find(result_, "collapse_mode") == nullptr) critical_load(result_);
     single_losses();
     combinations();
     factors();
@@ -41,12 +41,21 @@ class LimitSection {
   }
 
  private:
+  // "Collapse after the worst loss known, load case b, λ = 0.5".
+  [[nodiscard]] std::string heading(const pictures::Scene& scene, bool loss) const {
+    const auto* const load_case = ResultReader::find(result_, "case");
+    const bool proved = loss && reader_.at(reader_.at(result_, "member_loss"), "proved") == true;
+    return fmt::format("Collapse {} the {}{}{}, {}", loss ? "after" : "under", scene.name,
+                       loss && !proved ? " known" : "",
+                       load_case == nullptr ? "" : ", load case " + load_case->get<std::string>(),
+                       scene.note);
+  }
+
   // A large picture, and the members that yield beside it.
   void collapse(const pictures::Scene& scene) {
     const bool worst = scene.name == "worst case";
     const bool loss = scene.name == "worst loss";
-    page_.element("h3", fmt::format("Collapse {} the {}, {}", loss ? "after" : "under", scene.name,
-                                    scene.note));
+    page_.element("h3", heading(scene, loss));
     page_.open("div", {{"class", "beside"}}).open("figure");
     page_.verbatim(inline_svg(
         {loss    ? "collapse-loss"
@@ -59,10 +68,11 @@ class LimitSection {
       const auto& found = reader_.at(result_, "member_loss");
       page_.element("p", "Lost: " + joined(reader_.names(found, "lost")));
       mode(found, "collapse_mode");
+      if (ResultReader::find(found, "critical_load") != nullptr) critical_load(found);
     } else {
       mode(result_, worst ? "collapse_mode" : "nominal_mode");
     }
-    if (worst) critical_load();
+    if (worst) critical_load(result_);
     page_.close().close();
   }
 
@@ -74,10 +84,16 @@ class LimitSection {
     take(result_, "case", "load case");
     const auto* const struts = ResultReader::find(result_, "struts");
     const std::string upper = struts == nullptr ? "" : ", struts at full strength: an upper value";
-    take(result_, "nominal", ("nominal load factor" + upper).c_str());
+    const bool combinations = ResultReader::find(result_, "critical_factors") != nullptr &&
+                              ResultReader::find(result_, "worst_case") != nullptr;
+    const std::string middle = combinations ? "with all factors of actions in the middle of their "
+                                              "ranges: load factor"
+                                            : "nominal load factor";
+    take(result_, "nominal", (middle + upper).c_str());
     const std::string full = struts == nullptr ? "" : ", if all struts kept their full strength";
-    take(result_, "nominal_interval",
-         ("nominal load is carried at factors from, to" + full).c_str());
+    if (!combinations)
+      take(result_, "nominal_interval",
+           ("nominal load is carried at factors from, to" + full).c_str());
     const auto unit = unit_of_alpha(reader_);
     const auto alpha = unit ? "α, half-width of each uncertain load, " + *unit
                             : "α, half-width of the factor of each uncertain load";
@@ -134,12 +150,16 @@ class LimitSection {
       return reader_.text(*single, "state") == "not-carried" ? -HUGE_VAL : HUGE_VAL;
     };
     std::ranges::stable_sort(singles, {}, value);
-    page_.open("details").element("summary", "Load factor after the loss of one member");
+    const auto* const load_case = ResultReader::find(result_, "case");
+    const auto in_case =
+        load_case == nullptr ? std::string() : " in load case " + load_case->get<std::string>();
+    page_.open("details").element("summary", "Load factor after the loss of one member" + in_case);
     const bool uncertain =
         ResultReader::find(*loss, "uncertain") != nullptr && reader_.at(*loss, "uncertain") == true;
     begin_table(page_,
-                uncertain ? "Upper bounds of the load factor after the loss of one member"
-                          : "Load factor after the loss of one member, computed",
+                (uncertain ? "Upper bounds of the load factor after the loss of one member"
+                           : "Load factor after the loss of one member, computed") +
+                    in_case,
                 {"member", "load factor"});
     for (const auto* const single : singles) {
       page_.open("tr").element("th", reader_.text(*single, "member"), {{"scope", "row"}});
@@ -186,7 +206,11 @@ class LimitSection {
 
   void combination(const ResultJson& row, const std::vector<std::string>& actions) {
     const auto* const name = ResultReader::find(row, "name");
-    page_.open("tr").element("th", name == nullptr ? "all actions" : name->get<std::string>(),
+    const auto* const asked = ResultReader::find(reader_.at(reader_.all(), "options"), "case");
+    page_.open("tr").element("th",
+                             name != nullptr    ? name->get<std::string>()
+                             : asked != nullptr ? asked->get<std::string>()
+                                                : "all actions",
                              {{"scope", "row"}});
     const auto* const worst = ResultReader::find(row, "worst_case");
     for (const char* const key : {"lower", "upper"}) {
@@ -226,14 +250,15 @@ class LimitSection {
     end_table(page_);
   }
 
-  void critical_load() {
-    if (ResultReader::find(result_, "critical_load") == nullptr) return;
+  // @param of the result, or its member_loss
+  void critical_load(const ResultJson& of) {
+    if (ResultReader::find(of, "critical_load") == nullptr) return;
     const auto force = reader_.text(reader_.at(problem_, "units"), "force");
     const auto d = static_cast<int>(reader_.number(problem_, "d"));
     std::vector<std::string> columns{"node", "x", "y", "z"};
     columns.resize(static_cast<std::size_t>(d) + 1);
     begin_table(page_, "The critical dead load, " + force, columns);
-    for (const auto& load : reader_.list(result_, "critical_load")) {
+    for (const auto& load : reader_.list(of, "critical_load")) {
       page_.open("tr").element("th", reader_.text(load, "node"), {{"scope", "row"}});
       for (const auto& component : reader_.list(load, "force", columns.size() - 1)) {
         page_.open("td");
@@ -243,18 +268,28 @@ class LimitSection {
       page_.close();
     }
     end_table(page_);
-    uncertain_loads();
+    uncertain_loads(of);
   }
 
   // The named loads in the critical dead load, with the nodes at which they act.
-  void uncertain_loads() {
-    if (ResultReader::find(result_, "critical_parameters") == nullptr ||
-        ResultReader::find(result_, "critical_factors") != nullptr)
+  void uncertain_loads(const ResultJson& of) {
+    if (ResultReader::find(of, "critical_parameters") == nullptr ||
+        ResultReader::find(of, "critical_factors") != nullptr)
       return;
-    const auto& values = reader_.list(result_, "critical_parameters");
+    const auto& values = reader_.list(of, "critical_parameters");
     const auto& loads = reader_.list(problem_, "uncertain_loads", values.size());
+    // The name of a single component is its place, which is in the table of the load.
+    const auto is_named = [&](const ResultJson& load) {
+      const auto& components = reader_.list(load, "components");
+      if (components.size() != 1) return true;
+      const auto place = fmt::format("{} at {}", reader_.text(components.front(), "axis"),
+                                     reader_.text(components.front(), "node"));
+      return reader_.text(load, "name") != place;
+    };
+    if (std::ranges::none_of(loads, is_named)) return;
     begin_table(page_, "Uncertain loads in the critical dead load", {"load", "times", "at"});
     for (std::size_t j = 0; j < values.size(); ++j) {
+      if (!is_named(loads[j])) continue;
       std::vector<std::string> nodes;
       for (const auto& component : reader_.list(loads[j], "components")) {
         const auto node = reader_.text(component, "node");

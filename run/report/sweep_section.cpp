@@ -162,7 +162,8 @@ class SweepSection {
       page_.open("tr");
       for (const char* const key : {"from", "to", "factor_from", "factor_to", "error"})
         number(piece, key);
-      words(is_true(reader_.at(piece, "along_reference_load")) ? "yes" : "no");
+      const auto* const along = ResultReader::find(piece, "along_reference_load");
+      words(along == nullptr ? "–" : is_true(*along) ? "yes" : "no");
       names(piece, "yielding");
       page_.close();
     }

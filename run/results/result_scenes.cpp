@@ -226,7 +226,10 @@ class SceneReader {
 
   void read_collapses(ResultScenes& all) {
     const auto* const nominal = ResultReader::find(result_, "nominal_mode");
-    if (nominal != nullptr && is_chosen(all)) {
+    // In the middle of the ranges of its factors a combination of actions has no meaning of its own.
+    const bool in_the_middle = ResultReader::find(result_, "critical_factors") != nullptr &&
+                               ResultReader::find(result_, "collapse_mode") != nullptr;
+    if (nominal != nullptr && !in_the_middle && is_chosen(all)) {
       const double factor = reader_.number(result_, "nominal");
       all.scenes.push_back(collapse("nominal load", factor, *nominal));
       add_loads(all.scenes.back(), pictures::DrawnLoad::Kind::dead,

@@ -14,9 +14,9 @@ namespace {
 std::string within(const LoadInterval& found, const char* cases = "each of") {
   const auto& loads = *found.uncertain;
   if (!found.reference_action.empty()) {
-    return "in every combination of actions" +
-           (found.cases > 1 ? fmt::format(", in {} {} load cases", cases, found.cases)
-                            : std::string());
+    return found.cases > 1 ? fmt::format("in every combination of actions, in {} {} load cases",
+                                         cases, found.cases)
+                           : std::string("for all factors of the actions within their ranges");
   }
   std::string text = "for every dead load within its bounds";
   if (loads.half_width == 0) text = "under its dead load";
@@ -146,9 +146,10 @@ std::string factors_headline(const LoadInterval& found) {
   if (found.carried_at_none && found.uncertain->half_width == 0)
     return dead_load_is_not_carried(found);
   if (found.carried_at_none) {
-    return fmt::format(
-        "There is a dead load within its bounds that it does not carry at any load factor{}.",
-        unless_proved(*found.carried_at_none));
+    return fmt::format("There is {} that it does not carry at any load factor{}.",
+                       found.reference_action.empty() ? "a dead load within its bounds"
+                                                      : "a combination of actions",
+                       unless_proved(*found.carried_at_none));
   }
   const auto loads = within(found);
   if (const auto standing = empty(found)) {

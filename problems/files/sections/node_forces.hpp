@@ -4,17 +4,18 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <Eigen/Core>
+
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems {
 
 /// Reads [[loads]] groups of `nodes` and `force`; forces on the same node are added.
-/// @param node_names of the structure
+/// @param structure whose nodes may be called by each of their names
 /// @return d x nodes, force
 /// @throws InputError at the first fault
 Eigen::MatrixXd read_node_forces(std::string_view toml_text, const std::string& file_name,
-                                 const std::vector<std::string>& node_names, int dimension);
+                                 const Structure& structure);
 
 }  // namespace kusabi::problems

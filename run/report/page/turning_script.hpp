@@ -122,9 +122,10 @@ for (const figure of document.querySelectorAll("figure[data-scene]")) {
       const depth = points.reduce((sum, p) => sum + dot(to, p), 0) / points.length;
       add(depth, () => fill(points.map(flat), `rgb(${body.map(c => Math.round(c * shine))})`, edge, 0.6));
     }
-    const kinds = ["bar", "tension", "compression"];
+    const kinds = ["bar", "tension", "compression", "tension"];  // the last one is lost, and thin
+    const widths = [1.7, 3.4, 3.4, 0.8];
     for (const [a, b, kind] of data.bars)
-      add(dot(to, plus(nodes[a], nodes[b])) / 2, () => line(flat(nodes[a]), flat(nodes[b]), color(kinds[kind]), kind ? 3.4 : 1.7));
+      add(dot(to, plus(nodes[a], nodes[b])) / 2, () => line(flat(nodes[a]), flat(nodes[b]), color(kinds[kind]), widths[kind]));
     for (const i of data.supports) {
       const [x, y] = flat(nodes[i]);
       add(dot(to, nodes[i]) + 1e-3, () => fill([[x - 4, y - 4], [x + 4, y - 4], [x + 4, y + 4], [x - 4, y + 4]], color("held")));

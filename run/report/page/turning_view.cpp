@@ -49,7 +49,6 @@ class TurningData {
     for (const auto& face : scene_.faces) json["faces"].push_back(indices(face));
     json["bars"] = ResultJson::array();
     for (const auto& bar : scene_.bars) {
-      if (bar.state == pictures::BarState::lost) continue;
       json["bars"].push_back(
           {index(bar.nodes[0]), index(bar.nodes[1]), static_cast<int>(bar.state)});
     }
