@@ -206,11 +206,12 @@ limit::GuaranteedInterval interval_of(const LimitCase& each, bool worst) {
                : nominal_interval(each.found.answer, each.found.residual);
 }
 
-// The load cases with a load that is carried at no factor.
-std::string cases_at_none(std::span<const LimitCase> cases, bool worst) {
+// The load cases of which a statement holds.
+template <class Holds>
+std::string cases_named(std::span<const LimitCase> cases, Holds holds) {
   std::vector<std::string> names;
   for (const auto& each : cases) {
-    if (interval_of(each, worst).at_none) names.push_back(each.name);
+    if (holds(each)) names.push_back(each.name);
   }
   if (names.empty()) return {};
   return names.size() == 1 ? fmt::format("That is so in load case {}.", names.front())
@@ -233,7 +234,9 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const LoadInterval& 
                        combination);
   }
   const bool worst = with_worst_case(cases);
-  if (interval.carried_at_none) return cases_at_none(cases, worst);
+  if (interval.carried_at_none) {
+    return cases_named(cases, [&](const auto& each) { return interval_of(each, worst).at_none; });
+  }
   const auto& [from, to] = std::tie(interval.minimum, interval.maximum);
   if (!from.lower || !to.upper) return {};
   const auto lower = [&](const auto& each) { return interval_of(each, worst).minimum.lower; };
@@ -314,10 +317,11 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
     verdict.details.clear();
     const auto& loss = *governs.found.loss;
     if (cases.size() > 1 && !loss.lost.empty()) {
-      verdict.details.push_back(loss.is_fatal()
-                                    ? fmt::format("That is so in load case {}.", governs.name)
-                                    : fmt::format("The least factor {}is that of load case {}.",
-                                                  all_whole(cases) ? "" : "known ", governs.name));
+      verdict.details.push_back(
+          loss.is_fatal()
+              ? cases_named(cases, [](const auto& each) { return each.found.loss->is_fatal(); })
+              : fmt::format("The least factor {}is that of load case {}.",
+                            all_whole(cases) ? "" : "known ", governs.name));
     }
     if (loss.collapse) yields(*loss.collapse, "Then", loss.lost);
     verdict.answer = member_loss(cases, options.parameters.loss->kept);
