@@ -216,11 +216,8 @@ void PatternLines::note_number(const std::vector<std::string>& largest, const st
 }
 
 void PatternLines::end(bool goes_on) {
-  if (goes_on && parts_) {
-    parts_->require();
-  } else {
-    remove_parts(owner_.name);
-  }
+  if (!goes_on) return remove_parts(owner_.name);
+  if (parts_) parts_->require();
 }
 
 }  // namespace kusabi::run
