@@ -103,7 +103,7 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
     if (largest.upper_proved) {
       search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
     }
-    const LimitParameters parameters{.alpha = asked.alpha};
+    const LimitParameters parameters{.alpha = asked.alpha, .corners = asked.corners};
     WorstCaseSearch minimum(search, parameters, mirrored_truss);
     const auto& worst = findings.answer.reversed.emplace(minimum.solve());
     add_statement(minimum, worst, LimitClaim::minimum, findings);
@@ -232,9 +232,11 @@ LimitFindings loads_after_buckling(engine::Analysis& analysis, problems::Structu
   problem.compression = parameters.residual;
   for (std::size_t i = 0; i < structure.members.size(); ++i)
     structure.members[i].yield->compression = parameters.residual(static_cast<Eigen::Index>(i));
-  return loads_at_strength(
-      analysis, structure, problem,
-      {.alpha = parameters.alpha, .split_from = parameters.split_from, .loss = parameters.loss});
+  return loads_at_strength(analysis, structure, problem,
+                           {.alpha = parameters.alpha,
+                            .split_from = parameters.split_from,
+                            .corners = parameters.corners,
+                            .loss = parameters.loss});
 }
 
 }  // namespace

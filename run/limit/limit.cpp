@@ -74,7 +74,8 @@ void Limit::describe(OptionTable& table) {
   table.load_case(options_.load_case, ". Default: all load cases of the file");
   table.group_alpha(group_alpha_);
   table.choice("--cuts", options_.parameters.method, limit_method_words(),
-               "method for the worst case: static cuts (static), or the 0-1 program (29) of the "
+               "method for the worst case: static cuts, or all corners of few uncertain loads, "
+               "whichever is predicted to take less work (static), or the 0-1 program (29) of the "
                "paper without cuts (none), with the paper's disjunctive cuts (disjunctive), with a "
                "tightened M (tighten), or with all of these (all). With --big-m, none and "
                "disjunctive are the algorithms printed in the paper");

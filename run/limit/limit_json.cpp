@@ -170,6 +170,7 @@ ordered_json statistics_json(const LimitReport& report) {
   }
   if (const auto& worst = report.answer.worst) {
     statistics["nodes"] = worst->nodes;
+    statistics["corners"] = worst->corners;
     statistics["tree_programs"] = worst->tree_programs;
     if (const auto& zero_one = worst->zero_one) {
       statistics["zero_one"] = {{"nodes", zero_one->nodes}, {"programs", zero_one->programs}};

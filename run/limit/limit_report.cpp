@@ -136,6 +136,25 @@ void write_interval(std::string& text, const LimitReport& report) {
           critical_load_text(report.truss, report.problem, reversed->zeta);
 }
 
+// Number of cuts, nodes, corners and programs.
+std::string evidence_text(const limit::LimitWorstCase& worst) {
+  if (worst.cuts == 0 && worst.corners > 0) {
+    return fmt::format(
+        "  static evidence: {}{} of the uncertain loads; linear programs: {} load factors, {} in "
+        "the "
+        "tree\n",
+        worst.search == engine::Status::solved ? "all " : "", counted(worst.corners, "corner"),
+        worst.counts.load_factors, worst.tree_programs);
+  }
+  return fmt::format(
+      "  static evidence: {} cuts, {}{}; linear programs: {} load factors, {} relaxations, {} for "
+      "cuts, {} in the tree\n",
+      worst.cuts, counted(worst.nodes, "node"),
+      worst.corners == 0 ? "" : fmt::format(", of these {}", counted(worst.corners, "corner")),
+      worst.counts.load_factors, worst.counts.relaxations, worst.counts.pricings,
+      worst.tree_programs);
+}
+
 void write_worst(std::string& text, const LimitReport& report) {
   const auto& problem = report.problem;
   const auto& worst = *report.answer.worst;
@@ -163,12 +182,7 @@ void write_worst(std::string& text, const LimitReport& report) {
     fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
   }
   if (worst.as_printed) return;
-  fmt::format_to(out,
-                 "  static evidence: {} cuts, {} node{}; linear programs: {} load factors, {} "
-                 "relaxations, {} for "
-                 "cuts, {} in the tree\n",
-                 worst.cuts, worst.nodes, worst.nodes == 1 ? "" : "s", worst.counts.load_factors,
-                 worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
+  text += evidence_text(worst);
 }
 
 // Reason why there is no nominal factor.

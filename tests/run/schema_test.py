@@ -78,7 +78,7 @@ OPTIONAL_OF = {
     "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
                  # depending on the method
                  "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},
-    "limit": {"options": {"curve_load", "group_alpha", "case", "lose", "at_least", "sudden", "keep"}, "member_loss": {"forces", "critical_parameters"}, "struts": {"lower", "upper", "proved", "guaranteed_interval", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case", "member_loss"}, "answer": {"kept", "struts", "sudden"}, "statistics": {"nodes", "tree_programs", "zero_one", "member_loss"},
+    "limit": {"options": {"curve_load", "group_alpha", "case", "lose", "at_least", "sudden", "keep"}, "member_loss": {"forces", "critical_parameters"}, "struts": {"lower", "upper", "proved", "guaranteed_interval", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case", "member_loss"}, "answer": {"kept", "struts", "sudden"}, "statistics": {"nodes", "corners", "tree_programs", "zero_one", "member_loss"},
               "lower": {"critical_parameters"}, "upper": {"critical_parameters"},
               "result": {"guaranteed_interval", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},

@@ -59,6 +59,75 @@ TEST_F(WorstCaseCommand, StopsAtALimitWithItsBracket) {
   EXPECT_GE(bracket["upper"], 37.0120);
 }
 
+/// A grid of 7 x 7 bays in two load cases, with few uncertain loads, which are solved one by one. One
+/// of them, at a node above the mechanism, leaves the factor as it is.
+class FewLoads : public WorstCaseCommand {
+ protected:
+  void SetUp() override {
+    WorstCaseCommand::SetUp();
+    shell(command + " example grid --bays 7 --output " + argument("grid.toml"));
+    std::ofstream(in_folder("grid.toml"), std::ios::app) << R"(
+[[uncertainty]]
+name = "wind"
+forces = [{ nodes = ["0,2", "0,3", "0,4", "0,5", "0,6", "0,7"], force = [1, 0] }]
+[[uncertainty]]
+name = "lift"
+forces = [{ nodes = ["2,7", "3,7"], force = [0, 1] }, { nodes = ["6,7"], force = [0.3, -2] }]
+[[uncertainty]]
+name = "none"
+case = "calm"
+forces = [{ nodes = ["7,1"], force = [0, 1e-3] }]
+[[uncertainty]]
+name = "gust"
+case = "storm"
+forces = [{ nodes = ["7,7", "7,6"], force = [-2, 0.5] }]
+)";
+  }
+
+  /// Result of a call without its statistics.
+  [[nodiscard]] nlohmann::json result(const std::string& call, int exit_code) const {
+    const auto run = shell(call + command + " limit " + argument("grid.toml") +
+                           " --alpha 20 --curve --certificate " + argument("cert") + " --output " +
+                           argument("out.json") + more);
+    EXPECT_EQ(run.exit_code, exit_code) << run.output;
+    auto json = nlohmann::json::parse(content(in_folder("out.json")));
+    if (exit_code == 0) {
+      EXPECT_EQ(json["statistics"]["corners"], 8);
+      EXPECT_EQ(json["result"]["cuts"], 0);
+    }
+    EXPECT_TRUE(json.erase("statistics"));
+    return json;
+  }
+
+  std::string more;  // further options
+};
+
+TEST_F(FewLoads, HaveTheSameWorstCaseOnAnyNumberOfRanks) {
+  const auto alone = result("", 0);
+  const auto certificate = content(in_folder("cert"));
+  for (const int count : {2, 3}) {
+    EXPECT_EQ(result(ranks(count), 0), alone) << count;
+    EXPECT_EQ(content(in_folder("cert")), certificate) << count;
+  }
+  const auto proved =
+      shell(command + " verify " + argument("cert") + " --problem " + argument("grid.toml"));
+  EXPECT_EQ(proved.exit_code, 0) << proved.output;
+  EXPECT_THAT(proved.output, HasSubstr("0 cuts, 8 nodes cover all loads"));
+}
+
+TEST_F(FewLoads, HaveTheSameWorstCaseAfterStops) {
+  const auto whole = result("", 0);
+  for (const int nodes : {4, 20, 40}) {
+    more = " --node-limit " + std::to_string(nodes) + " --resume " + argument("state");
+    const auto stopped = result(nodes == 20 ? ranks(2) : "", 3);
+    EXPECT_EQ(stopped["status"], "node-limit");
+    EXPECT_GE(stopped["result"]["worst_case"]["upper"], whole["result"]["worst_case"]["lower"]);
+  }
+  more = " --resume " + argument("state");
+  auto resumed = result(ranks(2), 0);
+  EXPECT_EQ(resumed, whole);
+}
+
 TEST_F(WorstCaseCommand, CertificateIsRefusedIfItClaimsTooMuch) {
   shell(command + " limit " + example_file("paper/limit-3x3.toml") +
         " --alpha 40 --quiet --certificate " + argument("cert"));

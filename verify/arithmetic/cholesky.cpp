@@ -93,8 +93,10 @@ std::optional<Cholesky> Cholesky::of(const Profile& profile, std::span<const dou
   return factor;
 }
 
+// Leading zeros stay zero in the first of the two triangular systems.
 void Cholesky::solve(std::span<double> right) const {
-  for (std::size_t i = 0; i < profile_.size(); ++i) {
+  const auto nonzero = std::ranges::find_if(right, [](double each) { return each != 0; });
+  for (auto i = static_cast<std::size_t>(nonzero - right.begin()); i < profile_.size(); ++i) {
     for (std::size_t k = profile_.first(i); k < i; ++k) {
       right[i] -= lower_[profile_.at(i, k)] * right[k];
     }

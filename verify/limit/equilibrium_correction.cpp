@@ -162,7 +162,7 @@ bool Reach::row(std::size_t e, double defect) {
     }
     if (members_.errors.empty()) continue;
     for (const auto& [k, error] : members_.errors[i]) {
-      missed_error_[gram_.place(k)] += size * double_above(error);
+      missed_error_[gram_.place(k)] += size * error;
     }
   }
   double total = 0;
@@ -251,6 +251,14 @@ std::variant<std::vector<double>, std::string> forces_against_defects(
   if (std::holds_alternative<std::vector<double>>(forces)) return forces;
   auto fewer = forces_by(members, slack_on_defects(members, slack, defect), defect);
   return std::holds_alternative<std::vector<double>>(fewer) ? fewer : forces;
+}
+
+std::vector<double> forces_against_unit_defects(const MemberColumns& members) {
+  const std::vector<double> of_members(members.columns.size(), 1.0);
+  const std::vector<double> of_displacements(members.displacements, 1.0);
+  const auto part = part_with_defects(members, of_members, of_displacements);
+  if (!part) return {};
+  return Reach(members, *part, of_members).forces(of_displacements).value_or(std::vector<double>());
 }
 
 double double_above(const Dyadic& value) {

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,14 +12,11 @@
 
 namespace kusabi::verify {
 
-/// Indices and exact numbers.
-using SparseDyadic = std::vector<std::pair<std::size_t, Dyadic>>;
-
 /// The members of a truss: the columns of B and bounds of their errors.
 struct MemberColumns {
   std::size_t displacements = 0;
   const std::vector<Sparse>& columns;
-  const std::vector<SparseDyadic>& errors;  ///< error bounds by member; empty: exact
+  const std::vector<Sparse>& errors;  ///< error bounds by member, rounded up; empty: exact
 };
 
 /// Forces t_i >= 0 such that for every motion u
@@ -33,6 +29,11 @@ struct MemberColumns {
 std::variant<std::vector<double>, std::string> forces_against_defects(
     const MemberColumns& members, const std::vector<double>& slack,
     const std::vector<double>& defect);
+
+/// Such forces for all defects that are nowhere larger than one, by all members with equal weights.
+/// Multiples of them serve many states of a truss, where every member has slack. Empty: there are
+/// none.
+std::vector<double> forces_against_unit_defects(const MemberColumns& members);
 
 /// A double close to the number and not below it. @pre value >= 0
 double double_above(const Dyadic& value);

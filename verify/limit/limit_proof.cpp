@@ -18,8 +18,8 @@ Dyadic product(const Dyadic& a, double b) {
 }
 
 // Bounds of the error of each entry of the certificate's columns; empty if they are exact.
-std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
-  std::vector<SparseDyadic> errors(truss.columns.size());
+std::vector<Sparse> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
+  std::vector<Sparse> errors(truss.columns.size());
   bool any = false;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     std::map<std::size_t, Approximate> difference;
@@ -34,7 +34,7 @@ std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const L
       const auto error = absolute(each.value) + each.error;
       if (error.sign() == 0) continue;
       any = true;
-      errors[i].emplace_back(e, error);
+      errors[i].emplace_back(e, double_above(error));
     }
   }
   if (!any) errors.clear();
@@ -210,6 +210,7 @@ std::optional<std::string> LimitProof::yielding(const LimitNode& node,
     if (minimum.sign() < 0) return name_of(i) + " yields";
     slack.push_back(double_below(minimum));
   }
+  if (are_covered(defects, slack)) return std::nullopt;
   const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
   const auto found = forces_against_defects(members, slack, defects);
   if (const auto* why = std::get_if<std::string>(&found)) return *why;
@@ -220,6 +221,24 @@ std::optional<std::string> LimitProof::yielding(const LimitNode& node,
     }
   }
   return std::nullopt;
+}
+
+// True if a multiple of the forces against unit defects is within the slack: these are the same for
+// all nodes. Where a member has no slack they are not.
+bool LimitProof::are_covered(const std::vector<double>& defects,
+                             const std::vector<double>& slack) const {
+  const double largest = defects.empty() ? 0 : std::ranges::max(defects);
+  const auto is_zero = [](double each) { return each == 0; };
+  if (!std::isfinite(largest) || std::ranges::any_of(slack, is_zero)) return false;
+  if (!unit_forces_)
+    unit_forces_ = forces_against_unit_defects(
+        {certificate_.displacements, certificate_.columns, column_errors_});
+  if (unit_forces_->empty()) return false;
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    // Rounded up.
+    if (!((*unit_forces_)[i] * largest * (1 + 0x1p-50) <= slack[i])) return false;
+  }
+  return true;
 }
 
 // A certificate without a problem file has numbers of members only.

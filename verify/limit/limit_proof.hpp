@@ -47,6 +47,8 @@ class LimitProof {
   [[nodiscard]] std::optional<std::string> yielding(const LimitNode& node,
                                                     const std::vector<Dyadic>& taken,
                                                     const std::vector<double>& defects) const;
+  [[nodiscard]] bool are_covered(const std::vector<double>& defects,
+                                 const std::vector<double>& slack) const;
   [[nodiscard]] bool load_is_admissible() const;
   [[nodiscard]] std::string name_of(std::size_t member) const;
 
@@ -54,7 +56,8 @@ class LimitProof {
   LimitTruss truss_;
   std::vector<LimitColumn> uncertain_;  // T
   // Bounds of the distance of B from the doubles of the certificate.
-  std::vector<SparseDyadic> column_errors_;
+  std::vector<Sparse> column_errors_;
+  mutable std::optional<std::vector<double>> unit_forces_;  // computed when first needed
   std::vector<Sparse> defects_;  // of each cut, nonzero entries, rounded up
 };
 

@@ -20,6 +20,13 @@ enum class LimitMethod {
   all,          ///< (29) with static cuts as rows, tightened M, and disjunctive cuts
 };
 
+/// Use of the corners of the uncertain loads, one by one, in place of static cuts.
+enum class Corners {
+  never,
+  if_less_work,  ///< as predicted (nodes/limit/root/corner_choice.hpp)
+  always,        ///< however many there are
+};
+
 /// Minimum number of uncertain loads for operator splitting, which is then faster than a linear
 /// program for each cut (bench/history.md).
 inline constexpr int default_split_from = 150;
@@ -43,6 +50,7 @@ struct LimitParameters {
   bool evidence = false;
   /// Minimum number of uncertain loads for static cuts by operator splitting.
   int split_from = default_split_from;
+  Corners corners = Corners::if_less_work;  ///< with `static_cuts`
   /// Number of random dead loads for comparison; `fixed` and `disjunctive` start from the best of
   /// them.
   std::uint64_t samples = 0;

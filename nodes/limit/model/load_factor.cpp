@@ -45,7 +45,10 @@ LoadStatus LoadFactor::solve(const Eigen::VectorXd& dead) {
   const auto& answer = simplex_.solve(stop_);
   if (std::holds_alternative<linear::CheckedInfeasibility>(answer)) return LoadStatus::not_carried;
   if (!std::holds_alternative<linear::CheckedOptimum>(answer)) return LoadStatus::undetermined;
-  if (!first_) first_ = simplex_.basis();
+  if (!first_) {
+    first_ = simplex_.basis();
+    first_iterations_ = simplex_.iterations();
+  }
   return LoadStatus::collapses;
 }
 

@@ -46,6 +46,13 @@ class LoadFactor {
   /// its load alone. @pre the first load has collapsed
   void restart();
 
+  /// Basis of the first collapse; empty: there is none.
+  [[nodiscard]] linear::Basis first_basis() const { return first_.value_or(linear::Basis()); }
+  /// Iterations of the first solve.
+  [[nodiscard]] std::uint64_t first_iterations() const { return first_iterations_; }
+  /// Takes the place of a first solve. @param first of the same program
+  void start_from(const linear::Basis& first) { first_ = first; }
+
   /// The collapse of the load under the opposite reference load, whose factor is minus the least
   /// factor of the load. Nothing if it is not determined. @pre the first load has collapsed
   std::optional<Collapse> opposite_collapse(const Eigen::VectorXd& dead);
@@ -61,12 +68,14 @@ class LoadFactor {
   [[nodiscard]] Eigen::VectorXd overpowering_motion() const;
 
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
+  [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
   const problems::LimitModel& model_;
   support::Stop stop_;
   linear::CheckedSimplex simplex_;
   std::optional<linear::Basis> first_;
+  std::uint64_t first_iterations_ = 0;
 };
 
 /// A worst case found so far.

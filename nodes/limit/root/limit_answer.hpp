@@ -104,6 +104,7 @@ struct LimitWorstCase {
   Eigen::VectorXd overpowering_motion;  ///< of not_carried: its proof, n^d; may be empty
   std::uint64_t cuts = 0;               ///< static ones
   std::uint64_t nodes = 1;              ///< of the tree of signs; depends on the number of ranks
+  std::uint64_t corners = 0;            ///< loads of this tree solved one by one
   /// Linear programs of the tree of signs; depends on the number of ranks.
   std::uint64_t tree_programs = 0;
   WorstCaseCounts counts;

@@ -127,12 +127,13 @@ splitting::Sharing RootSearch::shared_columns() {
   return sharing;
 }
 
-RootResult RootSearch::solve(double alpha) {
+RootResult RootSearch::solve(double alpha, Corners corners) {
   load_factor().restart();
   const RootControl control{.stop = lockstep_stop(),
                             .watcher = [this](std::uint64_t round, double lower,
                                               double upper) { say_ends(round, lower, upper); },
-                            .enough = enough_ / model().factor_unit};
+                            .enough = enough_ / model().factor_unit,
+                            .corners = corners};
   if (alpha > 0 && model().uncertain_count() > 0 && splits()) {
     auto split = split_root(model(), alpha, nominal(), load_factor(), shared_columns(), control);
     if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;
@@ -144,8 +145,8 @@ RootResult RootSearch::solve(double alpha) {
       control);
 }
 
-RootResult RootSearch::solve_balanced(double alpha) {
-  RootResult result = solve(scaled(alpha));
+RootResult RootSearch::solve_balanced(double alpha, Corners corners) {
+  RootResult result = solve(scaled(alpha), corners);
   for (int time = 0; time < max_balances; ++time) {
     const bool undecided = result.status == RootStatus::open ||
                            result.status == RootStatus::unbounded ||
@@ -154,7 +155,7 @@ RootResult RootSearch::solve_balanced(double alpha) {
     const double size = dissipation(problem_, model(), result.worst->collapse.motion);
     if (!is_out_of_balance(size)) break;
     if (set_up(rebalanced(problem_, model(), size, alpha)) != LoadStatus::collapses) break;
-    result = solve(scaled(alpha));
+    result = solve(scaled(alpha), corners);
   }
   return result;
 }

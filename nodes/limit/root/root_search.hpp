@@ -42,11 +42,11 @@ class RootSearch {
   void set_enough(double factor) { enough_ = factor; }
 
   /// The rounds in the present model. @param alpha scaled
-  RootResult solve(double alpha);
+  RootResult solve(double alpha, Corners corners);
 
   /// The same in units adjusted to the worst case found, since loads that are large relative to the
   /// nominal ones may cause another collapse. @param alpha in the unit of force
-  RootResult solve_balanced(double alpha);
+  RootResult solve_balanced(double alpha, Corners corners = Corners::never);
 
   /// True if solve() finds all cuts at once.
   [[nodiscard]] bool splits() const { return model().uncertain_count() >= split_from_; }

@@ -9,7 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "nodes/limit/model/limit_parameters.hpp"
+#include "nodes/limit/root/corner.hpp"
+#include "nodes/limit/root/corner_choice.hpp"
 #include "nodes/limit/root/fixed_shares.hpp"
 
 namespace kusabi::limit {
@@ -46,7 +47,9 @@ class Rounds {
         load_factor_(load_factor),
         pricer_(pricer),
         control_(control),
-        master_(model, alpha, control.stop) {}
+        master_(model, alpha, control.stop),
+        solves_before_(load_factor.solves()),
+        iterations_before_(load_factor.iterations()) {}
 
   RootResult run(const Collapse& nominal);
 
@@ -57,6 +60,9 @@ class Rounds {
   bool remove_dissipation_limit();
   void bound_at_the_end();
   [[nodiscard]] bool stopped() const { return support::is_requested(control_.stop); }
+  [[nodiscard]] double work() const;
+  [[nodiscard]] CornerChoice corners() const;
+  bool leave_to_corners(bool is_less);
   RootStatus rounds();
 
   const LimitModel& model_;
@@ -65,6 +71,8 @@ class Rounds {
   const Pricer& pricer_;
   const RootControl& control_;
   Master master_;
+  std::uint64_t solves_before_;      // of load_factor_
+  std::uint64_t iterations_before_;  //
   double share_ = first_share;
   bool limited_ = true;
   RootResult result_;
@@ -134,7 +142,39 @@ void Rounds::bound_at_the_end() {
   if (master_.solve_with_margin(first_room)) result_.proof = master_.proof();
 }
 
+// Work of the rounds so far, in iterations of (5): those of the relaxation count in proportion to
+// its rows. The pricing programs of other ranks are not known, so each counts as (5) from the slack
+// basis.
+double Rounds::work() const {
+  const double rows =
+      static_cast<double>(model_.member_count()) + static_cast<double>(master_.cuts());
+  const double larger = rows / std::max(1, model_.free_count());
+  return static_cast<double>(load_factor_.iterations() - iterations_before_) +
+         larger * static_cast<double>(master_.iterations()) +
+         static_cast<double>(result_.counts.pricings * load_factor_.first_iterations());
+}
+
+// From the descents so far, of which there is at least one.
+CornerChoice Rounds::corners() const {
+  const auto solves = load_factor_.solves() - solves_before_;
+  const auto iterations = load_factor_.iterations() - iterations_before_;
+  return {
+      undecided_count(model_, alpha_, Signs(model_.uncertain.size(), 0)),
+      static_cast<double>(load_factor_.first_iterations()),
+      static_cast<double>(iterations) / static_cast<double>(std::max<std::uint64_t>(1, solves))};
+}
+
+// @param is_less whether the corners of all loads are predicted to take less work than the rounds
+// @return true if they take the place of the rounds
+bool Rounds::leave_to_corners(bool is_less) {
+  if (control_.corners == Corners::never) return false;
+  if (!is_less && control_.corners != Corners::always) return false;
+  result_.enumerated = corners().loads();
+  return true;
+}
+
 RootStatus Rounds::rounds() {
+  if (leave_to_corners(corners().is_less_than_a_round())) return RootStatus::open;
   const Eigen::VectorXd z =
       (model_.equilibrium.transpose() * result_.worst->collapse.motion).cwiseAbs();
   master_.limit_dissipation(dissipation_share * model_.yield().dot(z));
@@ -157,14 +197,20 @@ RootStatus Rounds::rounds() {
     const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
     const bool cut = !meet && cut_off(point);
     if (stopped()) return RootStatus::stopped;
-    if (cut || remove_dissipation_limit()) continue;
-    return meet ? RootStatus::closed : RootStatus::open;
+    if (!cut && !remove_dissipation_limit()) {
+      if (meet) return RootStatus::closed;
+      const double of_a_round = work() / static_cast<double>(result_.counts.rounds);
+      if (control_.corners == Corners::if_less_work)
+        result_.enumerated = corners().signs_within(of_a_round);
+      return RootStatus::open;
+    }
+    if (leave_to_corners(corners().is_less_than(work()))) return RootStatus::open;
   }
   return RootStatus::open;
 }
 
 RootResult Rounds::run(const Collapse& nominal) {
-  const auto solves = load_factor_.solves();
+  result_.nominal_basis = load_factor_.first_basis();
   result_.status = improve(nominal.motion) ? RootStatus::open : RootStatus::not_carried;
   if (result_.status == RootStatus::open && !result_.worst) {
     result_.status = stopped() ? RootStatus::stopped : RootStatus::failed;
@@ -173,6 +219,7 @@ RootResult Rounds::run(const Collapse& nominal) {
   switch (result_.status) {
     case RootStatus::open:
     case RootStatus::closed:
+      if (master_.solves() == 0) break;  // no rounds
       // At the box of the relaxation the bound is that of the box.
       if (master_.box_is_active()) result_.status = RootStatus::unbounded;
       if (master_.solve_with_margin(first_room)) result_.proof = master_.proof();
@@ -186,7 +233,7 @@ RootResult Rounds::run(const Collapse& nominal) {
       break;
   }
   result_.counts.relaxations = master_.solves();
-  result_.counts.load_factors = load_factor_.solves() - solves;
+  result_.counts.load_factors = load_factor_.solves() - solves_before_;
   return std::move(result_);
 }
 
@@ -252,12 +299,12 @@ RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nom
 
 std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
-                                           double share, bool for_all, ProofMethod method) {
-  const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
+                                           double share, bool for_all) {
   // The master program is too large for such problems and has weaker proofs.
+  const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
   const bool is_large =
       model.uncertain_count() >= default_split_from && is_one_for_each(cuts, model);
-  if (!decided && (is_large || method == ProofMethod::states)) {
+  if (!decided && is_large) {
     splitting::SafeStates states(model);
     return proof_of_fixed_shares(states, model, alpha, cuts, share, for_all);
   }

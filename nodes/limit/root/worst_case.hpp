@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "nodes/limit/model/load_factor.hpp"
 #include "nodes/limit/model/static_cut.hpp"
 #include "nodes/limit/root/master.hpp"
@@ -62,8 +63,12 @@ struct RootResult {
   /// By the simplex method, scaled; minus infinity: none yet. See `proof`.
   double lower = -linear::infinity;
   std::vector<StaticCut> cuts;
-  StaticProof proof;    ///< of the lower bound; no forces: none
-  linear::Basis basis;  ///< of the last relaxation
+  StaticProof proof;            ///< of the lower bound; no forces: none
+  linear::Basis basis;          ///< of the last relaxation
+  linear::Basis nominal_basis;  ///< of (5) under the nominal load
+  /// Nodes of the tree of signs with at most this many undecided signs are divided into their
+  /// corners.
+  int enumerated = 0;
   WorstCaseCounts counts;
 };
 
@@ -81,6 +86,7 @@ struct RootControl {
   RoundWatcher watcher = {};
   /// Factor below which only the upper bound matters, scaled.
   double enough = -linear::infinity;
+  Corners corners = Corners::never;  ///< in place of rounds
 };
 
 /// @param alpha scaled, >= 0
@@ -89,19 +95,12 @@ RootResult solve_root(const problems::LimitModel& model, double alpha, const Col
                       LoadFactor& load_factor, const Pricer& pricer,
                       const RootControl& control = {});
 
-/// Program whose solution is a proof.
-enum class ProofMethod {
-  relaxation,  ///< that of the node
-  states,      ///< (5) with fixed shares of the cuts: one cut for each column, or alpha = 0
-};
-
 /// A proof of the bound at a node with these signs and cuts, for yield forces reduced by `share`,
 /// if the first one has too small a margin. Nothing if the simplex method fails.
 /// @param for_all also for members whose force seems to be determined by equilibrium
 std::optional<StaticProof> proof_with_room(const problems::LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
-                                           double share, bool for_all,
-                                           ProofMethod method = ProofMethod::relaxation);
+                                           double share, bool for_all);
 
 /// Reduction of the yield forces for a first proof: enough for the rounding errors of the simplex
 /// method.

@@ -80,7 +80,8 @@ ProvedEnds proved_largest(const verify::Structure& truss, const problems::LimitP
   node.signs.resize(model.uncertain.size());
   if (proof) node = closed_node(*proof, {});
   const Worst nominal{Eigen::VectorXd::Zero(model.uncertain_count()), found.collapse};
-  auto proved = proved_ends({truss, problem, model, 0, nominal, {}, {std::move(node)}}, again);
+  auto proved =
+      proved_ends({truss, problem, model, 0, nominal, {}, {std::move(node)}, found.basis}, again);
   prove_zero(truss, proved);
   return proved;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "nodes/limit/root/corner.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
 #include "verify/limit/limit_proof.hpp"
@@ -37,40 +38,64 @@ verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
 
 /// A way to compute a proof.
 struct Attempt {
+  bool by_state = false;  ///< of a corner; otherwise by the relaxation
   double room = 0;
   bool for_all = false;
-  ProofMethod method = ProofMethod::relaxation;
 };
 
-// Smallest margins first, all of one method before the next.
-std::vector<Attempt> attempts(const std::vector<ProofMethod>& methods) {
+// Smallest margins first, all of one program before the next.
+std::vector<Attempt> attempts(bool is_corner) {
   std::vector<Attempt> all;
-  for (const auto method : methods) {
+  for (const bool by_state : {true, false}) {
+    if (by_state && !is_corner) continue;
     for (const double room : margins) {
-      for (const bool for_all : {false, true}) all.push_back({room, for_all, method});
+      for (const bool for_all : {false, true}) all.push_back({by_state, room, for_all});
     }
   }
   return all;
 }
 
+/// The proofs of a node with cuts of its own.
+struct WithOwnCuts {
+  verify::LimitCertificate certificate;
+  verify::LimitProof proof;
+
+  WithOwnCuts(const LimitEvidence& evidence, const verify::LimitTruss& truss,
+              const std::vector<StaticCut>& cuts)
+      : certificate(limit_certificate(evidence.problem, evidence.model, evidence.alpha,
+                                      evidence.worst, cuts, {})),
+        proof(certificate, truss) {}
+};
+
 // Replaces the proof of a node by one with a larger margin, if its bound is better.
+// @param shared proofs of nodes with the common cuts only
+// @param had_proof whether its forces are a proof that was tried
 // @return the proved bound
 double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& truss,
-                      ClosedNode& node, double shown, double wanted) {
+                      const verify::LimitProof& shared, ClosedNode& node, bool had_proof,
+                      double shown, double wanted) {
   auto cuts = evidence.cuts;
   cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
   // All data except the node are the same for all margins.
-  const auto certificate =
-      limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {});
-  const verify::LimitProof proof(certificate, truss);
+  std::optional<WithOwnCuts> own;
+  if (!node.own_cuts.empty()) own.emplace(evidence, truss, cuts);
+  const auto& proof = own ? own->proof : shared;
   const double alpha = evidence.alpha / evidence.model.force_unit;
-  std::vector<ProofMethod> methods{ProofMethod::relaxation};
-  if (alpha == 0) methods.insert(methods.begin(), ProofMethod::states);
-  for (const auto [room, for_all, method] : attempts(methods)) {
+  splitting::SafeStates states(evidence.model);
+  if (!evidence.nominal_basis.empty()) states.start_from(evidence.nominal_basis);
+  const auto state = [&](double room, bool for_all) {
+    return proof_of_corner(states, evidence.model, alpha, cuts, node.signs, room, for_all);
+  };
+  auto tried = had_proof ? node.forces : std::vector<double>();
+  const bool is_corner = first_undecided(evidence.model, alpha, node.signs) < 0;
+  for (const auto [by_state, room, for_all] : attempts(is_corner)) {
     const auto found =
-        proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all, method);
+        by_state ? state(room, for_all)
+                 : proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
     if (!found) continue;
     auto candidate = closed_node(*found, node.own_cuts);
+    if (by_state && candidate.forces == tried) continue;  // no further member has room
+    tried = candidate.forces;
     const double lower = lower_end(
         proof, limit_node(evidence.problem, evidence.model, evidence.alpha, cuts, candidate));
     if (lower <= shown) continue;
@@ -111,7 +136,8 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
       const double wanted =
           std::min(ends.upper, evidence.lower) - 2 * closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
-        const double more = with_more_room(evidence, truss, nodes[k], shown, wanted);
+        const double more =
+            with_more_room(evidence, truss, proof, nodes[k], has_proof[k], shown, wanted);
         changed = changed || more > shown;
         shown = more;
       }

@@ -24,6 +24,7 @@ struct LimitEvidence {
   const Worst& worst;
   const std::vector<StaticCut>& cuts;  ///< common to all nodes
   std::vector<ClosedNode> nodes;       ///< cover all signs
+  linear::Basis nominal_basis;         ///< of (5), for states of corners; empty: unknown
   /// The expected lower bound, in the unit of the load factor; no better proof is attempted.
   double lower = std::numeric_limits<double>::infinity();
 };

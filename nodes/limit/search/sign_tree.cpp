@@ -23,6 +23,12 @@ constexpr double min_violation = 1e-7;
 /// than the gap that closes a node.
 constexpr double negligible_violation = 1e-10;
 
+/// Reduction of the yield forces at a corner whose factor is `far_above` the least one known: its
+/// proof needs no accuracy, and with more room it is found at once. Members elongate by less than
+/// 500 in total, where the collapse dissipates about one.
+constexpr double room_far_above = 1e-8;
+constexpr double far_above = 1e-4;
+
 std::vector<double> numbers(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
@@ -44,10 +50,11 @@ SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootRe
       stop_(std::move(stop)),
       proof_(std::move(proof)),
       load_factor_(model, stop_),
+      states_(model, stop_),
       pricing_(model, stop_),
       master_(model, alpha, stop_) {
   for (const StaticCut& cut : root.cuts) master_.add(cut);
-  load_factor_.solve(model.dead);  // initial basis of every descent
+  load_factor_.start_from(root.nominal_basis);  // of every descent
 }
 
 SignTree::Node SignTree::root() const {
@@ -56,7 +63,7 @@ SignTree::Node SignTree::root() const {
 
 SignTree::Tally SignTree::tally() const {
   Tally tally = tally_;
-  tally.counts.load_factors = load_factor_.solves();
+  tally.counts.load_factors += load_factor_.solves();
   tally.counts.relaxations = master_.solves();
   return tally;
 }
@@ -91,6 +98,25 @@ std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
   }
 }
 
+// Reports that a load has no factor, if the motion proves it. @return whether it does
+bool SignTree::report_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+                                engine::Expansion<SignTree>& out) {
+  if (proof_ && !proof_(zeta, motion)) return false;
+  out.solution({-linear::infinity, numbers(zeta), numbers(motion), {}});
+  return true;
+}
+
+// Smaller improvements would make the answer depend on the number of ranks.
+void SignTree::report(const Worst& worst, engine::Expansion<SignTree>& out) {
+  const auto& [zeta, collapse] = worst;
+  if (collapse.factor >= root_.worst->collapse.factor - closed_gap ||
+      out.ruled_out(collapse.factor)) {
+    return;
+  }
+  out.solution(
+      {collapse.factor, numbers(zeta), numbers(collapse.motion), numbers(collapse.forces)});
+}
+
 // @return the least factor found here
 double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& out) {
   const double known = std::min(out.cutoff(), root_.worst->collapse.factor);
@@ -99,21 +125,12 @@ double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& 
   const auto found =
       descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, node.point.motion, plus));
   if (found.status == LoadStatus::not_carried) {
-    if (proof_ && !proof_(found.overpowering_load, found.overpowering_motion)) return known;
-    out.solution({-linear::infinity,
-                  numbers(found.overpowering_load),
-                  numbers(found.overpowering_motion),
-                  {}});
-    return -linear::infinity;
+    const bool shown = report_no_factor(found.overpowering_load, found.overpowering_motion, out);
+    return shown ? -linear::infinity : known;
   }
   if (found.status != LoadStatus::collapses) return known;
-  // Smaller improvements would make the answer depend on the number of ranks.
-  const double worst = found.worst.collapse.factor;
-  if (worst < root_.worst->collapse.factor - closed_gap && worst < out.cutoff()) {
-    const auto& [zeta, collapse] = found.worst;
-    out.solution({worst, numbers(zeta), numbers(collapse.motion), numbers(collapse.forces)});
-  }
-  return std::min(known, worst);
+  report(found.worst, out);
+  return std::min(known, found.worst.collapse.factor);
 }
 
 void SignTree::close(const Signs& signs) {
@@ -126,24 +143,66 @@ void SignTree::close(const Signs& signs) {
   }
 }
 
-// Branches on the first undecided sign; with none, the node is closed without a proof.
-void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out) {
-  const auto open = std::ranges::find(node.signs, 0);
-  if (open == node.signs.end()) {
-    ++tally_.closed;
-    ++tally_.unsolved;
-    if (keep_evidence_) tally_.evidence.push_back({node.signs, 0, {}, {}, {}, {}});
-    return;
-  }
+void SignTree::branch_on(std::size_t column, bool positive_first, const Node& node,
+                         engine::Expansion<SignTree>& out) {
   ++tally_.branched;
-  for (const std::int8_t sign : {std::int8_t{1}, std::int8_t{-1}}) {
+  for (const bool same : {true, false}) {
     Node child{node.signs};
-    child.signs[static_cast<std::size_t>(open - node.signs.begin())] = sign;
+    child.signs[column] = same == positive_first ? std::int8_t{1} : std::int8_t{-1};
     out.branch(std::move(child));
   }
 }
 
-void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
+// Branches without a bound. The first corner below a node is the nearest to the worst load known at
+// the root.
+void SignTree::divide(const Node& node, engine::Expansion<SignTree>& out) {
+  const int j = first_undecided(model_, alpha_, node.signs);
+  branch_on(static_cast<std::size_t>(j), root_.worst->zeta(j) >= 0, node, out);
+}
+
+// The proof of a corner: a state that needs only as little room as its factor is near to the least
+// one known.
+std::optional<StaticProof> SignTree::corner_proof(const Signs& signs) {
+  states_.start_from(root_.nominal_basis);
+  const double far = root_.worst->collapse.factor + far_above;
+  for (const double room : {room_far_above, first_room}) {
+    ++tally_.counts.load_factors;
+    auto proof = proof_of_corner(states_, model_, alpha_, {}, signs, room, false);
+    if (room == first_room || (proof && proof->factor >= far)) return proof;
+  }
+  return {};
+}
+
+// The factor of the corner's load is found by the program of its proof, whose yield forces are
+// reduced; its collapse is of interest only if no smaller factor is known.
+void SignTree::open_corner(Node&& node, engine::Expansion<SignTree>& out) {
+  if (out.ruled_out(-linear::infinity)) return;
+  const auto proof = corner_proof(node.signs);
+  const double known = root_.worst->collapse.factor - closed_gap;
+  const bool is_of_interest = !proof || (proof->factor < known && !out.ruled_out(proof->factor));
+  Eigen::VectorXd zeta = corner_load(alpha_, node.signs);
+  auto status = LoadStatus::collapses;
+  if (is_of_interest) {
+    load_factor_.restart();
+    status = load_factor_.solve(dead_load(model_, zeta));
+  }
+  if (support::is_requested(stop_)) {
+    out.branch(std::move(node));
+    return;
+  }
+  ++tally_.closed;
+  ++tally_.corners;
+  if (status == LoadStatus::undetermined) ++tally_.unsolved;
+  if (status == LoadStatus::not_carried)
+    report_no_factor(zeta, load_factor_.overpowering_motion(), out);
+  if (is_of_interest && status == LoadStatus::collapses)
+    report({std::move(zeta), load_factor_.collapse()}, out);
+  if (!keep_evidence_) return;
+  tally_.evidence.push_back(proof ? closed_node(*proof, {})
+                                  : ClosedNode{node.signs, 0, {}, {}, {}, {}});
+}
+
+void SignTree::open_relaxed(Node&& node, engine::Expansion<SignTree>& out) {
   const auto found = bounded(node);
   // A stopped search keeps the node, since its bound is incomplete.
   if (support::is_requested(stop_)) {
@@ -151,7 +210,7 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
     return;
   }
   if (!found) {
-    split_unsolved(node, out);
+    divide(node, out);
     return;
   }
   const Bounded& here = *found;
@@ -163,13 +222,18 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
     close(node.signs);
     return;
   }
-  ++tally_.branched;
   const auto j = static_cast<std::size_t>(widest);
-  const bool positive = model_.uncertain[j].along(here.point.motion) >= 0;
-  for (const bool same : {true, false}) {
-    Node child{node.signs};
-    child.signs[j] = same == positive ? std::int8_t{1} : std::int8_t{-1};
-    out.branch(std::move(child));
+  branch_on(j, model_.uncertain[j].along(here.point.motion) >= 0, node, out);
+}
+
+void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
+  const int undecided = undecided_count(model_, alpha_, node.signs);
+  if (undecided == 0) {
+    open_corner(std::move(node), out);
+  } else if (undecided <= root_.enumerated) {
+    divide(node, out);
+  } else {
+    open_relaxed(std::move(node), out);
   }
 }
 

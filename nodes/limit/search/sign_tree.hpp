@@ -2,8 +2,9 @@
 // t_j'u, which is the 0-1 variable tau_j of the limit paper's (29) without its big M.
 //
 // A node has some signs decided. Its bound is the relaxation of nodes/limit/root/master.hpp with
-// the cuts of the root and some of its own. With all signs decided the relaxation is exact, so the
-// tree is finite. Each closed node stores the static proof of its bound.
+// the cuts of the root and some of its own. With all signs decided it is a corner, whose bound is
+// the factor of its load, so the tree is finite. Nodes with few undecided signs are divided into
+// their corners without a bound. Each closed node stores the static proof of its bound.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +18,7 @@
 
 #include "engine/expansion.hpp"
 #include "engine/search_declaration.hpp"
+#include "nodes/limit/root/corner.hpp"
 #include "nodes/limit/root/worst_case.hpp"
 
 namespace kusabi::limit {
@@ -71,13 +73,15 @@ class SignTree {
   struct Tally {
     std::uint64_t branched = 0;
     std::uint64_t closed = 0;
-    std::uint64_t unsolved = 0;  ///< closed with all signs decided, where the simplex method failed
+    std::uint64_t corners = 0;   ///< closed with one load
+    std::uint64_t unsolved = 0;  ///< those of them where the simplex method failed
     WorstCaseCounts counts;
     std::vector<ClosedNode> evidence;
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& branched& closed& unsolved& counts.load_factors& counts.relaxations& counts.pricings;
+      archive& branched& closed& corners& unsolved& counts.load_factors& counts.relaxations& counts
+          .pricings;
       archive& counts.rounds& evidence;
     }
   };
@@ -101,8 +105,16 @@ class SignTree {
     Relaxed point;
   };
   std::optional<Bounded> bounded(const Node& node);
-  void split_unsolved(const Node& node, engine::Expansion<SignTree>& out);
+  void branch_on(std::size_t column, bool positive_first, const Node& node,
+                 engine::Expansion<SignTree>& out);
+  void divide(const Node& node, engine::Expansion<SignTree>& out);
+  std::optional<StaticProof> corner_proof(const Signs& signs);
+  void open_corner(Node&& node, engine::Expansion<SignTree>& out);
+  void open_relaxed(Node&& node, engine::Expansion<SignTree>& out);
   double descend_from(const Bounded& node, engine::Expansion<SignTree>& out);
+  bool report_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+                        engine::Expansion<SignTree>& out);
+  void report(const Worst& worst, engine::Expansion<SignTree>& out);
   void close(const Signs& signs);
 
   const problems::LimitModel& model_;
@@ -112,6 +124,7 @@ class SignTree {
   support::Stop stop_;
   NoFactorProof proof_;
   LoadFactor load_factor_;
+  splitting::SafeStates states_;  // of corners
   StaticPricing pricing_;
   Master master_;
   std::vector<StaticCut> own_cuts_;  // of the current node

@@ -2,6 +2,7 @@
 #include "nodes/limit/search/worst_case_search.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -12,6 +13,7 @@
 
 #include "engine/collectives.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
+#include "nodes/limit/root/corner.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/zero_one_worst.hpp"
 
@@ -33,6 +35,7 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha, NoFa
         const auto& tally = rank.tally;
         result.programs +=
             tally.counts.load_factors + tally.counts.relaxations + tally.counts.pricings;
+        result.corners += tally.corners;
         result.closed.insert(result.closed.end(), tally.evidence.begin(), tally.evidence.end());
       }
     }
@@ -63,17 +66,20 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
                             LimitWorstCase& worst) {
   const double unit = model().factor_unit;
   const bool of_a_tree = nodes.size() > 1;
+  const bool only_corners = std::ranges::all_of(nodes, [&](const ClosedNode& node) {
+    return first_undecided(model(), search_.scaled(alpha()), node.signs) < 0;
+  });
   const bool enough = root.status == RootStatus::enough;
   worst.ends = engine::from_first_rank(search_.analysis().transport(), [&] {
     const bool again = worst.search == engine::Status::solved && !enough;
     const bool any =
         again || !nodes.front().forces.empty();  // otherwise only the upper bound remains
-    auto [ends, certificate] =
-        proved_ends({truss_, search_.problem(), model(), alpha(), *root.worst,
-                     any ? root.cuts : std::vector<StaticCut>(), std::move(nodes),
-                     of_a_tree || !search_.splits() ? std::numeric_limits<double>::infinity()
-                                                    : root.lower * unit},
-                    again);
+    auto [ends, certificate] = proved_ends(
+        {truss_, search_.problem(), model(), alpha(), *root.worst,
+         any ? root.cuts : std::vector<StaticCut>(), std::move(nodes), root.nominal_basis,
+         of_a_tree || !search_.splits() ? std::numeric_limits<double>::infinity()
+                                        : root.lower * unit},
+        again);
     if (enough) certificate.nodes.clear();
     if (ends.upper_proved && (ends.lower_proved || enough)) certificate_ = std::move(certificate);
     // A bound without a proof is none.
@@ -81,8 +87,9 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     if (!ends.upper_proved) ends.upper = none;
     if (!ends.lower_proved) ends.lower = -none;
     // Proofs of nodes beyond the gap depend on the incumbent when they were closed, and so on the
-    // number of ranks.
-    ends.lower = std::min(ends.lower, of_a_tree ? ends.upper - 2 * closed_gap * unit : ends.upper);
+    // number of ranks; those of corners do not.
+    const bool rounded = of_a_tree && !only_corners;
+    ends.lower = std::min(ends.lower, rounded ? ends.upper - 2 * closed_gap * unit : ends.upper);
     return ends;
   });
   const auto& ends = worst.ends;
@@ -107,6 +114,25 @@ bool WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::
   return true;
 }
 
+// Static cuts for a lower bound on rank 0, which proves it, after a search of corners was stopped.
+void WorstCaseSearch::bound_in_little_time(RootResult& root) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto grace = std::chrono::milliseconds(300);
+  if (!search_.analysis().is_first()) return;
+  const auto end = Clock::now() + grace;
+  const support::Stop stop = [end] { return Clock::now() > end; };
+  LoadFactor load_factor(model(), stop);
+  load_factor.start_from(root.nominal_basis);
+  StaticPricing pricing(model(), stop);
+  auto found = solve_root(model(), search_.scaled(alpha()), search_.nominal(), load_factor,
+                          [&](const Eigen::VectorXd& z, std::span<const int> columns) {
+                            return price_alone(pricing, z, columns);
+                          },
+                          {.stop = stop});
+  root.cuts = std::move(found.cuts);
+  root.proof = std::move(found.proof);
+}
+
 // Continues from the root with the tree, if it is open, and the proof.
 void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   std::vector<ClosedNode> nodes;
@@ -118,9 +144,15 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     auto tree = search_signs(search_, root, search_.scaled(alpha()), has_no_factor);
     worst.search = tree.status;
     worst.nodes = tree.nodes;
+    worst.corners = tree.corners;
     worst.tree_programs += tree.programs;
     // Nodes that do not cover all signs prove nothing, but the root does.
-    if (tree.status == engine::Status::solved) nodes = std::move(tree.closed);
+    if (tree.status == engine::Status::solved) {
+      nodes = std::move(tree.closed);
+    } else if (root.cuts.empty()) {
+      bound_in_little_time(root);
+      worst.cuts = root.cuts.size();
+    }
   }
   if (root.status == RootStatus::stopped) worst.search = search_.analysis().budget().stop_reason();
   if (root.status == RootStatus::not_carried) {
@@ -147,7 +179,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
 LimitWorstCase WorstCaseSearch::by_static_cuts() {
   for (;;) {
     LimitWorstCase worst;
-    RootResult result = search_.solve_balanced(alpha());
+    RootResult result = search_.solve_balanced(alpha(), parameters_.corners);
     worst.counts = result.counts;
     worst.cuts = result.cuts.size();
     conclude(result, worst);

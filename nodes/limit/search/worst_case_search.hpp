@@ -22,6 +22,7 @@ struct SignSearch {
   engine::Status status = engine::Status::solved;  ///< on every rank
   std::uint64_t nodes = 1;                         ///< on rank 0, as are the following
   std::uint64_t programs = 0;                      ///< linear programs
+  std::uint64_t corners = 0;                       ///< nodes with one load
   std::vector<ClosedNode> closed;                  ///< with their proofs
 };
 
@@ -57,6 +58,7 @@ class WorstCaseSearch {
   void show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst);
   void conclude(RootResult& root, LimitWorstCase& worst);
   void prove(const RootResult& root, std::vector<ClosedNode> nodes, LimitWorstCase& worst);
+  void bound_in_little_time(RootResult& root);
   bool prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
                        LimitWorstCase& worst);
   [[nodiscard]] const problems::LimitModel& model() const { return search_.model(); }

@@ -12,6 +12,10 @@ SafeStates::SafeStates(const problems::LimitModel& model, support::Stop stop)
       stop_(std::move(stop)),
       simplex_(problems::static_program(model, model.dead)) {}
 
+void SafeStates::set_load(const Eigen::VectorXd& dead) {
+  for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
+}
+
 std::optional<SafeState> SafeStates::state(const std::vector<double>& taken,
                                            const Eigen::VectorXd& room) {
   const int members = model_.member_count();

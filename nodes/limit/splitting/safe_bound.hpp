@@ -28,6 +28,9 @@ class SafeStates {
 
   void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
+  /// Replaces the dead load, that of the model. @param dead n^d, scaled
+  void set_load(const Eigen::VectorXd& dead);
+
   /// Makes the next state() start from this basis of (5).
   void start_from(const linear::Basis& basis) { simplex_.set_basis(basis); }
 

@@ -134,11 +134,14 @@ TEST_P(MovedTruss, HasTheFactorsOfTheTrussAsItWas) {
   unsigned compared = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto corners = seed % 2 == 0 ? Corners::always : Corners::never;
     const auto truss = truss_on_a_grid(seed);
     if (!problem_of(without_zeros(truss))) continue;
     const auto largest = least_over_vertices(without_zeros(truss), 1);
     const auto least = least_over_vertices(without_zeros(truss), -1);
-    const auto found = findings(without_zeros(GetParam()(truss)), {.alpha = half_width}).answer;
+    const auto found =
+        findings(without_zeros(GetParam()(truss)), {.alpha = half_width, .corners = corners})
+            .answer;
     EXPECT_TRUE(found.whole());
     ASSERT_EQ(largest.has_value(), least.has_value());
     const auto interval = guaranteed_interval(found);
