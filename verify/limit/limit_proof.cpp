@@ -232,7 +232,7 @@ std::variant<mpq_class, std::string> LimitProof::carried(const StressState& stat
   return value.rational();
 }
 
-// What forces leave of the yield forces, or the name of a member that yields.
+// Slack of each member beside its force, or the name of a member that yields.
 std::variant<std::vector<double>, std::string> LimitProof::slack_of(const Stress& stress) const {
   std::vector<double> slack;
   for (std::size_t i = 0; i < certificate_.members(); ++i) {

@@ -110,6 +110,7 @@ bool ExactColumns::balance(const EliminationLimits& limits) {
   std::uint64_t products = 0;
   std::vector<std::pair<std::size_t, Equation>> solved;  // by pivot
   while (!equations_.empty()) {
+    if (products > limits.products || support::is_requested(limits.stop)) return false;
     const auto next = std::ranges::min_element(
         equations_, {}, [](const Equation& each) { return each.entries.size(); });
     auto equation = std::move(*next);
@@ -128,7 +129,6 @@ bool ExactColumns::balance(const EliminationLimits& limits) {
     for (auto& other : equations_) {
       const auto found = other.entries.find(pivot);
       if (found == other.entries.end()) continue;
-      if (products > limits.products || support::is_requested(limits.stop)) return false;
       const mpq_class times = std::move(found->second);
       other.entries.erase(found);
       for (const auto& [place, entry] : equation.entries) {

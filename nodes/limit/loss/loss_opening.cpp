@@ -79,8 +79,9 @@ LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
     ++piece_.programs;
     if (&members == &none) program_.restart(known_.target / factor_unit_ + factor_room);
     if (program_.solve(lost, members, free, margin) != StateProgram::Result::found) continue;
-    if (auto state =
-            proof_.proved(program_.state(), program_.basic_members(), known_.target, lost, stop_)) {
+    const bool last = &members == &none && margin == yield_margins[1];
+    if (auto state = proof_.proved(program_.state(), program_.basic_members(), known_.target, lost,
+                                   last, stop_)) {
       here.supports.push_back(state->support);
       piece_.states.push_back(*std::move(state));
       return Found::state;

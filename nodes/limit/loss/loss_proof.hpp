@@ -46,9 +46,10 @@ class LossProof {
   /// also if an end is requested.
   /// @param basic members that are tried first as further ones
   /// @param target in the unit of the load factor
+  /// @param last true: no other state is tried, so that an elimination may take long
   [[nodiscard]] std::optional<ProvedState> proved(verify::StressState state,
                                                   const support::IndexSet& basic, double target,
-                                                  const support::IndexSet& lost,
+                                                  const support::IndexSet& lost, bool last,
                                                   const support::Stop& stop) const;
 
   /// Proved upper bound of the load factor without these members; nothing if there is none.
