@@ -153,21 +153,19 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
 std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
   const auto& certificate = certificate_;
   const auto m = certificate.uncertain.size();
-  // The part of each member's yield force that the shares of the cuts use, and the remaining
-  // defect.
-  std::vector<Dyadic> taken(certificate.members());
+  Stress stress{node.forces, std::vector<Dyadic>(certificate.members()),
+                std::vector<Dyadic>(certificate.displacements)};
   std::vector<Dyadic> share_of(m);
-  std::vector<Dyadic> defects(certificate.displacements);
   Dyadic value(node.factor);
   for (const auto& [c, share] : node.shares) {
     const auto& cut = certificate.cuts[c];
     const Dyadic mu(share);
     share_of[cut.column] = share_of[cut.column] + mu;
     value.add_product(mu, -std::abs(cut.factor));
-    for (const auto& [i, force] : cut.forces) taken[i].add_product(mu, std::abs(force));
+    for (const auto& [i, force] : cut.forces) stress.taken[i].add_product(mu, std::abs(force));
     for (const auto& [e, missing] : defects_[c]) {
       if (!std::isfinite(missing)) return "the defect of a cut is too large to compute with";
-      defects[e].add_product(mu, missing);
+      stress.defects[e].add_product(mu, missing);
     }
   }
   // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
@@ -188,31 +186,76 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   Sparse forces;
   for (std::size_t i = 0; i < node.forces.size(); ++i) forces.emplace_back(i, node.forces[i]);
   const auto own = defect(forces, std::move(load), node.factor);
-  std::vector<double> rounded;
-  for (std::size_t e = 0; e < defects.size(); ++e) {
-    rounded.push_back(double_above(defects[e] + own[e] + truss_.dead[e].error));
-  }
-  if (auto why = yielding(node, taken, rounded)) return std::move(*why);
+  for (std::size_t e = 0; e < own.size(); ++e) stress.defects[e] = stress.defects[e] + own[e];
+  const auto slack = slack_of(stress);
+  if (const auto* why = std::get_if<std::string>(&slack)) return *why;
+  if (auto why = yielding(std::get<std::vector<double>>(slack), stress.defects)) return *why;
   return value.rational();
 }
 
-// The forces of a node, with the part of each yield force that the cuts use, must leave enough for
-// the forces against the defects. @return the reason if they do not
-std::optional<std::string> LimitProof::yielding(const LimitNode& node,
-                                                const std::vector<Dyadic>& taken,
-                                                const std::vector<double>& defects) const {
+std::variant<mpq_class, std::string> LimitProof::carried(const StressState& state) const {
+  Stress stress{std::vector<double>(certificate_.members()),
+                std::vector<Dyadic>(certificate_.members()),
+                std::vector<Dyadic>(certificate_.displacements)};
+  std::vector<bool> stressed(certificate_.members());
+  for (const auto member : state.support) stressed[member] = true;
+  Dyadic value;
+  for (std::size_t k = 0; k < state.columns.size(); ++k) {
+    const auto& [factor, forces] = state.columns[k];
+    std::vector<Dyadic> load(certificate_.displacements);
+    Sparse within;
+    for (const auto& force : forces) {
+      if (stressed[force.first]) within.push_back(force);
+    }
+    if (k == 0) {
+      value = Dyadic(factor);
+      for (std::size_t e = 0; e < load.size(); ++e) load[e] = truss_.dead[e].value;
+      for (const auto& [i, force] : within) stress.forces[i] = force;
+    } else {
+      value = value - absolute(Dyadic(factor));
+      const Dyadic half_width(certificate_.alpha[k - 1]);
+      for (const auto& [e, each] : certificate_.uncertain[k - 1])
+        load[e].add_product(half_width, each);
+      for (const auto& [i, force] : within)
+        stress.taken[i] = stress.taken[i] + absolute(Dyadic(force));
+    }
+    const auto own = defect(within, std::move(load), factor);
+    for (std::size_t e = 0; e < own.size(); ++e) stress.defects[e] = stress.defects[e] + own[e];
+  }
+  auto slack = slack_of(stress);
+  if (const auto* why = std::get_if<std::string>(&slack)) return *why;
+  auto& of_support = std::get<std::vector<double>>(slack);
+  for (std::size_t i = 0; i < stressed.size(); ++i) {
+    if (!stressed[i]) of_support[i] = 0;
+  }
+  if (auto why = yielding(of_support, stress.defects)) return *why;
+  return value.rational();
+}
+
+// Slack of each member beside its force, or the name of a member that yields.
+std::variant<std::vector<double>, std::string> LimitProof::slack_of(const Stress& stress) const {
   std::vector<double> slack;
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const Dyadic force(node.forces[i]);
-    const Dyadic tension = Dyadic(certificate_.tension[i]) - force - taken[i];
-    const Dyadic compression = Dyadic(certificate_.compression[i]) + force - taken[i];
+    const Dyadic force(stress.forces[i]);
+    const Dyadic tension = Dyadic(certificate_.tension[i]) - force - stress.taken[i];
+    const Dyadic compression = Dyadic(certificate_.compression[i]) + force - stress.taken[i];
     const Dyadic& minimum = tension < compression ? tension : compression;
     if (minimum.sign() < 0) return name_of(i) + " yields";
     slack.push_back(double_below(minimum));
   }
-  if (are_covered(defects, slack)) return std::nullopt;
+  return slack;
+}
+
+// The slack must be enough for the forces against the defects, with the errors of f_D.
+// @return the reason if it is not
+std::optional<std::string> LimitProof::yielding(const std::vector<double>& slack,
+                                                const std::vector<Dyadic>& defects) const {
+  std::vector<double> rounded;
+  for (std::size_t e = 0; e < defects.size(); ++e)
+    rounded.push_back(double_above(defects[e] + truss_.dead[e].error));
+  if (are_covered(rounded, slack)) return std::nullopt;
   const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
-  const auto found = forces_against_defects(members, slack, defects);
+  const auto found = forces_against_defects(members, slack, rounded);
   if (const auto* why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {

@@ -16,6 +16,7 @@
 #include "verify/limit/equilibrium_correction.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/limit_truss.hpp"
+#include "verify/limit/stress_state.hpp"
 
 namespace kusabi::verify {
 
@@ -34,6 +35,12 @@ class LimitProof {
   /// is none.
   [[nodiscard]] std::variant<mpq_class, std::string> lower(const LimitNode& node) const;
 
+  /// A load factor that the members of the support carry under every admissible load: forces near
+  /// those of the state are in equilibrium and within the yield forces. Otherwise the reason why
+  /// this is not proved. Forces of members outside the support are left out.
+  /// @pre indices are in range, forces are finite
+  [[nodiscard]] std::variant<mpq_class, std::string> carried(const StressState& state) const;
+
   /// True if the recorded load is admissible and the recorded motion, or its opposite, proves that
   /// no factor exists: after a correction at one displacement that makes the work of f_R zero, the
   /// work of the load exceeds the largest dissipation of the members.
@@ -44,9 +51,15 @@ class LimitProof {
   [[nodiscard]] Sparse exact_defect_of(const LimitCut& cut) const;
   [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
                                            double factor) const;
-  [[nodiscard]] std::optional<std::string> yielding(const LimitNode& node,
-                                                    const std::vector<Dyadic>& taken,
-                                                    const std::vector<double>& defects) const;
+  struct Stress {
+    std::vector<double> forces;   ///< q, by member
+    std::vector<Dyadic> taken;    ///< part of the yield forces that is not available, by member
+    std::vector<Dyadic> defects;  ///< bounds of the equilibrium errors, by displacement
+  };
+
+  [[nodiscard]] std::variant<std::vector<double>, std::string> slack_of(const Stress& stress) const;
+  [[nodiscard]] std::optional<std::string> yielding(const std::vector<double>& slack,
+                                                    const std::vector<Dyadic>& defects) const;
   [[nodiscard]] bool are_covered(const std::vector<double>& defects,
                                  const std::vector<double>& slack) const;
   [[nodiscard]] bool load_is_admissible() const;

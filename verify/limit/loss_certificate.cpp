@@ -163,7 +163,9 @@ void read_claim(Lines& lines, LossStatement& statement) {
   begin(lines, "lower", "'lower' and a number or nothing");
   if (!lines.remainder().empty()) statement.lower = lines.number("a number");
   if (statement.fatal && statement.lower) lines.refuse("no lower bound of a fatal loss");
-  for (auto left = lines.count("states"); left > 0; --left) {
+  const auto states = lines.count("states");
+  if (states > 0 && !statement.lower) lines.refuse("no states without a lower bound");
+  for (auto left = states; left > 0; --left) {
     auto& state = statement.states.emplace_back();
     begin(lines, "state", "'state' and its members");
     state.support = members(lines, truss, "ascending members of a state");

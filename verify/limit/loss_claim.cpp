@@ -79,10 +79,9 @@ LossClaim::LossClaim(const LossStatement& statement, std::optional<Structure> st
   load_names_ = std::move(structure->load_names);
   for (const auto& bar : structure->bars)
     names_.push_back(structure->names[bar.first] + "-" + structure->names[bar.second]);
-  for (const auto member : statement.lost)
-    evidence_.tension[member] = evidence_.compression[member] = 0;
   evidence_.load = statement.load;
   evidence_.motion = statement.motion;
+  proof_.emplace(evidence_, *truss_);
 }
 
 std::vector<std::pair<std::string, double>> LossClaim::half_widths() const {
@@ -94,7 +93,10 @@ std::vector<std::pair<std::string, double>> LossClaim::half_widths() const {
 
 std::vector<std::string> LossClaim::check_loss(double& upper) const {
   std::vector<std::string> refusals;
-  const LimitProof proof(evidence_, *truss_);
+  auto remaining = evidence_;
+  for (const auto member : statement_.lost)
+    remaining.tension[member] = remaining.compression[member] = 0;
+  const LimitProof proof(remaining, *truss_);
   upper = -std::numeric_limits<double>::infinity();
   if (statement_.fatal) {
     if (!proof.shows_no_factor())
@@ -121,8 +123,15 @@ std::vector<std::string> LossClaim::check_loss(double& upper) const {
   return refusals;
 }
 
+// By enclosures, and exactly only if these do not prove it: a state may exist only because loads
+// balance exactly.
 std::optional<std::string> LossClaim::refusal_of_state(std::size_t number) const {
-  const auto carried = carried_factor(exact_, statement_.states[number]);
+  const auto& state = statement_.states[number];
+  const auto enclosed = proof_->carried(state);
+  if (const auto* const factor = std::get_if<mpq_class>(&enclosed);
+      factor != nullptr && *factor >= *statement_.lower)
+    return {};
+  const auto carried = carried_factor(exact_, state);
   if (!carried) return "the forces of the state are not in equilibrium within the yield forces";
   if (carried->factor < *statement_.lower) return "the state carries less than the claimed factor";
   return {};

@@ -23,6 +23,9 @@ class LossClaim {
   /// @param structure of the problem file, in the load case of the statement; nothing: the claim is
   ///        about the truss of the certificate @pre the statement outlives this object
   LossClaim(const LossStatement& statement, std::optional<Structure> structure);
+  LossClaim(const LossClaim&) = delete;
+  LossClaim& operator=(const LossClaim&) = delete;
+  ~LossClaim() = default;
 
   /// The difference of the certificate from the problem file; nothing: there is none.
   [[nodiscard]] const std::optional<std::string>& difference() const { return difference_; }
@@ -39,8 +42,9 @@ class LossClaim {
 
  private:
   const LossStatement& statement_;
-  LimitCertificate evidence_;
+  LimitCertificate evidence_;  // of the truss before the loss
   std::optional<LimitTruss> truss_;
+  std::optional<LimitProof> proof_;  // of evidence_; nothing: a difference
   ExactTruss exact_;
   std::vector<std::string> names_;       // of the members
   std::vector<std::string> load_names_;  // of the uncertain loads; empty: unnamed

@@ -19,13 +19,18 @@ struct Equation {
   std::vector<mpq_class> missing;            // one for each load
 };
 
+std::uint64_t words(const mpq_class& number) {
+  return mpz_size(number.get_num_mpz_t()) + mpz_size(number.get_den_mpz_t());
+}
+
 /// Exact force densities and factors near those of a state.
 class ExactColumns {
  public:
   ExactColumns(const ExactTruss& truss, const StressState& state);
 
-  // Removes the equilibrium error of all columns. @return false if that is impossible
-  bool balance();
+  // Removes the equilibrium error of all columns. @return false if that is impossible, or a limit
+  // is reached
+  bool balance(const EliminationLimits& limits);
   [[nodiscard]] bool within_yield_forces() const;
   [[nodiscard]] CarriedFactor carried() const;
 
@@ -101,9 +106,11 @@ std::size_t ExactColumns::pivot_of(const Equation& equation) const {
   return best;
 }
 
-bool ExactColumns::balance() {
+bool ExactColumns::balance(const EliminationLimits& limits) {
+  std::uint64_t products = 0;
   std::vector<std::pair<std::size_t, Equation>> solved;  // by pivot
   while (!equations_.empty()) {
+    if (products > limits.products || support::is_requested(limits.stop)) return false;
     const auto next = std::ranges::min_element(
         equations_, {}, [](const Equation& each) { return each.entries.size(); });
     auto equation = std::move(*next);
@@ -125,6 +132,7 @@ bool ExactColumns::balance() {
       const mpq_class times = std::move(found->second);
       other.entries.erase(found);
       for (const auto& [place, entry] : equation.entries) {
+        products += words(times) * words(entry);
         auto& changed = other.entries[place];
         changed -= times * entry;
         if (sgn(changed) == 0) other.entries.erase(place);
@@ -180,9 +188,10 @@ CarriedFactor ExactColumns::carried() const {
 
 }  // namespace
 
-std::optional<CarriedFactor> carried_factor(const ExactTruss& truss, const StressState& state) {
+std::optional<CarriedFactor> carried_factor(const ExactTruss& truss, const StressState& state,
+                                            const EliminationLimits& limits) {
   ExactColumns columns(truss, state);
-  if (!columns.balance() || !columns.within_yield_forces()) return {};
+  if (!columns.balance(limits) || !columns.within_yield_forces()) return {};
   return columns.carried();
 }
 

@@ -18,6 +18,9 @@ namespace {
 constexpr std::uint64_t programs_of_a_piece = 8;
 constexpr std::uint64_t nodes_of_a_piece = 400;
 
+/// Members that one node tries as its last loss.
+constexpr int members_of_a_share = 8;
+
 /// Room below the scaled factor of a state: corrections of equilibrium may change it.
 constexpr double factor_room = closed_gap;
 
@@ -72,10 +75,13 @@ LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
                               {none, none, yield_margins[0]},
                               {none, none, yield_margins[1]}};
   for (const auto& [members, free, margin] : attempts) {
+    if (support::is_requested(stop_)) return Found::none;
     ++piece_.programs;
     if (&members == &none) program_.restart(known_.target / factor_unit_ + factor_room);
     if (program_.solve(lost, members, free, margin) != StateProgram::Result::found) continue;
-    if (auto state = proof_.proved(program_.state(), known_.target, lost)) {
+    const bool last = &members == &none && margin == yield_margins[1];
+    if (auto state = proof_.proved(program_.state(), program_.basic_members(), known_.target, lost,
+                                   last, stop_)) {
       here.supports.push_back(state->support);
       piece_.states.push_back(*std::move(state));
       return Found::state;
@@ -86,19 +92,40 @@ LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
   return Found::none;
 }
 
-// One further loss: the members that all supports have are tried one by one.
+// Branches with a share of the members each.
+void LossOpener::share(const LossNode& node, const IndexSet& members) {
+  std::vector<LossNode> children;
+  for (const int member : members) {
+    if (children.empty() || children.back().share.size() == members_of_a_share) {
+      children.push_back(node);
+      children.back().share = {};
+    }
+    children.back().share.insert(member);
+  }
+  stack_.insert(stack_.end(), children.rbegin(), children.rend());
+}
+
+// One further loss: the members that all supports have are tried one by one. The states of a piece
+// that ends in between are known when it is opened again.
 // @return true if the node is opened completely
 bool LossOpener::finish_last(Opening& here) {
-  IndexSet common = here.supports.front() - here.node.kept;
+  const auto& node = here.node;
+  IndexSet common = here.supports.front() - node.kept;
   for (const auto& support : here.supports) common &= support;
-  while (!common.empty()) {
-    const int member = common.lowest();
+  if (node.share.empty() && common.size() > members_of_a_share) {
+    share(node, common);
+    return true;
+  }
+  for (;;) {
+    const auto tried = node.share.empty() ? common : common & node.share;
+    if (tried.empty()) return true;
+    if (piece_.programs >= programs_of_a_piece) return false;
+    const int member = tried.lowest();
     const auto found = find_state(here, with(here.node.lost, member), common);
     if (found == Found::none) return false;
     if (found == Found::state) common &= here.supports.back();
     common -= IndexSet::single(member);
   }
-  return true;
 }
 
 // Several further losses: disjoint supports, until they are too many to be broken, or no more are

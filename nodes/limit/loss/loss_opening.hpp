@@ -7,6 +7,8 @@
 // lost, some kept, and a number of further losses. Of the states without lost members it needs
 // - one whose support is kept, or more disjoint supports than further losses: the node is closed;
 // - otherwise it branches on the members of one support, each kept in the branches after its own.
+// With one further loss, the members of all supports are tried one by one, or shared among branches
+// if they are many.
 // If there is no state without the lost members, the loss is a suspect.
 #pragma once
 
@@ -27,10 +29,12 @@ struct LossNode {
   support::IndexSet lost;
   support::IndexSet kept;  ///< not lost below this node
   std::int32_t left = 0;   ///< number of further losses
+  /// Of one further loss: the members that may be lost below this node; empty: all.
+  support::IndexSet share{};
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& lost& kept& left;
+    archive& lost& kept& left& share;
   }
 };
 
@@ -79,6 +83,7 @@ class LossOpener {
   bool open_one(const LossNode& node);
   Found find_state(Opening& here, const support::IndexSet& lost, const support::IndexSet& avoided);
   bool finish_last(Opening& here);
+  void share(const LossNode& node, const support::IndexSet& members);
   bool pack(Opening& here);
   void branch(const Opening& here);
 

@@ -48,19 +48,16 @@ std::vector<Eigen::VectorXd> loads_of(const LimitModel& model, double alpha) {
 
 }  // namespace
 
-RemainingFactor::RemainingFactor(const LimitModel& model, double alpha, support::Stop stop)
-    : model_(model),
-      alpha_(alpha),
-      stop_(std::move(stop)),
-      simplex_(problems::static_program(model, model.dead)) {
+RemainingFactor::RemainingFactor(const LimitModel& model, double alpha)
+    : model_(model), alpha_(alpha), simplex_(problems::static_program(model, model.dead)) {
   if (!std::holds_alternative<linear::CheckedOptimum>(simplex_.solve())) simplex_.use_slack_basis();
   first_ = simplex_.basis();
 }
 
 // Of the truss without the lost members.
-LoadResult RemainingFactor::result(const Eigen::VectorXd& dead) {
+LoadResult RemainingFactor::result(const Eigen::VectorXd& dead, const support::Stop& stop) {
   for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
-  const auto& answer = simplex_.solve(stop_);
+  const auto& answer = simplex_.solve(stop);
   if (const auto* const shown = std::get_if<linear::CheckedInfeasibility>(&answer)) {
     const auto reason = shown->multipliers();
     return {LoadStatus::not_carried, {}, values(reason, static_cast<int>(reason.size()))};
@@ -72,21 +69,22 @@ LoadResult RemainingFactor::result(const Eigen::VectorXd& dead) {
            values(optimum->duals(), model_.free_count())}};
 }
 
-Descent RemainingFactor::descend(Eigen::VectorXd zeta) {
+Descent RemainingFactor::descend(Eigen::VectorXd zeta, const support::Stop& stop) {
   simplex_.set_basis(first_);
   return limit::descend(model_, alpha_, std::move(zeta),
-                        [&](const Eigen::VectorXd& dead) { return result(dead); });
+                        [&](const Eigen::VectorXd& dead) { return result(dead, stop); });
 }
 
-Descent RemainingFactor::solve(const IndexSet& lost, const Eigen::VectorXd& start) {
+Descent RemainingFactor::solve(const IndexSet& lost, const Eigen::VectorXd& start,
+                               const support::Stop& stop) {
   for (const int i : lost_ - lost) {
     simplex_.set_column_bounds(i, -model_.compression(i), model_.tension(i));
   }
   for (const int i : lost - lost_) simplex_.set_column_bounds(i, 0, 0);
   lost_ = lost;
-  auto found = descend(Eigen::VectorXd::Zero(model_.uncertain_count()));
+  auto found = descend(Eigen::VectorXd::Zero(model_.uncertain_count()), stop);
   if (alpha_ == 0 || start.size() == 0 || found.status != LoadStatus::collapses) return found;
-  auto other = descend(start);
+  auto other = descend(start, stop);
   const bool less = other.status == LoadStatus::not_carried ||
                     (other.status == LoadStatus::collapses &&
                      other.worst.collapse.factor < found.worst.collapse.factor);
@@ -203,6 +201,21 @@ StateProgram::Result StateProgram::solve(const IndexSet& lost, const IndexSet& a
   if (std::holds_alternative<linear::CheckedOptimum>(answer)) return Result::found;
   return std::holds_alternative<linear::CheckedInfeasibility>(answer) ? Result::none
                                                                       : Result::undetermined;
+}
+
+IndexSet StateProgram::basic_members() const {
+  const auto basis = simplex_.basis();
+  const auto is_basic = [&](int column) {
+    return basis.column(static_cast<std::size_t>(column)) == linear::BasisStatus::basic;
+  };
+  IndexSet members;
+  for (std::size_t load = 0; load < loads_.size(); ++load) {
+    for (int i = 0; i < model_.member_count(); ++i) {
+      const int force = force_column(load, i);
+      if (is_basic(force) || is_basic(force + 1)) members.insert(i);
+    }
+  }
+  return members;
 }
 
 verify::StressState StateProgram::state() const {

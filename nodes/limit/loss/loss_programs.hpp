@@ -28,20 +28,20 @@ inline constexpr double yield_margins[] = {1e-10, 4e-9};
 class RemainingFactor {
  public:
   /// @param alpha scaled; zero: the dead load as given @pre the model outlives this object
-  RemainingFactor(const problems::LimitModel& model, double alpha, support::Stop stop = {});
+  RemainingFactor(const problems::LimitModel& model, double alpha);
 
   /// The least factor found, of one admissible load. @param start scaled; empty: none
-  Descent solve(const support::IndexSet& lost, const Eigen::VectorXd& start);
+  Descent solve(const support::IndexSet& lost, const Eigen::VectorXd& start,
+                const support::Stop& stop);
 
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
 
  private:
-  LoadResult result(const Eigen::VectorXd& dead);
-  Descent descend(Eigen::VectorXd zeta);
+  LoadResult result(const Eigen::VectorXd& dead, const support::Stop& stop);
+  Descent descend(Eigen::VectorXd zeta, const support::Stop& stop);
 
   const problems::LimitModel& model_;
   double alpha_;
-  support::Stop stop_;
   linear::CheckedSimplex simplex_;
   linear::Basis first_;     // of the intact truss
   support::IndexSet lost_;  // in the last solve
@@ -74,6 +74,11 @@ class StateProgram {
   /// In the units of the problem; the support is the members with stress.
   /// @pre the result of the last solve was `found`
   [[nodiscard]] verify::StressState state() const;
+
+  /// Members of the basis of the solution, with stress or without: together with those of state()
+  /// their forces can balance any load, unless the truss is a mechanism.
+  /// @pre the result of the last solve was `found`
+  [[nodiscard]] support::IndexSet basic_members() const;
 
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
 

@@ -1,4 +1,5 @@
-// Proofs on a truss without some of its members, in exact arithmetic by the verifier.
+// Proofs on a truss without some of its members, by the verifier: by enclosures, and in exact
+// arithmetic where these do not suffice.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/index_set.hpp"
+#include "support/stop.hpp"
 #include "verify/limit/exact_truss.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/limit_proof.hpp"
@@ -35,12 +37,20 @@ class LossProof {
   /// @pre problem and model outlive this object @param truss with exact directions
   LossProof(const verify::Structure& truss, const problems::LimitProblem& problem,
             const problems::LimitModel& model, double alpha);
+  LossProof(const LossProof&) = delete;
+  LossProof& operator=(const LossProof&) = delete;
+  ~LossProof() = default;
 
   /// The state, if its members or, for the rounding errors of equilibrium, further members without
-  /// the lost ones are proved to carry at least the target under every admissible load.
+  /// the lost ones are proved to carry at least the target under every admissible load. Nothing
+  /// also if an end is requested.
+  /// @param basic members that are tried first as further ones
   /// @param target in the unit of the load factor
-  [[nodiscard]] std::optional<ProvedState> proved(verify::StressState state, double target,
-                                                  const support::IndexSet& lost) const;
+  /// @param last true: no other state is tried, so that an elimination may take long
+  [[nodiscard]] std::optional<ProvedState> proved(verify::StressState state,
+                                                  const support::IndexSet& basic, double target,
+                                                  const support::IndexSet& lost, bool last,
+                                                  const support::Stop& stop) const;
 
   /// Proved upper bound of the load factor without these members; nothing if there is none.
   /// @param zeta shares of the half-widths, m; empty: the dead load as given
@@ -61,9 +71,10 @@ class LossProof {
 
   const problems::LimitProblem& problem_;
   verify::ExactTruss exact_;
-  verify::LimitCertificate certificate_;
-  // Of certificate_, with its present yield forces; nothing: no proof is possible.
-  std::optional<verify::LimitProof> proof_;
+  verify::LimitCertificate intact_;           // without a loss
+  std::optional<verify::LimitProof> states_;  // of intact_; nothing: no proof is possible
+  verify::LimitCertificate certificate_;      // after the loss of the last proof
+  std::optional<verify::LimitProof> proof_;   // of certificate_, with its present yield forces
 };
 
 }  // namespace kusabi::limit

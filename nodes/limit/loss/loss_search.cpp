@@ -45,10 +45,11 @@ constexpr double decreases[] = {1e-7, 4e-7};
 constexpr double no_stress = 1e-12;
 
 /// Nodes of a round: few while there are few states, since all nodes of a round find states that
-/// others could have used.
-std::size_t nodes_of_a_round(std::size_t states) {
+/// others could have used. States against the loss of one member have most members in common, so
+/// that each excludes few losses.
+std::size_t nodes_of_a_round(std::size_t states, int losses) {
   constexpr std::size_t maximum = 64;
-  constexpr std::size_t states_per_node = 16;
+  const std::size_t states_per_node = losses == 1 ? 4 : 16;
   return std::clamp<std::size_t>(states / states_per_node, 1, maximum);
 }
 
@@ -76,15 +77,18 @@ LossSearch::LossSearch(engine::Analysis& analysis, const verify::Structure& trus
       alpha_(alpha),
       eligible_(IndexSet::below(problem.member_count())),
       proof_(truss, problem, model, alpha),
-      remaining_(model, alpha / model.force_unit, analysis.budget().stop()) {
+      remaining_(model, alpha / model.force_unit) {
   for (const int member : parameters.kept) eligible_ -= IndexSet::single(member);
 }
 
 // The worst load known after a loss. An answer without a proof that a load has no factor would end
 // the search, and is none.
-LossSearch::Known LossSearch::after(const IndexSet& lost) {
+// @param stop empty: the few programs of one loss are solved also after the end of the budget, so
+//        that the worst loss known is reported with its collapse
+LossSearch::Known LossSearch::after(const IndexSet& lost, const support::Stop& stop) {
+  if (support::is_requested(stop)) return {};
   const Eigen::VectorXd start = worst_.zeta / model_.force_unit;
-  auto found = remaining_.solve(lost, start);
+  auto found = remaining_.solve(lost, start, stop);
   Known known{lost, found.status, {}, {}};
   if (found.status == LoadStatus::collapses) {
     auto& [zeta, collapse] = found.worst;
@@ -145,7 +149,7 @@ std::vector<SingleLoss> LossSearch::after_one_more(const Known& known) {
     const bool idle = std::abs(known.collapse.forces(i)) <= no_stress * model_.member_unit(i);
     if (idle && alpha_ == 0)
       return {static_cast<std::int32_t>(LoadStatus::collapses), known.collapse.factor};
-    const auto found = after(known.lost | IndexSet::single(i));
+    const auto found = after(known.lost | IndexSet::single(i), analysis_.budget().stop());
     return {static_cast<std::int32_t>(found.status), found.collapse.factor};
   };
   const auto found = analysis_.share<FactorAfterLoss>(members.size(), one);
@@ -214,7 +218,7 @@ void LossSearch::search_below() {
           "nodes closed, {} open, {} states",
           parameters_.maximum, known_.target, answer_.counts.nodes, open.size(), states_.size());
     });
-    const auto size = std::min(open.size(), nodes_of_a_round(states_.size()));
+    const auto size = std::min(open.size(), nodes_of_a_round(states_.size(), parameters_.maximum));
     const std::vector<LossNode> batch(open.rbegin(),
                                       open.rbegin() + static_cast<std::ptrdiff_t>(size));
     auto pieces = open_round(batch);
@@ -266,11 +270,19 @@ void LossSearch::drop_useless() {
   }
 }
 
+// Without any load but the reference load, factor zero is carried without any force.
+void LossSearch::use_no_load() {
+  if (alpha_ > 0 || !problem_.dead.isZero(0) || lower_.value_or(-1) >= 0) return;
+  lower_ = 0;
+  known_.supports.emplace_back();
+  states_.push_back({{}, {{}, {verify::StressColumn{}}}});
+}
+
 void LossSearch::settle_target() {
   if (!parameters_.at_least) return;
   answer_.target = parameters_.at_least;
   const auto& ends = answer_.ends;
-  if (lower_) {
+  if (lower_.value_or(-infinite) >= *parameters_.at_least) {
     answer_.reaches_target = answer_.proved = true;
   } else if (ends.upper_proved && ends.upper < *parameters_.at_least) {
     answer_.reaches_target = false;
@@ -346,10 +358,12 @@ LossAnswer LossSearch::solve() {
     if (!missed_) search();
   }
   if (lower_ && cover().flaw()) lower_.reset();  // the proof of verify would refuse it
+  const bool complete = lower_.has_value();
+  if (worst_.status == LoadStatus::collapses) use_no_load();
   drop_useless();
   conclude();
   settle_target();
-  if (analysis_.ended() && !lower_ && !answer_.proved)
+  if (analysis_.ended() && !complete && !answer_.proved)
     answer_.search = analysis_.budget().stop_reason();
   record();
   return std::move(answer_);

@@ -40,7 +40,7 @@ class LossSearch {
     LimitCollapse collapse;
   };
 
-  Known after(const support::IndexSet& lost);
+  Known after(const support::IndexSet& lost, const support::Stop& stop = {});
   Known worst_after(const support::IndexSet& lost);
   std::vector<SingleLoss> after_one_more(const Known& known);
   void start();
@@ -49,6 +49,7 @@ class LossSearch {
   std::vector<LossPiece> open_round(const std::vector<LossNode>& batch);
   void judge(const support::IndexSet& suspect);
   void drop_useless();
+  void use_no_load();
   void conclude();
   void settle_target();
   void record();
