@@ -17,7 +17,7 @@ using support::IndexSet;
 
 /// Limit of an elimination by the members with stress, which precedes enclosures by more members:
 /// states of few members need fewer others. It takes about as long as an enclosure.
-constexpr std::uint64_t few_products = 10'000'000;
+constexpr std::uint64_t few_products = 1'000'000;
 
 /// Limit of an elimination by all members, some seconds. It suffices for trusses of 200 members
 /// that are mechanisms, but not for one of 600 that is singular but for the rounding of coordinates.
