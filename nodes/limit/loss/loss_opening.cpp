@@ -105,21 +105,23 @@ void LossOpener::share(const LossNode& node, const IndexSet& members) {
   stack_.insert(stack_.end(), children.rbegin(), children.rend());
 }
 
-// One further loss: the members that all supports have are tried one by one. The states of a piece
-// that ends in between are known when it is opened again.
+// One further loss: the members that all supports have are tried one by one. If none is lost yet,
+// they are most members of the truss, and branches share them; the states of a piece that ends in
+// between are known when it is opened again.
 // @return true if the node is opened completely
 bool LossOpener::finish_last(Opening& here) {
   const auto& node = here.node;
   IndexSet common = here.supports.front() - node.kept;
   for (const auto& support : here.supports) common &= support;
-  if (node.share.empty() && common.size() > members_of_a_share) {
+  const bool shared = !node.share.empty();
+  if (!shared && node.lost.empty() && common.size() > members_of_a_share) {
     share(node, common);
     return true;
   }
   for (;;) {
-    const auto tried = node.share.empty() ? common : common & node.share;
+    const auto tried = shared ? common & node.share : common;
     if (tried.empty()) return true;
-    if (piece_.programs >= programs_of_a_piece) return false;
+    if (shared && piece_.programs >= programs_of_a_piece) return false;
     const int member = tried.lowest();
     const auto found = find_state(here, with(here.node.lost, member), common);
     if (found == Found::none) return false;

@@ -7,8 +7,8 @@
 // lost, some kept, and a number of further losses. Of the states without lost members it needs
 // - one whose support is kept, or more disjoint supports than further losses: the node is closed;
 // - otherwise it branches on the members of one support, each kept in the branches after its own.
-// With one further loss, the members of all supports are tried one by one, or shared among branches
-// if they are many.
+// With one further loss, the members of all supports are tried one by one; branches share them if
+// the loss is the only one.
 // If there is no state without the lost members, the loss is a suspect.
 #pragma once
 

@@ -82,19 +82,21 @@ std::optional<ProvedState> LossProof::proved(verify::StressState state, const In
     auto found = verify::carried_factor(exact_, state, {stop, products});
     return found && found->factor >= target ? std::move(found) : std::nullopt;
   };
-  const auto with_support = [&] {
-    auto support = set_of(state.support);
-    return ProvedState{std::move(support), std::move(state)};
+  // The members with forces then, of all that are admitted.
+  const auto exactly_by_some = [&](const IndexSet& admitted, std::uint64_t products) {
+    const auto found = exactly(admitted, products);
+    if (!found) return false;
+    const auto complete = state;
+    if (!exactly(set_of(found->members), products)) state = complete;
+    return true;
   };
+  const auto completed = with_stress | (basic - lost);
   const bool shown = by_enclosures(with_stress) || exactly(with_stress, few_products) ||
-                     by_enclosures(with_stress | (basic - lost)) || by_enclosures(all);
-  if (shown) return with_support();
-  if (!last) return {};
-  const auto found = exactly(all, many_products);
-  if (!found) return {};
-  const auto complete = state;
-  if (!exactly(set_of(found->members), many_products)) state = complete;
-  return with_support();
+                     exactly_by_some(completed, few_products) || by_enclosures(completed) ||
+                     by_enclosures(all) || (last && exactly_by_some(all, many_products));
+  if (!shown) return {};
+  auto support = set_of(state.support);
+  return ProvedState{std::move(support), std::move(state)};
 }
 
 bool LossProof::set(const IndexSet& lost, const Eigen::VectorXd& zeta,
