@@ -53,12 +53,12 @@ class Program:
             self.rows.append(Row(f"r{len(self.rows)}", sense, right, terms))
 
     def missed(self, values):
-        """A row or bound that a point of the result file violates by more than 1e-9 of its terms."""
+        """A row or bound that a point of the result file violates by more than rounding of its terms."""
         at = [Fraction(values.get(column.name, 0.0)) for column in self.columns]
         for row in self.rows:
             terms = [Fraction(value) * at[j] for j, value in row.terms.items()]
             lower, upper = row.ends()
-            room = Fraction(1, 10**9) * max(sum(map(abs, terms)), 1)
+            room = Fraction(1, 10**14) * sum(map(abs, terms))
             if (upper is not None and sum(terms) > upper + room) or (lower is not None and sum(terms) < lower - room):
                 return f"the point misses row {row.name} by more than {float(room)!r}: {float(sum(terms))!r}"
         for column, x in zip(self.columns, at):

@@ -56,8 +56,9 @@ def _plant(rng, program):
         if row.sense == "E" and Fraction(float(activity)) != activity:
             row.sense = rng.choice("LG")  # equal to no double
         toward = math.inf if row.sense == "L" else -math.inf
-        row.right = float(activity) + {"E": 0, "L": 1, "G": -1}[row.sense] * rng.choice([0, 0, 0, 1, 3])
-        if row.sense != "E" and Fraction(row.right) != activity:
+        right = activity + {"E": 0, "L": 1, "G": -1}[row.sense] * rng.choice([0, 0, 0, 1, 3])
+        row.right = float(right)
+        if row.sense != "E" and Fraction(row.right) != right:
             row.right = math.nextafter(row.right, toward)
 
 
@@ -163,7 +164,78 @@ def penalties(rng):
     return program
 
 
-KINDS = {f.__name__: f for f in (big_m, fixed_charge, knapsack, ties, free, decades, penalties)}
+def _mixed_columns(rng, program, binaries, others):
+    """Binaries, and columns that are free, bounded on one side, or on both."""
+    return ([program.column(binary=True) for _ in range(rng.randint(*binaries))] +
+            [program.column(*rng.choice([(None, None), (None, None), (0, None), (None, 0), (0, 4), (-1, 1)]))
+             for _ in range(rng.randint(*others))])
+
+
+def wide(rng):
+    """Coefficients from 1e-24 to 1e12 beside ones, free columns, few bounds."""
+    program = Program()
+    columns = _mixed_columns(rng, program, (0, 3), (2, 6))
+
+    def number(ones=0.6):
+        size = 1.0 if rng.random() < ones else float(f"{rng.randint(1, 9)}e{rng.randint(-24, 12)}")
+        return rng.choice([-1, 1]) * size
+
+    for _ in range(rng.randint(2, 7)):
+        terms = {j: number() for j in rng.sample(columns, rng.randint(1, min(4, len(columns))))}
+        program.row(rng.choice("LGGE"), rng.choice([0.0, 0.0, 1.0, number()]), terms)
+    for column in program.columns:
+        if rng.random() < 0.5:
+            column.cost = number(0.8)
+    return program
+
+
+def nearly(rng):
+    """Right-hand sides that miss a vertex by 1e-8 to 1e-15 of a row's terms, beside an unrelated column of up
+    to 1e12."""
+    program = Program()
+    columns = _mixed_columns(rng, program, (1, 4), (1, 4))
+    _rows(rng, program, columns, rng.randint(2, 5), 1, 5, "LG", (1, 4))
+    _costs(rng, program)
+    _plant(rng, program)
+    for row in rng.sample(program.rows, min(len(program.rows), 2)):
+        row.right += rng.choice([-1, 1]) * max(1.0, abs(row.right)) * 10.0**-rng.randint(8, 15)
+        opposite = program.rows[-1] if rng.random() < 0.5 else row
+        program.row("L" if opposite.sense == "G" else "G", opposite.right, dict(opposite.terms))
+    size = 10.0**rng.randint(0, 12)
+    program.column(size, size, cost=rng.choice([0.0, 0.0, 1.0 / size]))
+    return program
+
+
+def chains(rng):
+    """Columns that are each up to 1e7 times the next: the optimum is far from all coefficients, or there is
+    none."""
+    program = Program()
+    lower = rng.choice([None, 0])
+    steps = [10.0**rng.randint(0, 7) for _ in range(rng.randint(2, 5))]
+    columns = [program.column(lower) for _ in range(len(steps) + 1)]
+    columns[-1:] = [program.column(binary=True)] if rng.random() < 0.4 else columns[-1:]
+    program.columns[columns[0]].cost = -1.0
+    for k, step in enumerate(steps):
+        program.row("L", 0.0, {columns[k]: 1.0, columns[k + 1]: -step})
+    if rng.random() < 0.7:
+        program.row("L", rng.choice([1.0, 0.5, -1.0, 1e-9]), {columns[-1]: 1.0})
+    if rng.random() < 0.3:
+        program.row("G", 10.0**rng.randint(-9, 15), {columns[0]: 1.0})
+    return program
+
+
+def tiny(rng):
+    """An objective far below its cost: a column defined by binaries with coefficients of 1e-6 to 1e-18."""
+    program = Program()
+    binaries = [program.column(binary=True) for _ in range(rng.randint(2, 6))]
+    value = program.column(rng.choice([None, 0]), None, cost=10.0**rng.randint(-3, 3))
+    unit = 10.0**-rng.randint(6, 18)
+    program.row(rng.choice("EG"), 0.0, {value: 1.0, **{j: -rng.randint(-1, 9) * unit for j in binaries}})
+    _rows(rng, program, binaries, rng.randint(1, 3), 1, 7, "G", (2, 4))
+    return program
+
+
+KINDS = {f.__name__: f for f in (big_m, fixed_charge, knapsack, ties, free, decades, penalties, wide, nearly, chains, tiny)}
 
 
 def make(seed, index, kinds):
@@ -171,7 +243,7 @@ def make(seed, index, kinds):
     kind = kinds[index % len(kinds)]
     rng = random.Random(f"programs/{seed}/{index}/{kind}")
     program = KINDS[kind](rng)
-    if rng.random() < 0.8:
+    if rng.random() < 0.8 and kind not in ("nearly", "chains"):
         _plant(rng, program)
     if rng.random() < 0.3:
         program.maximise = True

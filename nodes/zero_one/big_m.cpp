@@ -73,13 +73,9 @@ std::uint64_t BigMs::smaller() const {
 
 class BigMs::Round {
  public:
-  Round(linear::MixedProgram& mixed, double cutoff, bool proofs_only, const support::Stop& stop,
+  Round(linear::MixedProgram& mixed, double cutoff, const support::Stop& stop,
         TighteningResult& result)
-      : mixed_(mixed),
-        ends_(mixed.program, cutoff, stop),
-        proofs_only_(proofs_only),
-        stop_(stop),
-        result_(result) {}
+      : mixed_(mixed), ends_(mixed.program, cutoff, stop), stop_(stop), result_(result) {}
 
   /// @return the relative reduction of the Ms
   double apply(std::vector<Row>& rows) {
@@ -103,9 +99,8 @@ class BigMs::Round {
     ends_.set_column_bounds(big.binary, slack_at, slack_at);
     const auto range = ends_.upper_end(big.others);
     ends_.set_column_bounds(big.binary, column.lower, column.upper);
-    if (proofs_only_ && !range.proved) return 0;
     if (range.lower > range.upper) {
-      hold(column, big.binary, 1 - slack_at, range.proved);
+      hold(column, big.binary, 1 - slack_at);
       return 0;
     }
     if (!std::isfinite(range.upper)) return 0;
@@ -118,7 +113,6 @@ class BigMs::Round {
     const double m = big.m > 0 ? sum_down(needed, -tight) : -sum_up(needed, -tight);
     if (!(now - std::abs(m) > min_change * now)) return 0;
     replace(big, m, big.m > 0 ? needed : big.upper);
-    result_.proved = result_.proved && range.proved;
     return (now - std::abs(m)) / now;
   }
 
@@ -130,8 +124,7 @@ class BigMs::Round {
     result_.changed = true;
   }
 
-  void hold(linear::LinearColumn& column, int binary, double at, bool proved) {
-    result_.proved = result_.proved && proved;
+  void hold(linear::LinearColumn& column, int binary, double at) {
     if (at < column.lower || at > column.upper) {
       result_.nothing_left = true;
       return;
@@ -144,18 +137,17 @@ class BigMs::Round {
 
   linear::MixedProgram& mixed_;
   BoundTightening ends_;
-  bool proofs_only_;
   const support::Stop& stop_;
   TighteningResult& result_;
 };
 
-TighteningResult BigMs::tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only,
+TighteningResult BigMs::tighten(linear::MixedProgram& mixed, double cutoff,
                                 const support::Stop& stop) {
   TighteningResult result;
   if (rows_.empty() || !std::isfinite(cutoff)) return result;
   while (result.rounds < max_rounds && !result.nothing_left && !support::is_requested(stop)) {
     ++result.rounds;
-    Round round(mixed, cutoff, proofs_only, stop, result);
+    Round round(mixed, cutoff, stop, result);
     if (round.apply(rows_) < min_round_gain) break;
   }
   return result;

@@ -18,7 +18,6 @@ struct TighteningResult {
   std::uint64_t rounds = 0;
   std::uint64_t programs = 0;
   bool nothing_left = false;  ///< no point is as good as the cutoff
-  bool proved = true;         ///< true if all of it holds despite rounding
 };
 
 /// The rows of the form a'x + M tau <= b, with one binary and other columns. Each new M is computed
@@ -29,10 +28,10 @@ class BigMs {
   explicit BigMs(const linear::MixedProgram& given);
 
   /// Makes each M as small as the relevant points allow, in rounds, until little changes. Points
-  /// with an objective of at most `cutoff` are kept; others may be lost.
+  /// with an objective of at most `cutoff` are kept; others may be lost. Changes hold despite
+  /// rounding.
   /// @param mixed the given program, or the result of earlier calls
-  /// @param proofs_only whether to omit changes without proof
-  TighteningResult tighten(linear::MixedProgram& mixed, double cutoff, bool proofs_only = false,
+  TighteningResult tighten(linear::MixedProgram& mixed, double cutoff,
                            const support::Stop& stop = {});
 
   /// The number of coefficients that are smaller than given.

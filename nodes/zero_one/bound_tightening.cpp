@@ -5,11 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
-#include "solvers/linear/precise_bound.hpp"
-#include "solvers/linear/precise_simplex.hpp"
+#include "solvers/linear/exact_simplex.hpp"
 #include "solvers/linear/safe_bound.hpp"
 
 namespace kusabi::zero_one {
@@ -57,7 +55,7 @@ void BoundTightening::set_column_bounds(int column, double lower, double upper) 
 FormRange BoundTightening::range(std::span<const LinearTerm> form) {
   const auto below = end(form, 1);
   const auto above = end(form, -1);
-  return {below.lower, above.upper, below.proved && above.proved, std::max(below.size, above.size)};
+  return {below.lower, above.upper, std::max(below.size, above.size)};
 }
 
 FormRange BoundTightening::upper_end(std::span<const LinearTerm> form) {
@@ -80,20 +78,18 @@ FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
   auto status = simplex_.solve_primal(limits);
   if (status == LinearStatus::failed) status = simplex_.solve_robustly(limits);
   double minimum = -infinity;
-  bool proved = true;
   if (status == LinearStatus::optimal) {
     minimum = linear::safe_dual_bound(program_, simplex_.duals(), implied_.lower, implied_.upper);
     const double found = simplex_.objective();
     const double enough = found - margin * std::max(1.0, std::abs(found));
-    if (!(minimum >= enough)) std::tie(minimum, proved) = minimise_precisely();
+    if (!(minimum >= enough)) minimum = std::max(minimum, minimise_exactly());
   } else if (status == LinearStatus::infeasible) {
-    std::tie(minimum, proved) = minimise_precisely();
+    minimum = minimise_exactly();
   }
   set_costs(0);
   const double size = largest_term(form);
-  if (minimum == infinity) return {infinity, -infinity, proved, size};
-  return sign > 0 ? FormRange{minimum, infinity, proved, size}
-                  : FormRange{-infinity, -minimum, proved, size};
+  if (minimum == infinity) return {infinity, -infinity, size};
+  return sign > 0 ? FormRange{minimum, infinity, size} : FormRange{-infinity, -minimum, size};
 }
 
 // Largest term at the point found; a column near zero counts as one, or as its bound if that is
@@ -109,24 +105,11 @@ double BoundTightening::largest_term(std::span<const LinearTerm> form) const {
   return largest;
 }
 
-// The minimum of the form that is set as costs, at a higher precision level, and whether it is
-// proved; infinity: there is no relevant point.
-std::pair<double, bool> BoundTightening::minimise_precisely() {
-  using linear::Residuals;
-  const auto found = linear::solve_precisely(program_, simplex_.basis(), stop_);
-  for (const auto residuals : {Residuals::proved, Residuals::forgiven}) {
-    const bool proved = residuals == Residuals::proved;
-    if (found.status == LinearStatus::optimal) {
-      const auto bound =
-          linear::safe_bound(program_, found.duals, implied_.lower, implied_.upper, residuals);
-      if (bound.value > -infinity) return {bound.value, proved};
-    } else if (found.status == LinearStatus::infeasible && !found.duals.empty()) {
-      const double excess = linear::safe_infeasibility(program_, found.duals, implied_.lower,
-                                                       implied_.upper, residuals);
-      if (excess > 0) return {infinity, proved};
-    }
-  }
-  return {-infinity, true};
+// The minimum of the form that is set as costs, in rational numbers; infinity: there is no relevant
+// point.
+double BoundTightening::minimise_exactly() {
+  const auto found = linear::solve_exactly(program_, simplex_.basis(), stop_);
+  return found.status == LinearStatus::infeasible ? infinity : found.bound;
 }
 
 }  // namespace kusabi::zero_one

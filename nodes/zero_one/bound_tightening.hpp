@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include "nodes/zero_one/implied_bounds.hpp"
 #include "solvers/linear/linear_program.hpp"
@@ -12,13 +11,11 @@
 
 namespace kusabi::zero_one {
 
-/// A linear form is in [lower, upper] at every relevant point; lower > upper: there is none.
+/// A linear form is in [lower, upper] at every relevant point, despite rounding; lower > upper:
+/// there is none.
 struct FormRange {
   double lower = -linear::infinity;
   double upper = linear::infinity;
-  /// True if both bounds hold despite rounding. If not, reduced costs that are zero up to the last
-  /// of 30 digits were counted as zero.
-  bool proved = true;
   /// Of the terms at the bounds: the scale of rounding errors in the form.
   double size = 0;
 };
@@ -44,7 +41,7 @@ class BoundTightening {
  private:
   FormRange end(std::span<const linear::LinearTerm> form, double sign);
   [[nodiscard]] double largest_term(std::span<const linear::LinearTerm> form) const;
-  std::pair<double, bool> minimise_precisely();
+  double minimise_exactly();
 
   linear::LinearProgram program_;  // the costs are those of a form; the objective is the last row
   linear::Simplex simplex_;

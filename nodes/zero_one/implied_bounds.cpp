@@ -111,7 +111,8 @@ ColumnBounds implied_bounds(const linear::LinearProgram& program, double cutoff)
   std::vector<Row> rows;
   for (const auto& row : program.rows) rows.push_back({row.lower, row.upper, {}});
   for (const auto& [row, column, value] : program.entries) {
-    rows[static_cast<std::size_t>(row)].terms.push_back({column, value});
+    // An M may have been reduced to zero.
+    if (value != 0) rows[static_cast<std::size_t>(row)].terms.push_back({column, value});
   }
   if (std::isfinite(cutoff)) {
     Row objective;

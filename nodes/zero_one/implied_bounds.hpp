@@ -12,6 +12,8 @@ namespace kusabi::zero_one {
 struct ColumnBounds {
   std::vector<double> lower;
   std::vector<double> upper;
+
+  friend bool operator==(const ColumnBounds&, const ColumnBounds&) = default;
 };
 
 /// The bounds of the columns themselves.

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "nodes/zero_one/objective_steps.hpp"
+
 namespace kusabi::zero_one {
 namespace {
 
@@ -41,23 +43,21 @@ std::vector<Candidate> hold_whole_ones(const Relaxation& relaxation, Fixings& fi
 double excess(const linear::LinearProgram& program, const std::vector<double>& values) {
   constexpr double part = 1e-12;
   struct Activity {
-    numbers::Precise sum = 0.0;
+    double sum = 0;
     double size = 0;
   };
   std::vector<Activity> activities(program.rows.size());
   for (const auto& [row, column, value] : program.entries) {
     auto& [sum, size] = activities[static_cast<std::size_t>(row)];
-    const auto term = numbers::Precise(value) * values[static_cast<std::size_t>(column)];
+    const double term = value * values[static_cast<std::size_t>(column)];
     sum += term;
-    size += std::abs(numbers::rounded(term));
+    size += std::abs(term);
   }
   double total = 0;
   for (std::size_t i = 0; i < activities.size(); ++i) {
     const auto& [sum, size] = activities[i];
     const auto& [lower, upper, name] = program.rows[i];
-    const double below = std::isfinite(lower) ? numbers::rounded(numbers::Precise(lower) - sum) : 0;
-    const double above = std::isfinite(upper) ? numbers::rounded(sum - numbers::Precise(upper)) : 0;
-    const double missing = std::max({0.0, below, above});
+    const double missing = std::max({0.0, lower - sum, sum - upper});
     if (!(missing <= part * size)) return linear::infinity;
     total += missing;
   }
@@ -70,13 +70,9 @@ double largest_cost(const linear::LinearProgram& program) {
   return largest;
 }
 
-numbers::Precise objective_of(const linear::LinearProgram& program,
-                              const std::vector<double>& values) {
-  numbers::Precise sum = program.constant;
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    const double cost = program.columns[j].cost;
-    if (cost != 0) sum += numbers::Precise(cost) * values[j];
-  }
+double objective_of(const linear::LinearProgram& program, const std::vector<double>& values) {
+  double sum = program.constant;
+  for (std::size_t j = 0; j < values.size(); ++j) sum += program.columns[j].cost * values[j];
   return sum;
 }
 
@@ -94,22 +90,23 @@ std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixi
     const auto& column = program.columns[j];
     point.values[j] = std::clamp(point.values[j], column.lower, column.upper);
   }
-  // The doubles are accurate enough if their objective agrees with the bound and the violations of
-  // rows are negligible even at the largest cost, which may be a penalty on them.
-  constexpr double share = 0.25;
-  point.objective = numbers::rounded(objective_of(program, point.values));
-  const double maximum = share * relaxation.steps().width(point.objective);
-  if (std::abs(point.objective - relaxation.bound()) <= maximum &&
-      excess(program, point.values) * largest_cost(program) <= maximum) {
+  const auto exact = relaxation.exact_point();
+  if (exact.status == LinearStatus::optimal) {
+    point.values = exact.values;
+    point.objective = exact.objective;
+    point.proved = true;
+    if (!std::isfinite(point.objective)) return {};
     return point;
   }
-  const auto precise = relaxation.precise_point();
-  if (precise.status != LinearStatus::optimal) return {};
-  for (std::size_t j = 0; j < point.values.size(); ++j) {
-    point.values[j] = numbers::rounded(precise.values[j]);
-  }
-  point.objective = numbers::rounded(precise.objective);
-  if (!std::isfinite(point.objective)) return {};
+  // Too much work: the doubles are accurate enough if their objective agrees with the bound and the
+  // violations of rows are negligible even at the largest cost, which may be a penalty on them.
+  constexpr double share = 0.25;
+  point.objective = objective_of(program, point.values);
+  const double maximum = share * step_width(point.objective);
+  const bool accurate = exact.status == LinearStatus::failed &&
+                        std::abs(point.objective - relaxation.bound()) <= maximum &&
+                        excess(program, point.values) * largest_cost(program) <= maximum;
+  if (!accurate) return {};
   return point;
 }
 

@@ -16,10 +16,12 @@ namespace kusabi::zero_one {
 struct ZeroOnePoint {
   double objective = 0;  ///< constant + c'x, correct to its last digits
   std::vector<double> values;
+  /// These are the rounded values of a point, in rational numbers, that satisfies all rows.
+  bool proved = false;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& objective& values;
+    archive& objective& values& proved;
   }
 };
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/collectives.hpp"
-#include "nodes/zero_one/unboundedness.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::zero_one {
@@ -42,14 +41,11 @@ engine::Outcome<ZeroOneTree> outcome_of_root(const ZeroOneTree& tree, int ranks,
   return outcome;
 }
 
-// If the relaxation is unbounded, so is the program if it has a point: the direction of decreasing
-// objective does not change the binaries. The search then only needs a point.
+// If the relaxation is unbounded, which is proved, so is the program if it has a point: the direction
+// of decreasing objective does not change the binaries. The search then only needs a point.
 bool without_bound(ZeroOneRoot& root, const linear::MixedProgram& mixed,
                    const ZeroOneRootOptions& options) {
-  if (root.status != linear::LinearStatus::unbounded ||
-      !decreases_without_bound(mixed, options.stop)) {
-    return false;
-  }
+  if (root.status != linear::LinearStatus::unbounded || root.interrupted) return false;
   auto any_point = mixed;
   for (auto& column : any_point.program.columns) column.cost = 0;
   root = prepare_root(std::move(any_point), options);
@@ -100,7 +96,7 @@ MixedStatus MixedAnswer::status() const {
   if (unbounded) return MixedStatus::unbounded;
   const double objective = point()->objective;
   const double missing = std::abs(objective - bound());
-  const double maximum = optimality_tolerance * tree.prepared().relaxation.steps().size(objective);
+  const double maximum = optimality_tolerance * std::abs(objective);
   return whole && missing <= maximum ? MixedStatus::optimal : MixedStatus::feasible;
 }
 

@@ -11,10 +11,9 @@
 
 namespace kusabi::zero_one {
 
-/// An answer is optimal if objective and bound differ by at most this part of the objective's size
-/// (ObjectiveSteps::size). Objectives are distinguished in steps of at most 2^-30, or 9.3e-10, of
-/// it, and the bound of a complete search is half a step below the objective, so ten steps are
-/// sufficient.
+/// An answer is optimal if objective and bound differ by at most this part of the objective.
+/// Objectives are distinguished in steps of at most 2^-30, or 9.3e-10, of their size, and the bound
+/// of a complete search is half a step below the objective, so ten steps are sufficient.
 inline constexpr double optimality_tolerance = 1e-8;
 
 /// Answer on a program.

@@ -1,43 +1,24 @@
 // Resolution of objectives: steps of about 1e-9 of their own size. Otherwise the search would
-// enumerate all optima that are equal up to rounding. The step depends on the objective itself and
-// on the program, never on a point found: the first one may contain a penalty of 1e12.
+// enumerate all optima that are equal up to rounding. The step depends on the objective itself
+// alone: a cost depends on the unit of its column, and the first point found may contain a penalty
+// of 1e12. Zero has no size, and is equal to zero only.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 namespace kusabi::zero_one {
 
-class ObjectiveSteps {
- public:
-  ObjectiveSteps() = default;
-  /// @param min_size smaller objectives are distinguished as if they had this size, since zero has
-  ///   no size of its own
-  explicit ObjectiveSteps(double min_size) : min_size_(min_size) {}
+/// Width of the step around a finite objective: a power of two, 2^-30 of its size or somewhat more
+/// than half of that; 0 for zero.
+inline double step_width(double objective) {
+  constexpr int bits = 30;
+  return objective == 0 ? 0 : std::ldexp(1.0, std::ilogb(objective) - bits);
+}
 
-  [[nodiscard]] double min_size() const { return min_size_; }
-
-  /// The size for differences of objectives.
-  [[nodiscard]] double size(double objective) const {
-    return std::max(std::abs(objective), min_size_);
-  }
-
-  /// Width of the step around a finite objective: a power of two, 2^-30 of its size or somewhat
-  /// more than half of that.
-  [[nodiscard]] double width(double objective) const {
-    return std::ldexp(1.0, std::ilogb(size(objective)) - bits);
-  }
-
-  /// The objective in whole steps; rounding keeps the order of two objectives.
-  [[nodiscard]] double whole(double objective) const {
-    if (!std::isfinite(objective)) return objective;
-    const double step = width(objective);
-    return std::round(objective / step) * step;
-  }
-
- private:
-  static constexpr int bits = 30;
-  double min_size_ = 1;
-};
+/// The objective in whole steps; rounding keeps the order of two objectives.
+inline double in_steps(double objective) {
+  const double step = std::isfinite(objective) ? step_width(objective) : 0;
+  return step == 0 ? objective : std::round(objective / step) * step;
+}
 
 }  // namespace kusabi::zero_one

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solvers/linear/precise_bound.hpp"
+#include "nodes/zero_one/objective_steps.hpp"
 
 namespace kusabi::zero_one {
 namespace {
@@ -32,16 +32,6 @@ const linear::LinearProgram& checked(const linear::MixedProgram& mixed) {
 // A bound whose distance from the optimum is below this share of a step is tight.
 constexpr double tight_share = 0.25;
 
-// The smallest nonzero cost; 1 if there is none. It is the scale of an objective near zero, since
-// the largest cost may be a penalty.
-double min_cost(const linear::LinearProgram& program) {
-  double minimum = linear::infinity;
-  for (const auto& column : program.columns) {
-    if (column.cost != 0) minimum = std::min(minimum, std::abs(column.cost));
-  }
-  return std::isfinite(minimum) ? minimum : 1;
-}
-
 }  // namespace
 
 Relaxation::Relaxation(linear::MixedProgram mixed)
@@ -59,8 +49,6 @@ Relaxation::Relaxation(linear::MixedProgram mixed)
     fixed_.lower.push_back(lower);
     fixed_.upper.push_back(upper);
   }
-  proves_ = all_bounded();
-  steps_ = ObjectiveSteps(min_cost(mixed_.program));
 }
 
 bool Relaxation::all_bounded() const {
@@ -71,6 +59,7 @@ bool Relaxation::all_bounded() const {
 
 void Relaxation::add_row(const linear::LinearRow& row,
                          const std::vector<linear::LinearTerm>& terms) {
+  last_exact_.reset();
   mixed_.program.add_row(row, terms);
   simplex_.add_row(row.lower, row.upper, terms);
 }
@@ -85,7 +74,6 @@ void Relaxation::drop_last_row() {
 
 void Relaxation::limit_objective(double cutoff) {
   implied_ = implied_bounds(mixed_.program, cutoff);
-  proves_ = all_bounded();
 }
 
 void Relaxation::fix(const Fixings& fixings) {
@@ -123,13 +111,13 @@ LinearStatus Relaxation::solve(const Fixings& fixings, const linear::Basis& basi
 void Relaxation::conclude() {
   bound_ = -linear::infinity;
   contradiction_ = false;
-  precise_.reset();
+  exact_.reset();
   basis_ = simplex_.basis();
   values_ = simplex_.values();
   switch (status_) {
     case LinearStatus::optimal:
       conclude_in_doubles();
-      if (!is_tight(simplex_.objective())) conclude_precisely();
+      if (proves_ && !is_tight(simplex_.objective())) conclude_exactly();
       return;
     case LinearStatus::cut_off:
     case LinearStatus::stopped:
@@ -146,24 +134,23 @@ void Relaxation::conclude() {
       const auto reason = simplex_.farkas();
       contradiction_ = !reason.empty() && linear::safe_infeasibility(mixed_.program, reason,
                                                                      node_.lower, node_.upper) > 0;
-      if (!contradiction_) conclude_precisely();
+      if (!contradiction_) conclude_exactly();
       return;
     }
     case LinearStatus::failed:
-      conclude_precisely();
-      return;
     case LinearStatus::unbounded:
+      conclude_exactly();
       return;
   }
 }
 
-// The bound of the present multipliers. Columns without bounds are left out if their part is
-// negligible.
+// The bound of the present multipliers. If it need not be proved, columns without bounds are left
+// out if their part is negligible.
 void Relaxation::conclude_in_doubles() {
   safe_ = linear::safe_bound(mixed_.program, simplex_.duals(), node_.lower, node_.upper);
   bound_ = safe_.value;
   if (!proves_ && std::isfinite(safe_.finite_part) &&
-      left_out() <= tight_share * steps_.width(safe_.finite_part)) {
+      left_out() <= tight_share * step_width(safe_.finite_part)) {
     bound_ = safe_.finite_part;
   }
 }
@@ -182,72 +169,64 @@ double Relaxation::left_out() const {
 
 // True if the bound agrees with the simplex method's optimum.
 bool Relaxation::is_tight(double objective) const {
-  return std::isfinite(bound_) &&
-         std::abs(objective - bound_) <= tight_share * steps_.width(bound_);
+  return std::isfinite(bound_) && std::abs(objective - bound_) <= tight_share * step_width(bound_);
 }
 
-// Solves the simplex method's program at a higher precision level. An optimal program may turn out
-// infeasible, and the other way round. Nearly parallel cuts can make a basis too ill-conditioned
-// for any level; then it is solved without them.
-void Relaxation::conclude_precisely() {
+// Solves the simplex method's program in rational numbers. An optimal program may turn out
+// infeasible, and the other way round. Cuts have many digits, which may be too much work; then it is
+// solved without them.
+void Relaxation::conclude_exactly() {
   for (const std::size_t rows : {mixed_.program.rows.size(), given_rows_}) {
-    if (!precise_ || rows < mixed_.program.rows.size()) precise_ = solve_precisely(rows);
-    precise_->duals.resize(mixed_.program.rows.size(), 0.0);
-    const bool settled = conclude_from(*precise_);
-    if (settled || precise_->status == LinearStatus::interrupted) return;
+    if (!exact_ || rows < mixed_.program.rows.size()) exact_ = solve_exactly(rows);
+    exact_->duals.resize(mixed_.program.rows.size(), 0.0);
+    if (conclude_from(*exact_) || exact_->status == LinearStatus::interrupted) return;
   }
 }
 
 // @return true if the solution decides the program
-bool Relaxation::conclude_from(const linear::PreciseSolution& solution) {
-  using linear::Residuals;
-  const auto residuals = proves_ ? Residuals::proved : Residuals::forgiven;
-  if (solution.status == LinearStatus::infeasible) {
-    contradiction_ = linear::safe_infeasibility(mixed_.program, solution.duals, node_.lower,
-                                                node_.upper, residuals) > 0;
-    if (contradiction_ || status_ == LinearStatus::failed) status_ = LinearStatus::infeasible;
-    return contradiction_;
-  }
+bool Relaxation::conclude_from(const linear::ExactSolution& solution) {
+  const bool stays_open =
+      solution.status == LinearStatus::failed && status_ != LinearStatus::unbounded;
+  if (!stays_open) status_ = solution.status;
+  contradiction_ = status_ == LinearStatus::infeasible && !stays_open;
   if (solution.status != LinearStatus::optimal) {
-    const bool says_why =
-        solution.status == LinearStatus::interrupted ||
-        (solution.status == LinearStatus::unbounded && status_ == LinearStatus::failed);
-    if (says_why) status_ = solution.status;
-    return false;
+    return solution.status == LinearStatus::infeasible ||
+           solution.status == LinearStatus::unbounded;
   }
-  status_ = LinearStatus::optimal;
-  for (std::size_t j = 0; j < values_.size(); ++j) {
-    values_[j] = numbers::rounded(solution.values[j]);
-  }
+  values_ = solution.values;
   basis_ = solution.basis;
-  raise_bound(solution.duals);
+  raise_bound(solution);
   return true;
 }
 
-linear::PreciseSolution Relaxation::precise_point() {
-  if (precise_ && precise_->basis.rows() == given_rows_) return *precise_;
-  auto solution = solve_precisely(given_rows_);
-  if (solution.status == LinearStatus::optimal) {
-    auto duals = solution.duals;
-    duals.resize(mixed_.program.rows.size(), 0.0);
-    raise_bound(duals);
+linear::ExactSolution Relaxation::exact_point() {
+  if (exact_ && exact_->basis.rows() == given_rows_) return *exact_;
+  exact_ = solve_exactly(given_rows_);
+  exact_->duals.resize(mixed_.program.rows.size(), 0.0);
+  if (exact_->status == LinearStatus::optimal) raise_bound(*exact_);
+  if (exact_->status == LinearStatus::infeasible || exact_->status == LinearStatus::interrupted) {
+    status_ = exact_->status;
+    contradiction_ = status_ == LinearStatus::infeasible;
   }
-  return solution;
+  return *exact_;
 }
 
-// Keeps the bound of these multipliers if it is better.
-void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
-  using linear::Residuals;
-  auto better = linear::safe_bound(mixed_.program, duals, node_.lower, node_.upper,
-                                   proves_ ? Residuals::proved : Residuals::forgiven);
-  if (better.value < bound_) return;
-  safe_ = std::move(better);
-  bound_ = safe_.value;
+// Keeps the bound of an exact solution if it is better.
+void Relaxation::raise_bound(const linear::ExactSolution& solution) {
+  if (solution.bound < bound_) return;
+  bound_ = safe_.value = solution.bound;
+  safe_.residuals = solution.reduced;
 }
 
 // Solves the first rows of the program, with the bounds of the simplex method, from its basis; with
 // fewer rows from a basis of their own.
-linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
+linear::ExactSolution Relaxation::solve_exactly(std::size_t rows) {
+  const bool all = rows == mixed_.program.rows.size();
+  auto start = all ? basis_ : linear::Basis();
+  if (last_exact_ && last_exact_->rows == rows && last_exact_->fixed == fixed_ &&
+      last_exact_->start == start) {
+    return last_exact_->solution;
+  }
   linear::LinearProgram program;
   program.constant = mixed_.program.constant;
   for (const auto& [cost, lower, upper, name] : mixed_.program.columns) {
@@ -265,25 +244,27 @@ linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
   for (const auto& entry : mixed_.program.entries) {
     if (static_cast<std::size_t>(entry.row) < rows) program.entries.push_back(entry);
   }
-  ++precise_programs_;
-  const bool all = rows == mixed_.program.rows.size();
-  if (all) return linear::solve_precisely(program, basis_, stop_);
-  // Without the cuts the basis differs; from the slack basis the precise solver may not converge.
-  linear::Simplex doubles(program);
-  doubles.solve_robustly({.stop = stop_});
-  return linear::solve_precisely(program, doubles.basis(), stop_);
+  ++exact_programs_;
+  auto from = start;
+  if (!all) {
+    linear::Simplex doubles(program);
+    doubles.solve_robustly({.stop = stop_});
+    from = doubles.basis();
+  }
+  auto solution = linear::solve_exactly(program, from, stop_);
+  last_exact_ = {rows, fixed_, std::move(start), solution};
+  return solution;
 }
 
 double Relaxation::objective() const {
-  if (precise_ && precise_->status == LinearStatus::optimal) {
-    return numbers::rounded(precise_->objective);
-  }
+  if (exact_ && exact_->status == LinearStatus::optimal) return exact_->objective;
   return simplex_.objective();
 }
 
 double Relaxation::minimum(const std::vector<double>& alpha, const std::vector<double>& duals,
                            int column, double held, double relaxation_share) const {
-  auto bounds = proves_ ? implied_ : own_bounds(mixed_.program);
+  const bool safe_bounds = all_bounded();
+  auto bounds = safe_bounds ? implied_ : own_bounds(mixed_.program);
   const auto at = static_cast<std::size_t>(column);
   bounds.lower[at] = bounds.upper[at] = held;
   // alpha - A'y, by the safe bound of the program with other costs.
@@ -291,7 +272,7 @@ double Relaxation::minimum(const std::vector<double>& alpha, const std::vector<d
   program.constant = 0;
   for (std::size_t j = 0; j < alpha.size(); ++j) program.columns[j].cost = alpha[j];
   const auto safe = linear::safe_bound(program, duals, bounds.lower, bounds.upper);
-  if (proves_) return safe.value;
+  if (safe_bounds) return safe.value;
   double total = 0;
   double size = 1;
   for (std::size_t i = 0; i < duals.size(); ++i) {

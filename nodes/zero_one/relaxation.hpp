@@ -1,11 +1,9 @@
 // Linear relaxation of a mixed zero-one program, (41) of the limit paper, for any fixings from any
 // basis, with a safe lower bound for the tree.
 //
-// If all columns have bounds (their own, or implied by the rows), the bound is that of Neumaier and
-// Shcherbina, which holds despite rounding. Otherwise reduced costs of the size of rounding errors
-// count as zero, and proves() is false. If the bound of the simplex method's multipliers is not
-// tight, as with penalties far above other costs, the program is solved at a higher precision level
-// (linear/precise_simplex.hpp).
+// The bound is that of Neumaier and Shcherbina, which holds despite rounding if all columns have
+// bounds (their own, or implied by the rows). If it is not tight, or an answer of the simplex method
+// has no proof, the program is solved in rational numbers (linear/exact_simplex.hpp).
 #pragma once
 
 #include <cstddef>
@@ -17,10 +15,9 @@
 
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/implied_bounds.hpp"
-#include "nodes/zero_one/objective_steps.hpp"
 #include "solvers/linear/basis.hpp"
+#include "solvers/linear/exact_simplex.hpp"
 #include "solvers/linear/linear_program.hpp"
-#include "solvers/linear/precise_simplex.hpp"
 #include "solvers/linear/safe_bound.hpp"
 #include "solvers/linear/simplex.hpp"
 #include "support/stop.hpp"
@@ -40,8 +37,6 @@ class Relaxation {
   [[nodiscard]] const linear::LinearProgram& program() const { return mixed_.program; }
   [[nodiscard]] std::size_t binaries() const { return mixed_.binaries.size(); }
   [[nodiscard]] int column(std::size_t binary) const { return mixed_.binaries[binary]; }
-  /// The resolution of objectives of this program.
-  [[nodiscard]] const ObjectiveSteps& steps() const { return steps_; }
 
   /// Sets the stop condition of long solves, which then end as `interrupted`.
   void end_when(support::Stop stop) { stop_ = std::move(stop); }
@@ -61,7 +56,7 @@ class Relaxation {
   linear::LinearStatus solve(const Fixings& fixings, const linear::Basis& basis,
                              const linear::SolveLimits& limits = {});
   /// A lower bound of alpha'x over all points with `held` in `column`, by the multipliers
-  /// `duals` of the rows: safe if bounds are proved, otherwise reduced by `relaxation_share`
+  /// `duals` of the rows: safe if all columns have bounds, otherwise reduced by `relaxation_share`
   /// relative to the size of its terms.
   [[nodiscard]] double minimum(const std::vector<double>& alpha, const std::vector<double>& duals,
                                int column, double held, double relaxation_share) const;
@@ -72,9 +67,9 @@ class Relaxation {
   /// A lower bound of all points with those fixings; valid after `optimal`, `cut_off`, `stopped`,
   /// `interrupted`.
   [[nodiscard]] double bound() const { return bound_; }
-  /// After `infeasible`: whether that is proved despite rounding (see proves()).
+  /// After `infeasible`: whether that is proved.
   [[nodiscard]] bool contradiction() const { return contradiction_; }
-  /// Of the optimum of the simplex method.
+  /// Of the optimum.
   [[nodiscard]] double objective() const;
   [[nodiscard]] const linear::Basis& basis() const { return basis_; }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
@@ -82,34 +77,35 @@ class Relaxation {
   [[nodiscard]] double value(std::size_t binary) const {
     return values_[static_cast<std::size_t>(column(binary))];
   }
-  /// After `optimal`: the optimum of the program without added rows, which a point need not satisfy
-  /// exactly, at a higher precision level; `failed` if it cannot be computed. Its multipliers may
-  /// raise bound().
-  linear::PreciseSolution precise_point();
+  /// After `optimal`: the optimum of the program without added rows, which a point need not
+  /// satisfy, in rational numbers; `failed` if that is too much work. It may raise bound(). If it
+  /// shows that there is no point, status() becomes `infeasible`.
+  linear::ExactSolution exact_point();
   /// The bound if the free `binary` were fixed at `at_one`, by the same multipliers.
   [[nodiscard]] double bound_if(std::size_t binary, bool at_one) const;
 
-  /// True if bounds hold despite rounding (see above).
+  /// True if bounds hold despite rounding.
   [[nodiscard]] bool proves() const { return proves_; }
-  /// Makes the bounds those of the simplex method, for programs whose columns have bounds so wide
-  /// that the safe bounds are useless.
+  /// Makes the bounds those of the simplex method, for programs that are too large for rational
+  /// numbers and whose columns have no bounds, or so wide ones that the safe bounds are useless.
   void use_unproved_bounds() { proves_ = false; }
+  /// True if all columns have bounds, of their own or implied.
+  [[nodiscard]] bool all_bounded() const;
 
   /// Number of linear programs solved.
-  [[nodiscard]] std::uint64_t programs() const { return simplex_.solves() + precise_programs_; }
+  [[nodiscard]] std::uint64_t programs() const { return simplex_.solves() + exact_programs_; }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
   void fix(const Fixings& fixings);
   void conclude();
   void conclude_in_doubles();
-  void conclude_precisely();
-  bool conclude_from(const linear::PreciseSolution& solution);
-  linear::PreciseSolution solve_precisely(std::size_t rows);
-  void raise_bound(std::span<const numbers::Precise> duals);
+  void conclude_exactly();
+  bool conclude_from(const linear::ExactSolution& solution);
+  linear::ExactSolution solve_exactly(std::size_t rows);
+  void raise_bound(const linear::ExactSolution& solution);
   [[nodiscard]] bool is_tight(double objective) const;
   [[nodiscard]] double left_out() const;
-  [[nodiscard]] bool all_bounded() const;
 
   linear::MixedProgram mixed_;
   std::size_t given_rows_;
@@ -117,14 +113,22 @@ class Relaxation {
   ColumnBounds implied_;  // at the root
   ColumnBounds node_;     // with the fixings
   ColumnBounds fixed_;    // of the binaries, in their order, in the simplex method
-  ObjectiveSteps steps_;
   support::Stop stop_;
-  bool proves_ = false;
+  bool proves_ = true;
   linear::LinearStatus status_ = linear::LinearStatus::failed;
   std::vector<double> values_;
   linear::Basis basis_;
-  std::optional<linear::PreciseSolution> precise_;
-  std::uint64_t precise_programs_ = 0;
+  std::optional<linear::ExactSolution> exact_;
+  // The last program solved exactly, which is often the next one as well: its rows, its bounds and
+  // the start of the simplex method.
+  struct LastExact {
+    std::size_t rows;
+    ColumnBounds fixed;
+    linear::Basis start;
+    linear::ExactSolution solution;
+  };
+  std::optional<LastExact> last_exact_;
+  std::uint64_t exact_programs_ = 0;
   linear::SafeBound safe_;
   double bound_ = -linear::infinity;
   bool contradiction_ = false;

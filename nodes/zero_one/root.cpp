@@ -9,6 +9,7 @@
 
 #include "nodes/zero_one/big_m.hpp"
 #include "nodes/zero_one/cut_rounds.hpp"
+#include "nodes/zero_one/objective_steps.hpp"
 
 namespace kusabi::zero_one {
 namespace {
@@ -31,11 +32,13 @@ Grid grid_of_objectives(const linear::MixedProgram& mixed) {
   }
   for (const double power : {1.0, 10.0, 100.0, 1000.0}) {
     std::int64_t divisor = 0;
+    double sum = 0;
     bool whole = true;
     for (const auto& column : mixed.program.columns) {
       const double scaled = column.cost * power;
       const double nearest = std::round(scaled);
-      whole = whole && std::abs(nearest) < largest_whole && nearest / power == column.cost;
+      sum += std::abs(nearest);
+      whole = whole && sum < largest_whole && nearest / power == column.cost;
       if (!whole) break;
       divisor = std::gcd(divisor, static_cast<std::int64_t>(nearest));
     }
@@ -80,14 +83,14 @@ void find_points(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   keep_better(root.point, dive(relaxation, relaxation.root(), root.basis));
 }
 
-// True if the safe bound is useful: with very wide bounds of columns, rounding alone may decrease
-// it by more than the resolution of objectives, and no node would be closed.
-bool safe_bound_is_of_use(ZeroOneRoot& root) {
+// True if bounds are useful: if the program is too large for rational numbers and its columns have
+// no bounds, or very wide ones, rounding alone may decrease the bounds by more than the resolution
+// of objectives, and no node would be closed.
+bool bounds_are_of_use(ZeroOneRoot& root) {
   relax(root);
   constexpr double share = 0.25;
   return root.status != LinearStatus::optimal ||
-         root.relaxation.objective() - root.bound <
-             share * root.relaxation.steps().width(root.bound);
+         root.relaxation.objective() - root.bound <= share * step_width(root.bound);
 }
 
 // Decreases coefficients as the best known point allows; better points may then be found, which
@@ -98,13 +101,12 @@ void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   for (int time = 0; time < max_times && root.point && !support::is_requested(options.stop);
        ++time) {
     const double before = root.point->objective;
-    const double step = root.relaxation.steps().width(before);
+    const double step = step_width(before);
     auto mixed = root.relaxation.mixed();
-    const auto done = big_ms.tighten(mixed, before + step, root.relaxation.proves(), options.stop);
+    const auto done = big_ms.tighten(mixed, before + step, options.stop);
     root.counts.tightened = big_ms.smaller();
     root.counts.tighten_programs += done.programs;
     root.counts.fixed += done.fixed;
-    root.counts.proved = root.counts.proved && done.proved;
     if (!done.changed) return;
     const std::uint64_t programs = root.relaxation.programs();
     root.relaxation = Relaxation(std::move(mixed));
@@ -136,15 +138,15 @@ ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& o
   if (root.status == LinearStatus::optimal && !support::is_requested(options.stop)) {
     if (root.point) {
       const double objective = root.point->objective;
-      root.relaxation.limit_objective(objective + root.relaxation.steps().width(objective));
+      root.relaxation.limit_objective(objective + step_width(objective));
     }
-    if (root.relaxation.proves() && !safe_bound_is_of_use(root))
-      root.relaxation.use_unproved_bounds();
+    if (!bounds_are_of_use(root)) root.relaxation.use_unproved_bounds();
     if (options.cuts == ZeroOneCuts::disjunctive) {
       auto cuts = add_disjunctive_cuts(root.relaxation, root.basis);
       root.counts.cut_rounds = cuts.rounds;
       root.counts.cut_programs = cuts.programs;
       root.counts.cuts = cuts.kept;
+      root.counts.proved = root.counts.proved && (cuts.kept == 0 || root.relaxation.all_bounded());
       root.basis = std::move(cuts.basis);
     }
     relax(root);

@@ -42,7 +42,7 @@ struct ZeroOneRootCounts {
   std::uint64_t tightened = 0;     ///< coefficients made smaller
   std::uint64_t tighten_programs = 0;
   std::uint64_t fixed = 0;                 ///< binaries fixed because the other value is infeasible
-  bool proved = true;                      ///< true if the tightening holds despite rounding
+  bool proved = true;                      ///< true if all cuts hold despite rounding
   double first_bound = -linear::infinity;  ///< of the given relaxation
   double last_bound = -linear::infinity;   ///< of the relaxation after all steps
 };

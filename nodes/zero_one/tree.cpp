@@ -56,7 +56,7 @@ ZeroOneTally ZeroOneTree::tally() const {
 double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
   if (!std::isfinite(outcome_bound)) return std::min(outcome_bound, total.least_bound.value);
   constexpr double half = 0.5 * (1 + 1e-9);
-  const double half_step = half * steps().width(outcome_bound);
+  const double half_step = half * step_width(outcome_bound);
   if (in_steps(total.least_bound.value) < outcome_bound) return total.least_bound.value;
   return raised(outcome_bound - half_step);
 }
@@ -129,7 +129,7 @@ bool ZeroOneTree::settle(Node& node, Out& out) {
   const double cutoff = out.cutoff();
   auto status =
       relaxation.solve(node.fixings, node.basis,
-                       {.cutoff = std::isfinite(cutoff) ? cutoff + steps().width(cutoff) : cutoff});
+                       {.cutoff = std::isfinite(cutoff) ? cutoff + step_width(cutoff) : cutoff});
   if (status == LinearStatus::cut_off && !out.ruled_out(in_steps(raised(relaxation.bound())))) {
     status = relaxation.solve(node.fixings, node.basis);
   }
@@ -180,8 +180,11 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   const bool was_whole = fixings == node.fixings;
   if (!point) {
     if (!was_whole) return false;
-    if (root_.relaxation.status() == LinearStatus::interrupted) {
+    const auto status = root_.relaxation.status();
+    if (status == LinearStatus::interrupted) {
       out.branch(Node(node));
+    } else if (status == LinearStatus::infeasible && root_.relaxation.contradiction()) {
+      ++tally_.infeasible;
     } else {
       close_without_proof(node);
     }
@@ -229,10 +232,10 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
     Node& node, const std::vector<std::size_t>& candidates, double before) {
   auto& relaxation = root_.relaxation;
   linear::SolveLimits limits{.iterations = look_ahead_steps};
-  if (root_.point) limits.cutoff = root_.point->objective + steps().width(root_.point->objective);
+  if (root_.point) limits.cutoff = root_.point->objective + step_width(root_.point->objective);
   std::optional<Split> best;
   double maximum = -1;
-  const double minimum = min_rise * steps().width(before);
+  const double minimum = min_rise * step_width(before);
   bool fixed = false;
   const std::size_t count = std::min(candidates.size(), look_ahead_candidates);
   for (std::size_t i = 0; i < count; ++i) {

@@ -23,6 +23,7 @@
 #include "engine/search_declaration.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
+#include "nodes/zero_one/objective_steps.hpp"
 #include "nodes/zero_one/relaxation.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "solvers/linear/basis.hpp"
@@ -111,8 +112,6 @@ class ZeroOneTree {
 
   using Out = engine::Expansion<ZeroOneTree>;
 
-  [[nodiscard]] const ObjectiveSteps& steps() const { return root_.relaxation.steps(); }
-  [[nodiscard]] double in_steps(double objective) const { return steps().whole(objective); }
   [[nodiscard]] double raised(double bound) const;
   [[nodiscard]] bool worse_than_root_point(double bound) const;
   [[nodiscard]] std::vector<std::size_t> free_binaries(const Node& node) const;

@@ -19,12 +19,6 @@ namespace {
 using nlohmann::ordered_json;
 using zero_one::MixedStatus;
 
-// Values whose term, or which themselves, are smaller are zeros with rounding errors.
-bool is_zero(double value, double cost) {
-  constexpr double nothing = 1e-9;
-  return std::abs(value) * std::max(1.0, std::abs(cost)) <= nothing;
-}
-
 const char* answer_name(MixedStatus answer) {
   switch (answer) {
     case MixedStatus::optimal:
@@ -58,7 +52,7 @@ const OptionWords<zero_one::ZeroOneBranching>& zero_one_branching_words() {
 }
 
 double MipReport::in_the_files_sense(double objective) const {
-  return program.maximise ? -objective : objective;
+  return program.maximise ? 0 - objective : objective;
 }
 
 double MipReport::objective() const {
@@ -74,9 +68,17 @@ double MipReport::gap() const {
   return objective() == 0 ? difference : difference / std::abs(objective());
 }
 
+// Of a point, its own; a program without points is as proved as the bounds that exclude them.
+Standing MipReport::standing() const {
+  const bool proved = found.point() != nullptr ? found.point()->proved : found.proved();
+  return proved ? Standing::proved : Standing::computed;
+}
+
 Verdict MipReport::verdict() const {
   using State = MixedOptimum::State;
-  MixedOptimum answer{.maximise = program.maximise, .unproved = found.outcome.tally().unproved};
+  MixedOptimum answer{.standing = standing(),
+                      .maximise = program.maximise,
+                      .unproved = found.outcome.tally().unproved};
   switch (found.status()) {
     case MixedStatus::optimal:
       answer.state = State::optimal;
@@ -110,11 +112,11 @@ std::string MipReport::table(const Page& page) const {
     const auto& columns = program.mixed.program.columns;
     const auto& values = found.point()->values;
     for (std::size_t j = 0; j < columns.size(); ++j) {
-      if (!is_zero(values[j], columns[j].cost)) width = std::max(width, columns[j].name.size());
+      if (values[j] != 0) width = std::max(width, columns[j].name.size());
     }
     fmt::format_to(out, "\n{:<{}}  {:>14}\n", "column", width, "value");
     for (std::size_t j = 0; j < columns.size(); ++j) {
-      if (is_zero(values[j], columns[j].cost)) continue;
+      if (values[j] == 0) continue;
       fmt::format_to(out, "{:<{}}  {:>14.8g}\n", columns[j].name, width, values[j]);
     }
   }
@@ -150,7 +152,7 @@ void MipReport::write_csv(std::ostream& out) const {
   const auto& columns = program.mixed.program.columns;
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const double value = found.point()->values[j];
-    if (!is_zero(value, columns[j].cost)) csv.text(columns[j].name).number(value).end_row();
+    if (value != 0) csv.text(columns[j].name).number(value).end_row();
   }
 }
 
@@ -163,14 +165,17 @@ ordered_json MipReport::json() const {
     result["bound"] = number_or_null(bound());
     result["gap"] = number_or_null(gap());
     result["proved"] = found.proved();
+    result["point_proved"] = found.point()->proved;
     ordered_json columns = ordered_json::object();
     for (std::size_t j = 0; j < given.columns.size(); ++j) {
       const double value = found.point()->values[j];
-      if (!is_zero(value, given.columns[j].cost)) columns[given.columns[j].name] = value;
+      if (value != 0) columns[given.columns[j].name] = value;
     }
     result["columns"] = std::move(columns);
   } else if (found.status() == MixedStatus::unknown) {
     result["bound"] = number_or_null(bound());
+  } else {
+    result["proved"] = standing() == Standing::proved;
   }
   result["unproved"] = found.outcome.tally().unproved;
   // Those of an unbounded program are of the program without costs.

@@ -262,6 +262,7 @@ class WrittenVerdict {
     const auto state = std::ranges::find(mixed_states, word);
     if (state == mixed_states.end()) reader_.refuse("'state' is not that of a program");
     return {.state = static_cast<MixedOptimum::State>(state - mixed_states.begin()),
+            .standing = some_standing(answer, "standing").value_or(Standing::computed),
             .maximise = truth(answer, "maximise"),
             .objective = some_number(answer, "objective"),
             .bound = bound(answer, "bound"),

@@ -11,13 +11,15 @@
 namespace kusabi::run {
 namespace {
 
+const char* in_brackets(Standing standing) {
+  return standing == Standing::proved ? "(proved)" : "(computed, not proved)";
+}
+
 std::string bound_text(const MixedOptimum& found) {
-  return fmt::format("{} bound {}", found.maximise ? "upper" : "lower",
-                     found.bound ? fmt::format("{}{}", found.bound->value,
-                                               found.bound->standing == Standing::proved
-                                                   ? " (safe against rounding)"
-                                                   : " (computed, not proved)")
-                                 : "not known");
+  return fmt::format(
+      "{} bound {}", found.maximise ? "upper" : "lower",
+      found.bound ? fmt::format("{} {}", found.bound->value, in_brackets(found.bound->standing))
+                  : "not known");
 }
 
 std::string of_list(const CertificateCheck::List& list) {
@@ -177,9 +179,11 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
   switch (found.state) {
     case MixedOptimum::State::infeasible:
-      return "No point satisfies all rows, bounds and binaries.";
+      return fmt::format("No point satisfies all rows, bounds and binaries {}.",
+                         in_brackets(found.standing));
     case MixedOptimum::State::unbounded:
-      return fmt::format("The objective has no {} bound.", found.maximise ? "upper" : "lower");
+      return fmt::format("The objective has no {} bound {}.", found.maximise ? "upper" : "lower",
+                         in_brackets(found.standing));
     case MixedOptimum::State::unknown:
       return fmt::format("No point was found, and it is not known whether one exists; {}.",
                          bound_text(found));
@@ -187,11 +191,12 @@ std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
     case MixedOptimum::State::feasible:
       break;
   }
-  return fmt::format("{} {}; {}, gap {:.2g} %.",
-                     found.state == MixedOptimum::State::optimal
-                         ? "The optimum is"
-                         : "The best point so far has the objective",
-                     found.objective.value_or(0), bound_text(found), 100 * found.gap);
+  const auto text = fmt::format(
+      "{} {} {}; {}",
+      found.state == MixedOptimum::State::optimal ? "The optimum is"
+                                                  : "The best point so far has the objective",
+      found.objective.value_or(0), in_brackets(found.standing), bound_text(found));
+  return found.bound ? fmt::format("{}, gap {:.2g} %.", text, 100 * found.gap) : text + ".";
 }
 
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all) {
@@ -214,8 +219,14 @@ void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reserv
   const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
   if (has_bound && found.bound && found.bound->standing == Standing::computed) {
     all.push_back(
-        {"The bound is not proved, since some columns have no bounds, and any rounding error of "
-         "their reduced costs counts without limit; it was computed with 30 digits.",
+        {"The bound is not proved: the program is too large for rational numbers, and any rounding "
+         "error counts without limit where columns have no bounds, or almost so.",
+         false});
+  }
+  if (found.objective && found.standing == Standing::computed) {
+    all.push_back(
+        {"The point is not proved: the program is too large for rational numbers, and the "
+         "point satisfies its rows up to rounding.",
          false});
   }
 }

@@ -222,6 +222,8 @@ struct LoadSteps {
 struct MixedOptimum {
   enum class State { optimal, feasible, infeasible, unbounded, unknown };
   State state = State::unknown;
+  /// Of the point, or of the infeasible or unbounded program.
+  Standing standing = Standing::computed;
   bool maximise = false;
   std::optional<double> objective{};  ///< value of the best point
   std::optional<Bound> bound{};       ///< no point has a better objective

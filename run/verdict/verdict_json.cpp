@@ -188,6 +188,7 @@ ordered_json answer_json(const LoadSteps& found) {
 ordered_json answer_json(const MixedOptimum& found) {
   return {{"kind", "mixed-optimum"},
           {"state", mixed_states.at(static_cast<std::size_t>(found.state))},
+          {"standing", standing_name(found.standing)},
           {"maximise", found.maximise},
           {"objective", number_or_null(found.objective)},
           {"bound", bound_json(found.bound)},

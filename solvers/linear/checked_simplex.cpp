@@ -1,4 +1,4 @@
-// Simplex method in doubles, then in more digits, with a check after each.
+// Simplex method in doubles, then in rational numbers, with a check after each.
 #include "solvers/linear/checked_simplex.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "solvers/linear/precise_simplex.hpp"
+#include "solvers/linear/exact_simplex.hpp"
 
 namespace kusabi::linear {
 namespace {
@@ -30,13 +30,6 @@ bool has_small_entries(const LinearProgram& program) {
                                     in_column[static_cast<std::size_t>(entry.column)]);
     return std::abs(entry.value) < small_entry * largest;
   });
-}
-
-std::vector<double> in_doubles(const std::vector<numbers::Precise>& numbers) {
-  std::vector<double> rounded;
-  rounded.reserve(numbers.size());
-  for (const auto& number : numbers) rounded.push_back(number.x[0]);
-  return rounded;
 }
 
 }  // namespace
@@ -95,19 +88,18 @@ bool CheckedSimplex::take(LinearStatus status, const support::Stop& stop) {
   return interrupted;
 }
 
-void CheckedSimplex::solve_in_more_digits(const support::Stop& stop) {
-  const auto precise = solve_precisely(program_, simplex_.basis(), stop);
-  if (precise.status == LinearStatus::optimal) {
-    auto found =
-        CheckedOptimum::of(program_, in_doubles(precise.values), in_doubles(precise.duals));
+void CheckedSimplex::solve_in_rational_numbers(const support::Stop& stop) {
+  auto exact = solve_exactly(program_, simplex_.basis(), stop);
+  if (exact.status == LinearStatus::optimal) {
+    auto found = CheckedOptimum::of(program_, std::move(exact.values), std::move(exact.duals));
     if (!found) return;
     answer_ = *std::move(found);
-    simplex_.set_basis(precise.basis);
-  } else if (precise.status == LinearStatus::infeasible) {
-    if (auto found = CheckedInfeasibility::of(program_, in_doubles(precise.duals)))
+    simplex_.set_basis(exact.basis);
+  } else if (exact.status == LinearStatus::infeasible) {
+    if (auto found = CheckedInfeasibility::of(program_, std::move(exact.duals)))
       answer_ = *std::move(found);
   } else {
-    answer_ = NotDetermined{precise.status == LinearStatus::interrupted};
+    answer_ = NotDetermined{exact.status == LinearStatus::interrupted};
   }
 }
 
@@ -115,7 +107,7 @@ const CheckedAnswer& CheckedSimplex::solve(const support::Stop& stop) {
   if (take(simplex_.solve_robustly({.stop = stop}), stop)) return answer_;
   simplex_.use_slack_basis();
   if (take(simplex_.solve_robustly({.stop = stop}), stop)) return answer_;
-  solve_in_more_digits(stop);
+  solve_in_rational_numbers(stop);
   return answer_;
 }
 

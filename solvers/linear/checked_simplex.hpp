@@ -1,6 +1,6 @@
 // CheckedSimplex: a linear program that is solved repeatedly, each answer being checked
 // (checked_answer.hpp). An answer that fails the check is not returned: the program is solved again
-// from the slack basis, then in 104 bits, and if no answer passes it is not determined.
+// from the slack basis, then in rational numbers, and if no answer passes it is not determined.
 //
 // As for Simplex, a result depends on the program and the basis alone if the basis was given by
 // set_basis() or use_slack_basis().
@@ -64,7 +64,7 @@ class CheckedSimplex {
 
  private:
   bool take(LinearStatus status, const support::Stop& stop);
-  void solve_in_more_digits(const support::Stop& stop);
+  void solve_in_rational_numbers(const support::Stop& stop);
 
   LinearProgram program_;  // as loaded in simplex_
   Simplex simplex_;

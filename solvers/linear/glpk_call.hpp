@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "solvers/linear/basis.hpp"
+
 struct glp_prob;  // keeps glpk.h out of this header
 
 namespace kusabi::linear {
@@ -30,6 +32,9 @@ void glpk_call(const std::function<void()>& call);
 /// As glpk_call(); returns GLPK's output.
 std::string glpk_messages_of(const std::function<void()>& call);
 
+/// GLPK's name of the type of these bounds.
+[[nodiscard]] int glpk_bound_type(double lower, double upper);
+
 /// A GLPK problem, valid as long as its environment.
 class GlpkProblem {
  public:
@@ -43,6 +48,11 @@ class GlpkProblem {
   /// As glpk_call().
   /// @throws GlpkError also if the environment of this problem was discarded
   void call(const std::function<void()>& what) const;
+
+  /// The basis of the first rows and columns.
+  [[nodiscard]] Basis basis(int rows, int columns) const;
+  /// Rows that the basis does not have become basic.
+  void set_basis(const Basis& basis, int rows, int columns) const;
 
  private:
   glp_prob* lp_ = nullptr;

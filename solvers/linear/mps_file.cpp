@@ -96,9 +96,7 @@ class MpsReader {
   // ---- sections ------------------------------------------------------------------------------
 
   void begin_section() {
-    if (in_integers_ && section_ == MpsSection::columns) {
-      refuse("COLUMNS ends among integer columns", "a MARKER line with 'INTEND' before");
-    }
+    in_integers_ = false;
     const auto word = capitals(line_.fields.front());
     if (section_ == MpsSection::sense && line_.fields.size() == 1 && maximise_says(word)) {
       set_sense(word);

@@ -32,26 +32,8 @@ constexpr int min_steps = 2000;
 constexpr double read_entries_per_piece = 2e8;
 constexpr double min_piece = 500;
 
-int bound_type(double lower, double upper) {
-  if (lower == upper) return GLP_FX;
-  if (std::isfinite(lower) && std::isfinite(upper)) return GLP_DB;
-  if (std::isfinite(lower)) return GLP_LO;
-  if (std::isfinite(upper)) return GLP_UP;
-  return GLP_FR;
-}
-
 double finite_or_zero(double bound) {
   return std::isfinite(bound) ? bound : 0;
-}
-
-int glpk_status(BasisStatus place) {
-  return place == BasisStatus::basic ? GLP_BS : place == BasisStatus::lower ? GLP_NL : GLP_NU;
-}
-
-BasisStatus place_of(int status) {
-  return status == GLP_BS   ? BasisStatus::basic
-         : status == GLP_NU ? BasisStatus::upper
-                            : BasisStatus::lower;
 }
 
 void require(bool holds, const char* what) {
@@ -148,8 +130,8 @@ void Simplex::set_column_bounds(int column, double lower, double upper) {
   column_empty_.at(static_cast<std::size_t>(column)) = lower > upper;
   if (lower > upper) return;
   problem_->call([&] {
-    glp_set_col_bnds(problem_->get(), column + 1, bound_type(lower, upper), finite_or_zero(lower),
-                     finite_or_zero(upper));
+    glp_set_col_bnds(problem_->get(), column + 1, glpk_bound_type(lower, upper),
+                     finite_or_zero(lower), finite_or_zero(upper));
   });
 }
 
@@ -158,7 +140,7 @@ void Simplex::set_row_bounds(int row, double lower, double upper) {
   row_empty_.at(static_cast<std::size_t>(row)) = lower > upper;
   if (lower > upper) return;
   problem_->call([&] {
-    glp_set_row_bnds(problem_->get(), row + 1, bound_type(lower, upper), finite_or_zero(lower),
+    glp_set_row_bnds(problem_->get(), row + 1, glpk_bound_type(lower, upper), finite_or_zero(lower),
                      finite_or_zero(upper));
   });
 }
@@ -324,31 +306,14 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
 }
 
 Basis Simplex::basis() const {
-  Basis basis(static_cast<std::size_t>(rows()), static_cast<std::size_t>(columns()));
-  for (std::size_t i = 0; i < basis.rows(); ++i) {
-    basis.set_row(i, place_of(glp_get_row_stat(problem_->get(), static_cast<int>(i) + 1)));
-  }
-  for (std::size_t j = 0; j < basis.columns(); ++j) {
-    basis.set_column(j, place_of(glp_get_col_stat(problem_->get(), static_cast<int>(j) + 1)));
-  }
-  return basis;
+  return problem_->basis(rows(), columns());
 }
 
 void Simplex::set_basis(const Basis& basis) {
   require(basis.rows() <= static_cast<std::size_t>(rows()) &&
               basis.columns() == static_cast<std::size_t>(columns()),
           "the basis is of another program");
-  problem_->call([&] {
-    for (int i = 0; i < rows(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const int status = at < basis.rows() ? glpk_status(basis.row(at)) : GLP_BS;
-      glp_set_row_stat(problem_->get(), i + 1, status);
-    }
-    for (int j = 0; j < columns(); ++j) {
-      const int status = glpk_status(basis.column(static_cast<std::size_t>(j)));
-      glp_set_col_stat(problem_->get(), j + 1, status);
-    }
-  });
+  problem_->set_basis(basis, rows(), columns());
   refactorise();
 }
 

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "solvers/linear/mps_lines.hpp"
+#include "solvers/linear/mps_program.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::linear {
@@ -87,6 +91,168 @@ std::optional<Feature> feature_in(std::string_view words, std::string_view next)
   return {};
 }
 
+// The objective and the rows of a file in CPLEX LP format, as far as forms that GLPK does not read are
+// concerned. It reports them as missing names, and mostly one line too late.
+class LpForms {
+ public:
+  explicit LpForms(const std::string& file) : file_(file) {}
+
+  void check(std::string_view text) {
+    for (std::size_t line = 1; !text.empty(); ++line) {
+      const auto end = std::min(text.find('\n'), text.size());
+      read(plain(text.substr(0, end)), line);
+      text.remove_prefix(std::min(end + 1, text.size()));
+      if (part_ == Part::others) break;
+    }
+    if (part_ == Part::none) return;
+    check_objective();
+    check_rows();
+  }
+
+ private:
+  enum class Part { none, objective, rows, others };
+  enum class Kind { number, name, sign, sense, colon };
+  struct Token {
+    Kind kind;
+    std::size_t line;
+  };
+
+  [[noreturn]] void refuse(std::size_t line, std::string_view fault,
+                           std::string_view expected) const {
+    refuse_line(file_, line, fault, expected);
+  }
+
+  // A line in capitals. Keywords are at its beginning.
+  void read(std::string_view words, std::size_t line) {
+    static constexpr std::array<std::string_view, 6> objectives{"MAXIMIZE", "MAXIMUM", "MAX",
+                                                                "MINIMIZE", "MINIMUM", "MIN"};
+    static constexpr std::array<std::string_view, 5> rows{"SUBJECT TO", "SUCH THAT", "S.T.", "ST.",
+                                                          "ST"};
+    static constexpr std::array<std::string_view, 12> others{
+        "BOUNDS",  "BOUND", "GENERALS", "GENERAL", "GEN", "INTEGERS",
+        "INTEGER", "INT",   "BINARIES", "BINARY",  "BIN", "END"};
+    const auto begins = [&](std::string_view keyword) {
+      return words.starts_with(keyword) &&
+             (words.size() == keyword.size() || words[keyword.size()] == ' ');
+    };
+    const auto enter = [&](const auto& keywords, Part part) {
+      const auto found = std::find_if(keywords.begin(), keywords.end(), begins);
+      if (found == keywords.end()) return;
+      words.remove_prefix(found->size());
+      part_ = part;
+      if (part == Part::objective) objective_line_ = line;
+    };
+    if (part_ == Part::none) enter(objectives, Part::objective);
+    if (part_ == Part::objective) enter(rows, Part::rows);
+    if (part_ == Part::rows) enter(others, Part::others);
+    if (part_ == Part::objective) add_tokens(words, line, objective_);
+    if (part_ == Part::rows) add_tokens(words, line, rows_);
+  }
+
+  static void add_tokens(std::string_view words, std::size_t line, std::vector<Token>& tokens) {
+    constexpr std::string_view signs = "+-";
+    constexpr std::string_view senses = "<>=";
+    constexpr std::string_view digits = "0123456789.";
+    const auto is_in = [](std::string_view set, char letter) {
+      return set.find(letter) != std::string_view::npos;
+    };
+    const auto ends_name = [&](char letter) {
+      return letter == ' ' || letter == ':' || is_in(signs, letter) || is_in(senses, letter);
+    };
+    for (std::size_t at = 0; at < words.size();) {
+      const char letter = words[at];
+      if (letter == ' ') {
+        ++at;
+      } else if (letter == ':' || is_in(signs, letter)) {
+        tokens.push_back({letter == ':' ? Kind::colon : Kind::sign, line});
+        ++at;
+      } else if (is_in(senses, letter)) {
+        while (at < words.size() && is_in(senses, words[at])) ++at;
+        tokens.push_back({Kind::sense, line});
+      } else if (is_in(digits, letter)) {
+        double value = 0;
+        const char* const begin = words.data() + at;
+        const auto [end, error] = std::from_chars(begin, words.data() + words.size(), value);
+        at += std::max<std::size_t>(1, static_cast<std::size_t>(end - begin));
+        tokens.push_back({Kind::number, line});
+      } else {
+        while (at < words.size() && !ends_name(words[at])) ++at;
+        tokens.push_back({Kind::name, line});
+      }
+    }
+  }
+
+  static bool is(const std::vector<Token>& tokens, std::size_t at, Kind kind) {
+    return at < tokens.size() && tokens[at].kind == kind;
+  }
+
+  // The first token after "name:".
+  static std::size_t after_label(const std::vector<Token>& tokens, std::size_t at) {
+    return is(tokens, at, Kind::name) && is(tokens, at + 1, Kind::colon) ? at + 2 : at;
+  }
+
+  // A number among these tokens that no name follows.
+  static std::optional<Token> constant(const std::vector<Token>& tokens, std::size_t begin,
+                                       std::size_t end) {
+    for (std::size_t at = begin; at < end; ++at) {
+      const bool has_name = at + 1 < end && tokens[at + 1].kind == Kind::name;
+      if (tokens[at].kind == Kind::number && !has_name) return tokens[at];
+    }
+    return {};
+  }
+
+  void check_objective() const {
+    const std::size_t begin = after_label(objective_, 0);
+    if (begin == objective_.size()) {
+      refuse(begin == 0 ? objective_line_ : objective_[begin - 1].line,
+             "an objective without terms", "at least one term, such as 0 x");
+    }
+    if (const auto found = constant(objective_, begin, objective_.size())) {
+      refuse(found->line, "a constant in the objective",
+             "terms only, such as 4 x with a column x that is fixed at 1");
+    }
+  }
+
+  void check_rows() const {
+    constexpr std::string_view one_sense = "one sense in a row; two rows for a range";
+    for (std::size_t at = 0; at < rows_.size();) {
+      const std::size_t begin = after_label(rows_, at);
+      std::size_t sense = begin;
+      while (sense < rows_.size() && rows_[sense].kind != Kind::sense) ++sense;
+      if (sense == rows_.size()) return;  // an error that GLPK reports
+      const auto is_name = [](const Token& token) { return token.kind == Kind::name; };
+      const auto from = rows_.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto to = rows_.begin() + static_cast<std::ptrdiff_t>(sense);
+      if (begin < sense && std::none_of(from, to, is_name)) {
+        refuse(rows_[sense].line, "a range, with a number on the left-hand side", one_sense);
+      }
+      if (const auto found = constant(rows_, begin, sense)) {
+        refuse(found->line, "a constant on the left-hand side of a row",
+               "terms only, and all constants in the number on the right-hand side");
+      }
+      at = sense + 1;
+      while (is(rows_, at, Kind::sign)) ++at;
+      const bool number = is(rows_, at, Kind::number);
+      const std::size_t line = rows_[at - 1].line;
+      if (number) ++at;
+      if (is(rows_, at, Kind::sense)) refuse(rows_[at].line, "a range, with two senses", one_sense);
+      const bool more = is(rows_, at, Kind::sign) ||
+                        (is(rows_, at, Kind::name) && !is(rows_, at + 1, Kind::colon));
+      if (more && rows_[at].line == line) {
+        refuse(line, "terms on the right-hand side of a row",
+               "a number there, and all terms before");
+      }
+      if (!number) return;  // an error that GLPK reports
+    }
+  }
+
+  const std::string& file_;
+  Part part_ = Part::none;
+  std::size_t objective_line_ = 0;
+  std::vector<Token> objective_;
+  std::vector<Token> rows_;
+};
+
 }  // namespace
 
 std::string_view unsupported_feature(std::string_view section) {
@@ -116,6 +282,7 @@ void refuse_unsupported(const std::string& file, std::size_t line, std::string_v
 }
 
 void refuse_unsupported_lp(std::string_view text, const std::string& file) {
+  const auto whole = text;
   std::string words;
   std::size_t number = 0;
   const auto look_at = [&](std::string_view next) {
@@ -134,6 +301,7 @@ void refuse_unsupported_lp(std::string_view text, const std::string& file) {
     number = line;
   }
   look_at({});
+  LpForms(file).check(whole);
 }
 
 }  // namespace kusabi::linear

@@ -16,8 +16,8 @@ std::string_view unsupported_feature(std::string_view section);
 [[noreturn]] void refuse_unsupported(const std::string& file, std::size_t line,
                                      std::string_view what, std::string_view feature);
 
-/// Sets, semi-continuous columns, indicator constraints and quadratic terms of a file in CPLEX LP
-/// format.
+/// Sets, semi-continuous columns, indicator constraints, quadratic terms, and constants, ranges and
+/// empty objectives, which GLPK does not read, of a file in CPLEX LP format.
 /// @throws support::InputError `FILE:LINE: ...` of the first
 void refuse_unsupported_lp(std::string_view text, const std::string& file);
 

@@ -79,6 +79,7 @@ TEST_F(MipCommand, SolvesProgramsThatWereOnceSolvedWrongly) {
   EXPECT_EQ(none.exit_code, 0) << none.said;
   EXPECT_EQ(none.result["answer"], "infeasible");
   EXPECT_THAT(none.said, Not(HasSubstr("not proved")));
+  EXPECT_EQ(none.result["proved"], true);
 }
 
 // Bound tightening once reduced M from 1000 to 1e-117. By hand: y = z = 1 and w = 4/9 in bigm_tiny;
@@ -107,8 +108,58 @@ TEST_F(MipCommand, VerifiesInfeasibilityReportedByTheSimplexMethod) {
   EXPECT_NEAR(tight.result["objective"], -301.3, 1e-9);
   // By r2, x6 is 1.2e11 at most, and r0 couples x7 to it: no direction decreases the objective.
   const auto bounded = solve(source("cases/bounded_by_a_binary.mps"));
-  EXPECT_NE(bounded.result["answer"], "unbounded");
-  EXPECT_NE(bounded.result["answer"], "infeasible");
+  EXPECT_EQ(bounded.exit_code, 0) << bounded.said;
+  EXPECT_EQ(bounded.result["answer"], "optimal");
+}
+
+// Truths by hand. ff24: x = b = -a = 1e24 and c = 0. chain: 1000^4 and (1e7)^3. b_1e12, b_small: only
+// b = 1 leaves r2 room for y1 + y2 = 1; in b_1e12 a column beside them is 1e12. tiny_optimum: b = 1.
+TEST_F(MipCommand, HasTolerancesOfTheTermsOfARowAlone) {
+  struct Known {
+    const char* name;
+    double optimum;
+  };
+  for (const auto& [name, optimum] :
+       {Known{"ff24.mps", 0}, Known{"b_1e12.mps", 1}, Known{"b_small.mps", 1},
+        Known{"chain1e3.lp", 1e12}, Known{"chain1e7.lp", 1e21}, Known{"tiny_optimum.lp", 5e-11}}) {
+    for (const auto& way : ways) {
+      const auto answer = solve(source("cases/") + name, way);
+      EXPECT_EQ(answer.exit_code, 0) << name << way << answer.said;
+      ASSERT_EQ(answer.result["answer"], "optimal") << name << way;
+      EXPECT_EQ(answer.result["objective"], optimum) << name << way;
+      EXPECT_NEAR(answer.result["bound"], optimum, 1e-8 * optimum) << name << way;
+      EXPECT_EQ(answer.result["proved"], true) << name << way;
+      EXPECT_EQ(answer.result["point_proved"], true) << name << way;
+    }
+  }
+  const auto unread = solve(source("cases/lp_range_and_constant.lp"));
+  EXPECT_EQ(unread.exit_code, 2);
+  EXPECT_THAT(unread.said, HasSubstr("lp_range_and_constant.lp:2: a constant in the objective"));
+}
+
+// A tightened M of zero was once taken for a coefficient by which to divide. x0 = 1, x3 = 1e4 and
+// x4 = 1e5: 900 - 10 - 7000, and no column can decrease the objective further.
+TEST_F(MipCommand, KeepsAllPointsWhenAnMBecomesZero) {
+  const auto answer = solve(source("cases/m_becomes_zero.mps"));
+  EXPECT_EQ(answer.exit_code, 0) << answer.said;
+  EXPECT_NEAR(answer.result["objective"], -6110, 1e-9);
+}
+
+// A stopped search makes true claims: of a point, of a bound, or of neither.
+TEST_F(MipCommand, SaysWhatHoldsWhenItIsStopped) {
+  for (const auto& [name, optimum] : {std::pair{"tiny_optimum.lp", 5e-11}, {"b_1e12.mps", 1.0}}) {
+    for (const char* way : {"--node-limit 1 --no-dive --no-tighten", "--node-limit 1"}) {
+      const auto answer = solve(source("cases/") + name, way);
+      const auto& result = answer.result;
+      EXPECT_NE(result["answer"], "infeasible") << name << way;
+      if (!result["bound"].is_null()) {
+        EXPECT_LE(result["bound"], optimum) << name << way;
+      }
+      if (result.contains("objective")) {
+        EXPECT_GE(result["objective"], optimum) << name << way;
+      }
+    }
+  }
 }
 
 TEST_F(MipCommand, SolvesSmallProgramsOfTheClassicKinds) {

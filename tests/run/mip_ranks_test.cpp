@@ -97,7 +97,7 @@ TEST_F(MipSearch, ReportsProgramsWithoutAnOptimum) {
                                          "Binary\n x\nEnd\n";
   run = shell(command + " mip " + argument("open.lp"));
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.output, HasSubstr("The objective has no upper bound."));
+  EXPECT_THAT(run.output, HasSubstr("The objective has no upper bound (proved)."));
   // A program without a point is infeasible, even if its objective has no bound.
   std::ofstream(in_folder("both.lp"))
       << "Maximize\n c: x + w\nSubject To\n r: w - x >= 0\n s: 2 x + 2 y = 1\n"

@@ -312,28 +312,33 @@ def _member_loss(one, other, effect):
 
 
 def mip(one, other, effect):
-    """Optimum and bound; the tolerance of objectives is 1e-8 (docs/result-files.md)."""
+    """Optimum and bound; the tolerance of objectives is 1e-8 of them (docs/result-files.md)."""
     mine, theirs = one.result, other.result
-    objectives = [
-        None if mine["objective"] is None else effect.factor(mine["objective"]), theirs["objective"]
-    ]
+
+    def both(key):
+        own = mine.get(key)
+        return [None if own is None else effect.factor(own), theirs.get(key)]
+
+    def room(a, b):
+        return 1e-7 * max(abs(a), abs(b), abs(effect.shift))
+
+    objectives = both("objective")
     if not (one.is_open or other.is_open):
         if mine["answer"] != theirs["answer"]:
             raise Disagreement(
                 "answer", f"{mine['answer']} {objectives[0]!r}, then {theirs['answer']} {objectives[1]!r}")
-        if None not in objectives and not near(*objectives, 1e-7):
+        if None not in objectives and abs(objectives[0] - objectives[1]) > room(*objectives):
             raise Disagreement("optimum", f"{objectives[0]!r}, then {objectives[1]!r}")
     # A point of one program is not beyond a bound of the other one.
     sense = effect.sense
-    bounds = [None if mine["bound"] is None else effect.factor(mine["bound"]), theirs["bound"]]
+    bounds = both("bound")
     for bound, objective in ((bounds[0], objectives[1]), (bounds[1], objectives[0])):
-        if None not in (bound, objective
-                        ) and sense * (bound - objective) > 1e-7 * max(1.0, abs(bound), abs(objective)):
+        if None not in (bound, objective) and sense * (bound - objective) > room(bound, objective):
             raise Disagreement("bound", f"bound {bound!r}, but a point of {objective!r}")
     for complete, open_one in ((one, other), (other, one)):
-        if complete.code == 0 and complete.result["answer"] == "infeasible" and open_one.result[
-                "objective"] is not None:
-            raise Disagreement("answer", f"infeasible, but a point of {open_one.result['objective']!r}")
+        point = open_one.result.get("objective")
+        if complete.code == 0 and complete.result["answer"] == "infeasible" and point is not None:
+            raise Disagreement("answer", f"infeasible, but a point of {point!r}")
     if one.is_open or other.is_open:
         raise Undecided("open optimum")
 

@@ -132,11 +132,30 @@ def _rows_as_pairs(rng, file, question):
     return _changed(file)
 
 
+def _shifted(rng, file, question):
+    """A constant in the objective, as the cost of a column that is 1."""
+    shift = float(rng.randint(-8, 8) or 1)
+    file.program.column(1, 1, cost=shift)
+    return _changed(file, shift=shift)
+
+
+def _slacks(rng, file, question):
+    """Each inequality as an equation with a column of its own."""
+    rows = [row for row in file.program.rows if row.sense != "E" and row.range is None]
+    if not rows:
+        raise Unfit("no inequalities")
+    for row in rows:
+        row.terms[file.program.column()] = 1.0 if row.sense == "L" else -1.0
+        row.sense = "E"
+    return _changed(file)
+
+
 RELATIONS = [
     Relation(name, ("mip", ), change)
     for name, change in (("other format", _other_format), ("rows and columns reordered", _reordered),
                          ("columns renamed", _renamed), ("rows scaled", _rows_scaled),
                          ("costs scaled", _costs_scaled), ("costs negated", _opposite),
                          ("columns scaled", _columns_scaled), ("rows repeated", _rows_repeated),
-                         ("column at 1e12", _far_column), ("equations as pairs", _rows_as_pairs))
+                         ("column at 1e12", _far_column), ("equations as pairs", _rows_as_pairs),
+                         ("objective shifted", _shifted), ("inequalities with slacks", _slacks))
 ]

@@ -119,7 +119,7 @@ ZeroOneWorst search(engine::Analysis& analysis, const LimitModel& model,
   const bool m_is_given = parameters.big_m.has_value();
   ZeroOneWorst result;
   if (options.incumbent) {
-    const auto& [objective, values] = *options.incumbent;
+    const auto& [objective, values, proved] = *options.incumbent;
     result.found.upper = objective * model.factor_unit;
     result.motion = Eigen::Map<const Eigen::VectorXd>(
         values.data(), static_cast<Eigen::Index>(model.free_count()));

@@ -150,10 +150,10 @@ TEST(BoundTightening, RangesContainAllPointsWithinTheCutoff) {
       const auto minimum = min_of(mixed, form);
       const auto maximum = min_of(mixed, {{6, -1}, {7, 2}, {0, -3}});
       if (minimum) {
-        EXPECT_LE(range.lower, *minimum + (range.proved ? 0 : 1e-9));
+        EXPECT_LE(range.lower, *minimum + 1e-12);
       }
       if (maximum) {
-        EXPECT_GE(range.upper, -*maximum - (range.proved ? 0 : 1e-9));
+        EXPECT_GE(range.upper, -*maximum - 1e-12);
       }
       if (std::isfinite(range.lower) && std::isfinite(range.upper)) ++bounded;
     }
@@ -166,7 +166,6 @@ TEST(BoundTightening, ReportsAnEmptyRange) {
   BoundTightening ends(mixed.program, -1);  // costs and flows are never negative there
   const auto range = ends.range(std::vector<LinearTerm>{{6, 1}});
   EXPECT_GT(range.lower, range.upper);
-  EXPECT_TRUE(range.proved);
 }
 
 TEST(BigMs, AreReducedToTheLeastValidValues) {
@@ -181,9 +180,8 @@ TEST(BigMs, AreReducedToTheLeastValidValues) {
   program.add_row({.upper = 100}, {{{gamma, 1}, {u, -1}, {tau, 100}}});
   program.add_row({.lower = 0}, {{{gamma, -1}, {u, -1}, {tau, 100}}});
   BigMs big_ms(mixed);
-  const auto done = big_ms.tighten(mixed, 0);
+  big_ms.tighten(mixed, 0);
   EXPECT_EQ(big_ms.smaller(), 2U);
-  EXPECT_TRUE(done.proved);
   EXPECT_NEAR(program.rows[0].upper, 6, 1e-9);
   EXPECT_NEAR(program.entries[2].value, 6, 1e-9);
   EXPECT_NEAR(program.entries[5].value, 8, 1e-9);

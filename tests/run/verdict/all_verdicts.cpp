@@ -251,6 +251,7 @@ void add_programs(std::vector<AnyAnswer>& all) {
       for (const std::uint64_t unproved : {0U, 1U, 4U}) {
         const bool point = state == optimal || state == feasible;
         all.push_back(MixedOptimum{.state = state,
+                                   .standing = standing.value_or(Standing::computed),
                                    .maximise = unproved == 1,
                                    .objective = point ? std::optional(-28.0) : std::nullopt,
                                    .bound = bound(-31, standing),

@@ -185,6 +185,11 @@ TEST(Mps, RecognisesBinaryColumns) {
   EXPECT_THAT(read(integers(" UP B x 1\n")).mixed.binaries, ElementsAre(0));
   EXPECT_THAT(read(integers(" BV B x\n BV B y\n")).mixed.binaries, ElementsAre(0, 1));
   EXPECT_THAT(read(integers(" UI B x 1\n")).mixed.binaries, ElementsAre(0));
+  // Integers also end with the section.
+  EXPECT_THAT(read("ROWS\n N c\nCOLUMNS\n y c 1\n M 'MARKER' 'INTORG'\n x c 2\nRHS\n"
+                   "BOUNDS\n UP B x 1\nENDATA\n")
+                  .mixed.binaries,
+              ElementsAre(1));
   EXPECT_THAT(read(integers(" LI B x 0\n UI B x 1\n")).mixed.binaries, ElementsAre(0));
   EXPECT_THAT(read(integers(" FX B x 3\n")).mixed.binaries, IsEmpty()) << "but fixed";
   EXPECT_THAT(read(integers(" FX B x 1\n UI B y 1\n")).mixed.binaries, ElementsAre(0, 1));
@@ -254,7 +259,6 @@ TEST(Mps, RefusesInvalidAndAmbiguousLinesByNumber) {
       {file(" z c\n"), "t.mps:12: a column of another form"},
       {file(" M 'MARKER' 'INTEND'\n"), "t.mps:12: 'INTEND' without 'INTORG'"},
       {file(" M 'MARKER' 'SOSORG'\n"), "t.mps:12: \"SOSORG\": special ordered sets"},
-      {file(" M 'MARKER' 'INTORG'\nRHS\n"), "t.mps:13: COLUMNS ends among integer columns"},
       {file("RHS\n R l 4\n S g 1\n"), "t.mps:14: a second set \"S\" after \"R\""},
       {file("RHS\n R l 4\n R l 4\n"), "t.mps:14: a second right-hand side of row \"l\""},
       {file("RHS\n R g 1e30\n"), "t.mps:13: the right-hand side 1e+30 of row \"g\""},

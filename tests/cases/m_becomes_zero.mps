@@ -1,0 +1,48 @@
+NAME r
+ROWS
+ N cost
+ G r0
+ G r1
+ G r2
+ L r3
+ L r4
+ L r5
+COLUMNS
+ M0 'MARKER' 'INTORG'
+ x0 cost 900.0
+ x0 r1 8300.0
+ x0 r3 0.0061
+ x0 r4 44.0
+ x0 r5 48000000.0
+ x1 cost 0.05
+ x1 r3 0.0026
+ x2 cost 6.0
+ x2 r0 77000000.0
+ x2 r1 -770000.0
+ x2 r2 -7100000.0
+ x2 r3 -0.038
+ M3 'MARKER' 'INTEND'
+ x3 cost -0.001
+ x3 r2 310000.0
+ x3 r3 4.6e-05
+ x3 r4 -18000000.0
+ x3 r5 -5300.0
+ x4 cost -0.07
+ x4 r1 -9.4e-05
+ x4 r2 94.0
+ x4 r4 -400000.0
+RHS
+ RHS r0 -3.0000000000000004
+ RHS r1 -3.0000000000000004
+ RHS r2 43.0
+ RHS r3 92000.0
+ RHS r4 53000.0
+ RHS r5 0.084
+RANGES
+BOUNDS
+ UP BND x0 1.0
+ UP BND x1 1.0
+ UP BND x2 1.0
+ UP BND x3 10000.0
+ UP BND x4 100000.0
+ENDATA
