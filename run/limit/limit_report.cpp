@@ -140,11 +140,9 @@ void write_interval(std::string& text, const LimitReport& report) {
 std::string evidence_text(const limit::LimitWorstCase& worst) {
   if (worst.cuts == 0 && worst.corners > 0) {
     return fmt::format(
-        "  static evidence: {}{} of the uncertain loads; linear programs: {} load factors, {} in "
-        "the "
+        "  static evidence: {} of the uncertain loads; linear programs: {} load factors, {} in the "
         "tree\n",
-        worst.search == engine::Status::solved ? "all " : "", counted(worst.corners, "corner"),
-        worst.counts.load_factors, worst.tree_programs);
+        counted(worst.corners, "corner"), worst.counts.load_factors, worst.tree_programs);
   }
   return fmt::format(
       "  static evidence: {} cuts, {}{}; linear programs: {} load factors, {} relaxations, {} for "

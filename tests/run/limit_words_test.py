@@ -218,6 +218,19 @@ class Loss(LimitCase):
         self.assertLess(singles.index(least), singles.index("d2-t2"))
 
 
+class FewLoads(LimitCase):
+    def test_a_stopped_enumeration_of_corners_keeps_the_bound_of_its_cuts(self):
+        """Rounds of cuts are left for the 64 corners while the dissipation is limited, which gave no bound."""
+        file = CASES / "tower_of_six_loads.toml"
+        whole, _ = self.found(file, "--alpha", "1.5")
+        run = self.kusabi("limit", file, "--alpha", "1.5", "--node-limit", "2", "--output", self.result)
+        self.assertIn(run.returncode, (0, 3))
+        worst = json.loads(self.result.read_text())["result"]["worst_case"]
+        self.assertIsNotNone(worst["lower"])
+        self.assertLessEqual(worst["lower"], whole["result"]["worst_case"]["upper"])
+        self.assertGreaterEqual(worst["upper"], whole["result"]["worst_case"]["lower"])
+
+
 class Generated(LimitCase):
     """Domes and towers have the numbers of nodes and bars of public examples, and are no mechanisms."""
 

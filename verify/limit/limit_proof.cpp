@@ -272,6 +272,7 @@ bool LimitProof::are_covered(const std::vector<double>& defects,
                              const std::vector<double>& slack) const {
   const double largest = defects.empty() ? 0 : std::ranges::max(defects);
   const auto is_zero = [](double each) { return each == 0; };
+  if (largest == 0) return true;
   if (!std::isfinite(largest) || std::ranges::any_of(slack, is_zero)) return false;
   if (!unit_forces_)
     unit_forces_ = forces_against_unit_defects(

@@ -19,7 +19,7 @@ double CornerChoice::work_for(int signs) const {
 }
 
 bool CornerChoice::is_less_than_a_round() const {
-  return is_less_than(loads_ * first_);
+  return loads_ == 0 || is_less_than(loads_ * first_);
 }
 
 int CornerChoice::signs_within(double work) const {

@@ -12,7 +12,7 @@ class CornerChoice {
   /// @param next mean iterations of (5) for another load, from the basis of the nominal one
   CornerChoice(int loads, double first, double next);
 
-  /// True if all corners take less work than one round of cuts, which has a program like (5) from
+  /// True if there is one corner only, or if all take less work than one round of cuts, which has a program like (5) from
   /// the slack basis for each load.
   [[nodiscard]] bool is_less_than_a_round() const;
 

@@ -63,6 +63,7 @@ class Rounds {
   [[nodiscard]] double work() const;
   [[nodiscard]] CornerChoice corners() const;
   bool leave_to_corners(bool is_less);
+  RootStatus bound_before_corners();
   RootStatus rounds();
 
   const LimitModel& model_;
@@ -75,6 +76,7 @@ class Rounds {
   std::uint64_t iterations_before_;  //
   double share_ = first_share;
   bool limited_ = true;
+  bool has_bound_ = true;  // false if the last cuts have none
   RootResult result_;
 };
 
@@ -173,6 +175,18 @@ bool Rounds::leave_to_corners(bool is_less) {
   return true;
 }
 
+// Solves once more with the last cuts and without the limit of the dissipation, since the bound of
+// the root holds if the search of the corners is stopped, and may meet the upper one.
+RootStatus Rounds::bound_before_corners() {
+  if (limited_) master_.limit_dissipation(linear::infinity);
+  limited_ = false;
+  has_bound_ = master_.solve() && !master_.box_is_active();
+  if (!has_bound_) return master_.is_interrupted() ? RootStatus::stopped : RootStatus::open;
+  result_.lower = master_.objective();
+  const bool meet = result_.worst->collapse.factor - result_.lower <= closed_gap;
+  return meet ? RootStatus::closed : RootStatus::open;
+}
+
 RootStatus Rounds::rounds() {
   if (leave_to_corners(corners().is_less_than_a_round())) return RootStatus::open;
   const Eigen::VectorXd z =
@@ -204,7 +218,7 @@ RootStatus Rounds::rounds() {
         result_.enumerated = corners().signs_within(of_a_round);
       return RootStatus::open;
     }
-    if (leave_to_corners(corners().is_less_than(work()))) return RootStatus::open;
+    if (leave_to_corners(corners().is_less_than(work()))) return bound_before_corners();
   }
   return RootStatus::open;
 }
@@ -219,7 +233,7 @@ RootResult Rounds::run(const Collapse& nominal) {
   switch (result_.status) {
     case RootStatus::open:
     case RootStatus::closed:
-      if (master_.solves() == 0) break;  // no rounds
+      if (master_.solves() == 0 || !has_bound_) break;  // no rounds, or no bound
       // At the box of the relaxation the bound is that of the box.
       if (master_.box_is_active()) result_.status = RootStatus::unbounded;
       if (master_.solve_with_margin(first_room)) result_.proof = master_.proof();

@@ -19,6 +19,44 @@
 
 namespace kusabi::limit {
 
+namespace {
+
+// Takes the best solution of a search, if there is one: a load with a smaller factor, or without.
+void take(const std::vector<SignTree::Solution>& best, RootResult& root) {
+  if (best.empty()) return;
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::VectorXd(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  const auto& found = best.front();
+  if (std::isfinite(found.factor)) {
+    root.worst =
+        Worst{vector(found.zeta), {found.factor, vector(found.forces), vector(found.motion)}};
+  } else {
+    root.status = RootStatus::not_carried;
+    root.overpowering_load = vector(found.zeta);
+    root.overpowering_motion = vector(found.motion);
+  }
+}
+
+// The worst load of a root if it is worse than that of another one.
+std::vector<SignTree::Solution> worse_load(const RootResult& found, const RootResult& known) {
+  const auto numbers = [](const Eigen::VectorXd& vector) {
+    return std::vector<double>(vector.begin(), vector.end());
+  };
+  if (found.status == RootStatus::not_carried) {
+    return {{-linear::infinity,
+             numbers(found.overpowering_load),
+             numbers(found.overpowering_motion),
+             {}}};
+  }
+  if (!found.worst || found.worst->collapse.factor >= known.worst->collapse.factor) return {};
+  const auto& [zeta, collapse] = *found.worst;
+  return {{collapse.factor, numbers(zeta), numbers(collapse.motion), numbers(collapse.forces)}};
+}
+
+}  // namespace
+
 SignSearch search_signs(RootSearch& search, RootResult& root, double alpha, NoFactorProof proof) {
   auto& analysis = search.analysis();
   SignTree tree(search.model(), alpha, root, true, analysis.budget().stop(), std::move(proof));
@@ -44,20 +82,7 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha, NoFa
     if (!outcome.solutions.empty()) found.push_back(outcome.solutions.front().solution);
     return std::pair(found, outcome.status);
   });
-  if (best.empty()) return result;
-  const auto vector = [](const std::vector<double>& values) {
-    return Eigen::VectorXd(
-        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-  };
-  const auto& found = best.front();
-  if (std::isfinite(found.factor)) {
-    root.worst =
-        Worst{vector(found.zeta), {found.factor, vector(found.forces), vector(found.motion)}};
-  } else {
-    root.status = RootStatus::not_carried;
-    root.overpowering_load = vector(found.zeta);
-    root.overpowering_motion = vector(found.motion);
-  }
+  take(best, root);
   return result;
 }
 
@@ -114,23 +139,35 @@ bool WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::
   return true;
 }
 
-// Static cuts for a lower bound on rank 0, which proves it, after a search of corners was stopped.
+// Static cuts for a lower bound on rank 0, which proves it, after a search of corners was stopped. A
+// worse load that they show is taken by all ranks.
 void WorstCaseSearch::bound_in_little_time(RootResult& root) {
   using Clock = std::chrono::steady_clock;
   constexpr auto grace = std::chrono::milliseconds(300);
-  if (!search_.analysis().is_first()) return;
-  const auto end = Clock::now() + grace;
-  const support::Stop stop = [end] { return Clock::now() > end; };
-  LoadFactor load_factor(model(), stop);
-  load_factor.start_from(root.nominal_basis);
-  StaticPricing pricing(model(), stop);
-  auto found = solve_root(model(), search_.scaled(alpha()), search_.nominal(), load_factor,
-                          [&](const Eigen::VectorXd& z, std::span<const int> columns) {
-                            return price_alone(pricing, z, columns);
-                          },
-                          {.stop = stop});
-  root.cuts = std::move(found.cuts);
-  root.proof = std::move(found.proof);
+  // The stop test of a linear program is asked between pieces of it: larger ones would take seconds.
+  constexpr std::uint64_t max_iterations = 4000;
+  const auto iterations = search_.load_factor().first_iterations() * model().uncertain.size();
+  if (iterations > max_iterations) return;
+  take(engine::from_first_rank(search_.analysis().transport(),
+                               [&] {
+                                 const auto end = Clock::now() + grace;
+                                 const support::Stop stop = [end] { return Clock::now() > end; };
+                                 LoadFactor load_factor(model(), stop);
+                                 load_factor.start_from(root.nominal_basis);
+                                 load_factor.restart();
+                                 StaticPricing pricing(model(), stop);
+                                 auto found = solve_root(
+                                     model(), search_.scaled(alpha()), search_.nominal(),
+                                     load_factor,
+                                     [&](const Eigen::VectorXd& z, std::span<const int> columns) {
+                                       return price_alone(pricing, z, columns);
+                                     },
+                                     {.stop = stop});
+                                 root.cuts = std::move(found.cuts);
+                                 root.proof = std::move(found.proof);
+                                 return worse_load(found, root);
+                               }),
+       root);
 }
 
 // Continues from the root with the tree, if it is open, and the proof.
@@ -149,7 +186,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     // Nodes that do not cover all signs prove nothing, but the root does.
     if (tree.status == engine::Status::solved) {
       nodes = std::move(tree.closed);
-    } else if (root.cuts.empty()) {
+    } else if (root.status != RootStatus::not_carried && root.proof.forces.size() == 0) {
       bound_in_little_time(root);
       worst.cuts = root.cuts.size();
     }
