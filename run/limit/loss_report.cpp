@@ -69,9 +69,11 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   const auto failed = static_cast<std::size_t>(
       std::ranges::count(singles, LoadStatus::undetermined, &SingleLoss::status));
   if (failed > 0)
-    fmt::format_to(out, "    {}: {}\n", counted(failed, "member"),
-                   loss.search == engine::Status::solved ? "the simplex method failed"
-                                                         : "not computed before the early end");
+    fmt::format_to(out, "    {}: the simplex method failed\n", counted(failed, "member"));
+  const auto missing = static_cast<std::size_t>(loss.eligible) - singles.size();
+  if (missing > 0) {
+    fmt::format_to(out, "    {}: not computed before the early end\n", counted(missing, "member"));
+  }
   // A larger upper bound of the worst case does not exclude a smaller factor.
   const char* const rest = loss.uncertain ? "for {} of {} no lower factor was found"
                                           : "{} of {} do not lower the factor";

@@ -218,6 +218,51 @@ class Loss(LimitCase):
         self.assertLess(singles.index(least), singles.index("d2-t2"))
 
 
+class NoDeadLoad(LimitCase):
+    TEXT = """name = "hanging node"
+dimension = 2
+units = {{ length = "m", force = "kN" }}
+[nodes]
+a = [0, 0]
+b = [0, 1]
+c = [3, 0]
+d = [-2, 0]
+[[members]]
+yield = 1
+between = [["a", "b"]]
+[[members]]
+yield = 0.25
+between = [["a", "c"], ["a", "d"]]
+[[supports]]
+nodes = ["b", "c", "d"]
+[[loads]]
+kind = "reference"
+nodes = ["a"]
+force = [0, -1]
+"""
+
+    def test_loads_that_cancel_in_doubles_only_are_loads(self):
+        """The sums of 0.1, 0.7, 0.2 and -1, and of 1e16, 1 and -1e16, are zero in doubles and not exactly."""
+        for sizes, largest in (((0.1, 0.7, 0.2, -1), 0), ((1e16, 1, -1e16), None)):
+            loads = "".join(f'[[loads]]\nkind = "dead"\nnodes = ["a"]\nforce = [{size}, 0]\n' for size in sizes)
+            file = self.problem(self.TEXT.format() + loads)
+            certificate = self.folder / "cert"
+            certificate.unlink(missing_ok=True)
+            self.kusabi("limit", file, "--lose", "1", "--certificate", certificate, "--output", self.result)
+            lower = json.loads(self.result.read_text())["result"]["member_loss"]["lower"]
+            if largest is None:
+                self.assertIsNone(lower)
+            if certificate.exists():
+                run = self.kusabi("verify", certificate, "--problem", file)
+                self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+
+    def test_without_any_dead_load_zero_is_carried_exactly(self):
+        certificate = self.folder / "cert"
+        found, _ = self.found(self.problem(self.TEXT.format()), "--lose", "1", "--certificate", certificate)
+        self.assertEqual(found["result"]["member_loss"]["lower"], 0)
+        self.assertEqual(self.kusabi("verify", certificate).returncode, 0)
+
+
 class FewLoads(LimitCase):
     def test_a_stopped_enumeration_of_corners_keeps_the_bound_of_its_cuts(self):
         """Rounds of cuts are left for the 64 corners while the dissipation is limited, which gave no bound."""

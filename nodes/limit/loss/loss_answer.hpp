@@ -36,7 +36,7 @@ struct LossAnswer {
   double sudden = 1;                ///< dynamic factor
   int eligible = 0;                 ///< number of members that may be lost
   double nominal = 0;               ///< load factor of the intact truss
-  std::vector<SingleLoss> singles;  ///< by member; empty if the run was stopped before
+  std::vector<SingleLoss> singles;  ///< by member; fewer if the run was stopped before
   /// The worst loss known, ascending; empty: no loss lowers the factor.
   std::vector<int> lost;
   /// Its collapse; nothing: no factor remains after it.

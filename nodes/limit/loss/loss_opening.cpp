@@ -87,6 +87,7 @@ LossOpener::Found LossOpener::find_state(Opening& here, const IndexSet& lost,
       return Found::state;
     }
   }
+  if (support::is_requested(stop_)) return Found::none;
   piece_.suspect = lost;
   piece_.has_suspect = true;
   return Found::none;

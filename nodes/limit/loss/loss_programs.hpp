@@ -76,7 +76,7 @@ class StateProgram {
   [[nodiscard]] verify::StressState state() const;
 
   /// Members of the basis of the solution, with stress or without: together with those of state()
-  /// their forces can balance any load, unless the truss is a mechanism.
+  /// their forces can usually balance any load.
   /// @pre the result of the last solve was `found`
   [[nodiscard]] support::IndexSet basic_members() const;
 
