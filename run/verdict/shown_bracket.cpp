@@ -11,7 +11,7 @@
 namespace kusabi::run {
 namespace {
 
-/// Numbers with more decimal places than these are shown in full.
+/// Numbers with more decimal places than these are shown with a power of ten.
 constexpr int max_places = 15;
 /// A double has no more significant digits.
 constexpr int all_digits = 17;
@@ -37,9 +37,23 @@ std::string trimmed(std::string number) {
   return number == "-0" ? "0" : number;
 }
 
-// @param way -1: down, 1: up
-std::string rounded(double number, int places, int way) {
-  if (!std::isfinite(number) || places < 0 || places > max_places) return fmt::format("{}", number);
+// "4.869e-96". @param way -1: down, 1: up
+std::string with_power(double number, int digits, int way) {
+  auto text = fmt::format("{:.{}e}", number, digits - 1);
+  const double shown = value_of(text);
+  if (way * (number - shown) > 0) {
+    const double last = std::pow(10, std::floor(std::log10(std::abs(shown))) - digits + 1);
+    text = fmt::format("{:.{}e}", shown + way * last, digits - 1);
+  }
+  const auto power = text.find('e');
+  return trimmed(text.substr(0, power)) + text.substr(power);
+}
+
+// @param digits for numbers with a power of ten @param way -1: down, 1: up
+std::string rounded(double number, int places, int digits, int way) {
+  if (number == 0) return "0";
+  if (!std::isfinite(number) || places < 0) return fmt::format("{}", number);
+  if (places > max_places) return with_power(number, std::min(digits, all_digits), way);
   auto text = fmt::format("{:.{}f}", number, places);
   const double shown = value_of(text);
   if (way * (number - shown) > 0)
@@ -49,17 +63,17 @@ std::string rounded(double number, int places, int way) {
 
 ShownBracket to(double lower, double upper, int digits) {
   const int places = std::max(places_of(lower, digits), places_of(upper, digits));
-  return {rounded(lower, places, -1), rounded(upper, places, 1)};
+  return {rounded(lower, places, digits, -1), rounded(upper, places, digits, 1)};
 }
 
 }  // namespace
 
 std::string rounded_down(double number, int digits) {
-  return rounded(number, places_of(number, digits), -1);
+  return rounded(number, places_of(number, digits), digits, -1);
 }
 
 std::string rounded_up(double number, int digits) {
-  return rounded(number, places_of(number, digits), 1);
+  return rounded(number, places_of(number, digits), digits, 1);
 }
 
 ShownBracket in_sentence(double lower, double upper, int digits) {

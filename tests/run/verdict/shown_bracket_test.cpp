@@ -56,6 +56,14 @@ TEST(ShownBracket, OfEqualBoundsIsEqual) {
   EXPECT_EQ(std::stod(shown.upper), 1.5);
 }
 
+TEST(ShownBracket, OfATinyNumberHasAPowerOfTenAndFewDigits) {
+  EXPECT_EQ(rounded_up(4.8689434088798864e-96), "4.869e-96");
+  EXPECT_EQ(rounded_down(4.8689434088798864e-96), "4.8689e-96");
+  EXPECT_EQ(rounded_down(-4.8689434088798864e-96), "-4.869e-96");
+  EXPECT_EQ(rounded_up(9.999999e-30), "1e-29");
+  EXPECT_EQ(in_sentence(0, 4.8689434088798864e-96).lower, "0");
+}
+
 TEST(ShownBracket, KeepsZero) {
   EXPECT_EQ(rounded_up(-0.0), "0");
   EXPECT_EQ(in_sentence(0, 1e-8).lower, "0");
