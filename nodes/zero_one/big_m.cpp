@@ -112,6 +112,10 @@ class BigMs::Round {
         range.upper <= tight ? tight : std::max(range.upper, sum_up(tight, minimum));
     const double m = big.m > 0 ? sum_down(needed, -tight) : -sum_up(needed, -tight);
     if (!(now - std::abs(m) > min_change * now)) return 0;
+    // At the value one of the binary the row of a positive M is that of the file only if both
+    // differences are exact: a point of a row one rounding error laxer need not be one of the file.
+    const auto is_exact = [](double a, double b) { return sum_up(a, b) == sum_down(a, b); };
+    if (big.m > 0 && !(is_exact(big.upper, -big.m) && is_exact(needed, -tight))) return 0;
     replace(big, m, big.m > 0 ? needed : big.upper);
     return (now - std::abs(m)) / now;
   }

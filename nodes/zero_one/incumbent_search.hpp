@@ -14,7 +14,7 @@ namespace kusabi::zero_one {
 /// A point of the program: its binaries are exactly 0 or 1, its columns are within their bounds,
 /// and rows are satisfied to 1e-12 of their terms.
 struct ZeroOnePoint {
-  double objective = 0;  ///< constant + c'x, correct to its last digits
+  double objective = 0;  ///< constant + c'x; not proved: up to rounding
   std::vector<double> values;
   /// These are the rounded values of a point, in rational numbers, that satisfies all rows.
   bool proved = false;

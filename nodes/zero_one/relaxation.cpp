@@ -178,7 +178,6 @@ bool Relaxation::is_tight(double objective) const {
 void Relaxation::conclude_exactly() {
   for (const std::size_t rows : {mixed_.program.rows.size(), given_rows_}) {
     if (!exact_ || rows < mixed_.program.rows.size()) exact_ = solve_exactly(rows);
-    exact_->duals.resize(mixed_.program.rows.size(), 0.0);
     if (conclude_from(*exact_) || exact_->status == LinearStatus::interrupted) return;
   }
 }
@@ -202,7 +201,6 @@ bool Relaxation::conclude_from(const linear::ExactSolution& solution) {
 linear::ExactSolution Relaxation::exact_point() {
   if (exact_ && exact_->basis.rows() == given_rows_) return *exact_;
   exact_ = solve_exactly(given_rows_);
-  exact_->duals.resize(mixed_.program.rows.size(), 0.0);
   if (exact_->status == LinearStatus::optimal) raise_bound(*exact_);
   if (exact_->status == LinearStatus::infeasible || exact_->status == LinearStatus::interrupted) {
     status_ = exact_->status;
@@ -301,7 +299,8 @@ double Relaxation::bound_if(std::size_t binary, bool at_one) const {
   const double held = at_one ? 1 : 0;
   using linear::rounded::sum_down;
   const auto& residual = safe_.residuals[j];
-  const double now = linear::min_product(residual, node_.lower[j], node_.upper[j]);
+  // The bound may be an exact optimum, to which the column contributes with its exact reduced cost.
+  const double now = linear::max_contribution(residual, node_.lower[j], node_.upper[j]);
   return sum_down(sum_down(bound_, -now), linear::min_product(residual, held, held));
 }
 

@@ -194,7 +194,7 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   out.solution(*std::move(point));
   if (was_whole || nothing_lost) {
     Node closed = node;
-    // A point at a higher precision level also gives a better bound.
+    // An exact point also gives a better bound.
     if (was_whole) closed.bound = std::max(closed.bound, raised(root_.relaxation.bound()));
     close(closed, tally_.leaves);
     return true;

@@ -68,9 +68,11 @@ double MipReport::gap() const {
   return objective() == 0 ? difference : difference / std::abs(objective());
 }
 
-// Of a point, its own; a program without points is as proved as the bounds that exclude them.
+// Of a point that is not known to be optimal, its own; an optimum requires the bound as well, and a
+// program without points the bounds that exclude them.
 Standing MipReport::standing() const {
-  const bool proved = found.point() != nullptr ? found.point()->proved : found.proved();
+  const bool point = found.point() == nullptr || found.point()->proved;
+  const bool proved = point && (found.status() == MixedStatus::feasible || found.proved());
   return proved ? Standing::proved : Standing::computed;
 }
 

@@ -21,7 +21,7 @@ struct MipReport {
   std::uint64_t fingerprint;
   const zero_one::MixedAnswer& found;
 
-  /// Proved bound: no point has a better objective, in the sense of the file.
+  /// No point has a better objective, in the sense of the file.
   [[nodiscard]] double bound() const;
   [[nodiscard]] double objective() const;
   /// |objective - bound| / |objective|; the absolute difference if the objective is zero.

@@ -219,14 +219,13 @@ void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reserv
   const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
   if (has_bound && found.bound && found.bound->standing == Standing::computed) {
     all.push_back(
-        {"The bound is not proved: the program is too large for rational numbers, and any rounding "
-         "error counts without limit where columns have no bounds, or almost so.",
+        {"The bound is not proved in rational numbers, as of a large program or with cuts, and any "
+         "rounding error counts without limit where columns have no bounds, or almost so.",
          false});
   }
   if (found.objective && found.standing == Standing::computed) {
     all.push_back(
-        {"The point is not proved: the program is too large for rational numbers, and the "
-         "point satisfies its rows up to rounding.",
+        {"The point is not proved to satisfy its rows, or not to be optimal, in rational numbers.",
          false});
   }
 }

@@ -154,8 +154,10 @@ ExactSolution solve_exactly(const LinearProgram& program, const Basis& start,
     open.status = LinearStatus::infeasible;
     return open;
   }
+  bool too_much = false;
   if (!start.empty()) {
-    if (auto found = proof_by_basis(program, start, -1, stop)) return *std::move(found);
+    if (auto found = proof_by_basis(program, start, -1, stop, too_much)) return *std::move(found);
+    if (too_much) return open;  // the exact method would begin with the same elimination
   }
   ExactGlpk glpk(program);
   if (!glpk.is_exact()) return open;
@@ -176,7 +178,7 @@ ExactSolution solve_exactly(const LinearProgram& program, const Basis& start,
       return open;
     }
     if (code != 0) continue;
-    auto found = proof_by_basis(program, glpk.basis(), glpk.entering(), stop);
+    auto found = proof_by_basis(program, glpk.basis(), glpk.entering(), stop, too_much);
     if (found) return *std::move(found);
   }
   return open;

@@ -89,7 +89,7 @@ class RationalBasis {
   }
 
   // False if the basis is none, or too much work.
-  bool solve(const support::Stop& stop) {
+  bool solve(const support::Stop& stop, bool& too_much) {
     for (std::size_t k = 0; k < variables_.size(); ++k) {
       const bool basic = variables_[k].place == BasisStatus::basic;
       if (k < rows_ ? basic : !basic) continue;
@@ -120,7 +120,7 @@ class RationalBasis {
         right[p] -= value * values_[rows_ + j];
       }
     }
-    factor_ = RationalFactor::of(std::move(matrix), stop);
+    factor_ = RationalFactor::of(std::move(matrix), stop, too_much);
     if (!factor_) return false;
     const auto basic = factor_->solve(std::move(right));
     for (std::size_t p = 0; p < basic.size(); ++p) values_[kernel_columns_[p]] = basic[p];
@@ -263,9 +263,10 @@ class RationalBasis {
 }  // namespace
 
 std::optional<ExactSolution> proof_by_basis(const LinearProgram& program, const Basis& basis,
-                                            int entering, const support::Stop& stop) {
+                                            int entering, const support::Stop& stop,
+                                            bool& too_much) {
   RationalBasis rational(program, basis);
-  if (!rational.solve(stop)) return {};
+  if (!rational.solve(stop, too_much)) return {};
   auto found = rational.optimum();
   if (!found) found = rational.infeasibility();
   if (!found && entering >= 0)

@@ -6,9 +6,10 @@
 namespace kusabi::linear {
 namespace {
 
-// Limit of the work of an elimination, in words of the numbers that it computes: about a second.
-// It is counted, not timed, so that a result does not depend on the machine.
-constexpr std::uint64_t max_words = 20'000'000;
+// Limit of the work of an elimination, in squares of the numbers of words that it computes, to which
+// the time of their greatest common divisors is proportional: less than a second. It is counted, not
+// timed, so that a result does not depend on the machine.
+constexpr std::uint64_t max_work = 20'000'000;
 
 std::uint64_t words(const mpq_class& number) {
   return mpz_size(number.get_num_mpz_t()) + mpz_size(number.get_den_mpz_t());
@@ -16,7 +17,8 @@ std::uint64_t words(const mpq_class& number) {
 
 }  // namespace
 
-std::optional<RationalFactor> RationalFactor::of(std::vector<Row> rows, const support::Stop& stop) {
+std::optional<RationalFactor> RationalFactor::of(std::vector<Row> rows, const support::Stop& stop,
+                                                 bool& too_much) {
   RationalFactor factor;
   std::vector<std::set<std::size_t>> in_column(rows.size());  // rows that are not yet pivots
   std::set<std::pair<std::size_t, std::size_t>> shortest;     // their numbers of entries
@@ -26,7 +28,8 @@ std::optional<RationalFactor> RationalFactor::of(std::vector<Row> rows, const su
   }
   std::uint64_t work = 0;
   while (!shortest.empty()) {
-    if (work > max_words || support::is_requested(stop)) return {};
+    too_much = work > max_work;
+    if (too_much || support::is_requested(stop)) return {};
     const auto [count, from] = *shortest.begin();
     if (count == 0) return {};  // singular
     shortest.erase(shortest.begin());
@@ -48,7 +51,7 @@ std::optional<RationalFactor> RationalFactor::of(std::vector<Row> rows, const su
         if (at == column) continue;
         auto& changed = row[at];
         changed -= ratio * entry;
-        work += words(changed);
+        work += words(changed) * words(changed);
         if (sgn(changed) != 0) {
           in_column[at].insert(i);
         } else {

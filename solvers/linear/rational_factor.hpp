@@ -22,7 +22,9 @@ class RationalFactor {
 
   /// Gaussian elimination with Markowitz pivots. Nothing if the matrix is singular, the work
   /// exceeds its limit, or a stop is requested.
-  static std::optional<RationalFactor> of(std::vector<Row> rows, const support::Stop& stop);
+  /// @param too_much set to true if the work exceeds its limit
+  static std::optional<RationalFactor> of(std::vector<Row> rows, const support::Stop& stop,
+                                          bool& too_much);
 
   /// x with A x = b.
   [[nodiscard]] Rationals solve(Rationals b) const;

@@ -52,6 +52,15 @@ double min_product(const Interval& residual, double lower, double upper) {
                    product_down(residual.upper, lower), product_down(residual.upper, upper)});
 }
 
+double max_contribution(const Interval& residual, double lower, double upper) {
+  const auto least = [&](double cost) {
+    return std::min(rounded::product_up(cost, lower), rounded::product_up(cost, upper));
+  };
+  // The minimum is concave in r, and zero at zero.
+  const double ends = std::max(least(residual.lower), least(residual.upper));
+  return residual.lower < 0 && residual.upper > 0 ? std::max(ends, 0.0) : ends;
+}
+
 SafeBound safe_bound(const LinearProgram& program, std::span<const double> duals,
                      std::span<const double> lower, std::span<const double> upper) {
   return bound(program, duals, lower, upper, true);

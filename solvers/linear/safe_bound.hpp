@@ -39,6 +39,11 @@ SafeBound safe_bound(const LinearProgram& program, std::span<const double> duals
 /// one column.
 double min_product(const Interval& residual, double lower, double upper);
 
+/// Maximum over r in `residual` of the minimum of r x over x in [lower, upper], rounded up: no more
+/// than this is the contribution of the column to a bound.
+/// @param lower, upper finite
+double max_contribution(const Interval& residual, double lower, double upper);
+
 /// The bound without costs: above zero if no point satisfies all rows and bounds.
 double safe_infeasibility(const LinearProgram& program, std::span<const double> duals,
                           std::span<const double> lower, std::span<const double> upper);

@@ -145,6 +145,26 @@ TEST_F(MipCommand, KeepsAllPointsWhenAnMBecomesZero) {
   EXPECT_NEAR(answer.result["objective"], -6110, 1e-9);
 }
 
+// By hand: tau = 1 needs x of 0.8, one rounding error above its bound, so s = 1 and tau = 0; and all
+// variables are zero, as x = 1 costs s = t = 1.
+TEST_F(MipCommand, ProvesNoPointOfARowThatIsOneRoundingErrorLaxer) {
+  for (const auto& way : ways) {
+    EXPECT_EQ(solve(source("cases/m_one_rounding_laxer.lp"), way).result["objective"], 3) << way;
+    EXPECT_EQ(solve(source("cases/reduced_cost_one_rounding_off.lp"), way).result["objective"], 0)
+        << way;
+  }
+}
+
+// With cuts and columns without bounds the bound is computed, and so is the optimum.
+TEST_F(MipCommand, CallsAnOptimumProvedIfItsBoundIs) {
+  const auto file = source("cases/free_columns_with_cuts.lp");
+  EXPECT_THAT(solve(file).said, testing::HasSubstr("The optimum is -7 (proved)"));
+  const auto with_cuts = solve(file, "--cuts disjunctive");
+  if (with_cuts.result["proved"] == false) {
+    EXPECT_THAT(with_cuts.said, testing::Not(testing::HasSubstr("The optimum is -7 (proved)")));
+  }
+}
+
 // A stopped search makes true claims: of a point, of a bound, or of neither.
 TEST_F(MipCommand, SaysWhatHoldsWhenItIsStopped) {
   for (const auto& [name, optimum] : {std::pair{"tiny_optimum.lp", 5e-11}, {"b_1e12.mps", 1.0}}) {

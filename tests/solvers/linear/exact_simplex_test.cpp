@@ -115,11 +115,12 @@ TEST(ExactSimplex, EndsWhenItIsStopped) {
 TEST(RationalFactor, SolvesWithAMatrixAndItsTransposed) {
   // Nearly singular: the second row is the first plus 2^-60 in one entry.
   const mpq_class one_more = 1 + mpq_class(0x1p-60);
-  const auto factor = RationalFactor::of({{{0, 1}, {1, 1}}, {{0, 1}, {1, one_more}}}, {});
+  bool too_much = false;
+  const auto factor = RationalFactor::of({{{0, 1}, {1, 1}}, {{0, 1}, {1, one_more}}}, {}, too_much);
   ASSERT_TRUE(factor.has_value());
   EXPECT_THAT(factor->solve({2, 2 + mpq_class(0x1p-60)}), ElementsAre(1, 1));
   EXPECT_THAT(factor->solve_transposed({3, 1 + 2 * one_more}), ElementsAre(1, 2));
-  EXPECT_FALSE(RationalFactor::of({{{0, 1}, {1, 2}}, {{0, 2}, {1, 4}}}, {}).has_value());
+  EXPECT_FALSE(RationalFactor::of({{{0, 1}, {1, 2}}, {{0, 2}, {1, 4}}}, {}, too_much).has_value());
 }
 
 }  // namespace
