@@ -195,7 +195,7 @@ constexpr Registration example_dome_subcommand{
      .chapter = "Generated problem files",
      .purpose = "dome for limit analysis",
      .description = "A dome with a reference load and four uncertain loads for limit analysis.",
-     .example = "--kind lantern --rings 7 --sectors 24 --output dome.toml"},
+     .example = "--kind lantern --rings 7 --output dome.toml"},
     make<Dome>};
 
 constexpr Registration example_tower_subcommand{

@@ -44,7 +44,7 @@ class Completion(KusabiCase):
         self.assertIn("example", self.completed("kusabi "))
         self.assertIn("help", self.completed("kusabi "))
         self.assertEqual(self.completed("kusabi --ver"), ["--version"])
-        self.assertEqual(self.completed("kusabi example "), ["space-truss", "plane-truss", "grid"])
+        self.assertEqual(self.completed("kusabi example "), ["space-truss", "plane-truss", "grid", "dome", "tower"])
         self.assertEqual(self.completed("kusabi help exp"), ["export"])
         self.assertEqual(self.completed("kusabi help bench u"), ["uts"])
         self.assertEqual(self.completed("kusabi --completion z"), ["zsh"])

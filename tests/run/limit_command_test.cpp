@@ -48,11 +48,12 @@ TEST_F(LimitCommand, ProvesATrussWithAChainOfUnstressedBars) {
 
 TEST_F(LimitCommand, NamesTheUncertainLoadsOfTheWorstCase) {
   const auto call = example("gust.toml") + " --alpha 0.5";
-  EXPECT_THAT(shell(command + " limit " + call).output,
-              AllOf(HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust: 0.5 times\n"
-                              "    +where the load stands: 0.5 times\n"),
-                    HasSubstr("worst case of 4 uncertain loads, alpha = 0.5\n"),
-                    HasSubstr("for every dead load within ± 0.5 times its uncertain part.")));
+  EXPECT_THAT(
+      shell(command + " limit " + call).output,
+      AllOf(HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust (at a1 a2 a3): 0.5 times\n"
+                      "    +where the load stands (at a3 b3): 0.5 times\n"),
+            HasSubstr("worst case of 4 uncertain loads, alpha = 0.5\n"),
+            HasSubstr("for every dead load within ± 0.5 times its uncertain part.")));
   EXPECT_THAT(shell(command + " limit " + example("static-gap.toml") + " --alpha 0.35").output,
               HasSubstr(", alpha = 0.35 kN\n"));
   const auto json = result_of(call);

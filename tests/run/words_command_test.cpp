@@ -251,7 +251,8 @@ TEST_F(TableText, ShowsALongListInGroupsOnATerminal) {
 TEST_F(TableText, NamesTheMostUtilisedMembersOfACollapseFirst) {
   const auto table = answer("limit " + example("gust.toml") + " --alpha 0.5");
   const auto json = result();
-  EXPECT_THAT(table, HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust: 0.5 times\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust (at a1 a2 a3): 0.5 times\n"));
   const auto said = last_line(table);
   for (const auto& each : json["result"]["collapse_mode"]["yielding"]) {
     EXPECT_THAT(said, HasSubstr(fmt::format("{}-{}", each["member"][0].get<std::string>(),
