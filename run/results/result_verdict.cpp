@@ -20,7 +20,7 @@ class WrittenVerdict {
       : reader_(reader), verdict_(reader.at(reader.all(), "verdict")) {}
 
   [[nodiscard]] Verdict verdict() const {
-    Verdict verdict{.ended = ended_as(reader_, reader_.text(verdict_, "ended")),
+    Verdict verdict{.ended = ended(),
                     .nodes_left = count(verdict_, "nodes_left"),
                     .details = reader_.names(verdict_, "details"),
                     .missing = reader_.names(verdict_, "missing")};
@@ -57,6 +57,15 @@ class WrittenVerdict {
   }
 
  private:
+  [[nodiscard]] engine::Status ended() const {
+    using enum engine::Status;
+    const auto word = reader_.text(verdict_, "ended");
+    for (const auto each :
+         {solved, time_limit, node_limit, solution_limit, gap_limit, interrupted}) {
+      if (word == status_name(each)) return each;
+    }
+    reader_.refuse("'ended' is not the end of a search");
+  }
   [[nodiscard]] std::uint64_t count(const ResultJson& object, const char* key) const {
     const auto& value = reader_.at(object, key);
     if (!value.is_number_unsigned()) reader_.refuse(fmt::format("'{}' is not a count", key));
@@ -88,16 +97,11 @@ class WrittenVerdict {
       reader_.refuse(fmt::format("'{}' is neither proved nor computed", key));
     return word == "proved" ? Standing::proved : Standing::computed;
   }
-  // Files from before they were written have none.
-  [[nodiscard]] Grounds grounds(const ResultJson& answer, Grounds usual) const {
-    if (ResultReader::find(answer, "grounds") == nullptr) return usual;
+  [[nodiscard]] Grounds grounds(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "grounds");
     for (const auto each : {Grounds::exact_arithmetic, Grounds::solver_bounds})
       if (word == grounds_name(each)) return each;
     reader_.refuse("'grounds' is neither exact-arithmetic nor solver-bounds");
-  }
-  [[nodiscard]] std::uint64_t some_count(const ResultJson& object, const char* key) const {
-    return ResultReader::find(object, key) == nullptr ? 0 : count(object, key);
   }
   [[nodiscard]] std::optional<Standing> some_standing(const ResultJson& object,
                                                       const char* key) const {
@@ -128,8 +132,8 @@ class WrittenVerdict {
             .count = digits(answer, "count"),
             .undecided = count(answer, "undecided"),
             .standing = standing(answer, "standing"),
-            .grounds = grounds(answer, Grounds::solver_bounds),
-            .degenerate = some_count(answer, "degenerate"),
+            .grounds = grounds(answer),
+            .degenerate = count(answer, "degenerate"),
             .ambiguous = truth(answer, "ambiguous"),
             .remainder = remainder(answer),
             .displacement_ratio = some_number(answer, "displacement_ratio"),
@@ -201,7 +205,7 @@ class WrittenVerdict {
             .width = reader_.number(answer, "width"),
             .wide = truth(answer, "wide"),
             .patterns_open = truth(answer, "patterns_open"),
-            .grounds = grounds(answer, Grounds::exact_arithmetic),
+            .grounds = grounds(answer),
             .displacement_ratio = some_number(answer, "displacement_ratio")};
   }
   [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
@@ -250,8 +254,7 @@ class WrittenVerdict {
             .half_width = some_number(answer, "half_width"),
             .force = some_text(answer, "force"),
             .worst = bracket(answer, "worst"),
-            .minimum = ResultReader::find(answer, "least") ? bracket(answer, "least")
-                                                           : min_factor_of_last_point(reader_),
+            .minimum = bracket(answer, "least"),
             .worst_at_none = some_standing(answer, "worst_at_none"),
             .points = count(answer, "points"),
             .points_asked = count(answer, "points_asked"),
@@ -262,7 +265,7 @@ class WrittenVerdict {
     const auto state = std::ranges::find(mixed_states, word);
     if (state == mixed_states.end()) reader_.refuse("'state' is not that of a program");
     return {.state = static_cast<MixedOptimum::State>(state - mixed_states.begin()),
-            .standing = some_standing(answer, "standing").value_or(Standing::computed),
+            .standing = standing(answer, "standing"),
             .maximise = truth(answer, "maximise"),
             .objective = some_number(answer, "objective"),
             .bound = bound(answer, "bound"),
@@ -276,44 +279,8 @@ class WrittenVerdict {
 
 }  // namespace
 
-engine::Status ended_as(const ResultReader& reader, const std::string& status) {
-  using enum engine::Status;
-  if (status == "not-carried" || status == "open") return solved;
-  for (const auto each : {solved, time_limit, node_limit, solution_limit, gap_limit, interrupted}) {
-    if (status == status_name(each)) return each;
-  }
-  reader.refuse("'status' is not that of a search");
-}
-
-namespace {
-
-// Files from before answers had the key `struts` state bounds at full strength, which bound the
-// factors that are carried from outside only.
-void leave_outer_bounds(LoadInterval& found) {
-  found.struts = true;
-  found.minimum.upper.reset();
-  found.maximum.lower.reset();
-}
-
-void leave_outer_bounds(MemberLoss& found) {
-  found.struts = true;
-  found.factor.lower.reset();
-  if (found.reached == true) found.reached.reset();
-}
-
-}  // namespace
-
 Verdict result_verdict(const ResultReader& reader) {
-  auto verdict = ResultReader::find(reader.all(), "verdict") == nullptr
-                     ? older_verdict(reader)
-                     : WrittenVerdict(reader).verdict();
-  const auto* const result = ResultReader::find(reader.all(), "result");
-  if (result == nullptr || ResultReader::find(*result, "struts") == nullptr) return verdict;
-  if (auto* const load = std::get_if<LoadInterval>(&verdict.answer); load && !load->struts)
-    leave_outer_bounds(*load);
-  if (auto* const loss = std::get_if<MemberLoss>(&verdict.answer); loss && !loss->struts)
-    leave_outer_bounds(*loss);
-  return verdict;
+  return WrittenVerdict(reader).verdict();
 }
 
 }  // namespace kusabi::run

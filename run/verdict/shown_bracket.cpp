@@ -49,10 +49,12 @@ std::string with_power(double number, int digits, int way) {
   return trimmed(text.substr(0, power)) + text.substr(power);
 }
 
+// Beside a tiny bound, one of ordinary size has its own places: "-5.1235", not "-5.1235e+00".
 // @param digits for numbers with a power of ten @param way -1: down, 1: up
 std::string rounded(double number, int places, int digits, int way) {
   if (number == 0) return "0";
   if (!std::isfinite(number) || places < 0) return fmt::format("{}", number);
+  if (places > max_places) places = places_of(number, digits);
   if (places > max_places) return with_power(number, std::min(digits, all_digits), way);
   auto text = fmt::format("{:.{}f}", number, places);
   const double shown = value_of(text);

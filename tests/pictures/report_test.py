@@ -325,18 +325,17 @@ class Report(KusabiCase):
 
     def test_marks_an_incomplete_answer(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
-        for key in ("verdict", "warnings"):  # of a file that an older version has written
-            del result[key]
-        result.update(status="time-limit")
+        verdict = result["verdict"]
+        verdict.update(ended="time-limit")
         self.result.write_text(json.dumps(result))
         page = self.page()
         self.assertIn("are known", self.verdict(page))
         self.assertIn("time-limit", page.with_id("reservations").text())
-        result["result"].update(count=0, patterns=[])
+        verdict["answer"].update(count="0")
         self.result.write_text(json.dumps(result))
         self.assertIn("not known", self.verdict(self.page()))
-        result["status"] = "solved"
-        result["result"]["undecided"] = 2
+        verdict.update(ended="solved")
+        verdict["answer"].update(undecided=2)
         self.result.write_text(json.dumps(result))
         self.assertIn("not known", self.verdict(self.page()))
 
@@ -366,8 +365,9 @@ class Report(KusabiCase):
 
     def test_marks_a_bound_that_is_not_proved(self):
         result = self.solve("critical", "plane-truss.toml")
-        del result["verdict"]
-        result["result"]["critical_friction"].update(upper=None, lower_proved=False, upper_proved=False)
+        bracket = result["verdict"]["answer"]["bracket"]
+        bracket["lower"].update(standing="computed")
+        bracket.update(upper=None)
         result["result"]["patterns"] = []
         self.result.write_text(json.dumps(result))
         page = self.page()
@@ -452,6 +452,7 @@ class Report(KusabiCase):
             ("{", "is not a JSON object"), (nested(32), "'problem' is missing"),
             (nested(33), "is nested deeper than 32;"),
             (without(result, "status"), "'status' is missing"),
+            (without(result, "verdict"), "'verdict' is missing"),
             (without(result, "verdict", "answer", "count"), "'count' is missing"),
             (without(result, "version"), "'version' is missing"),
             (without(result, "problem", "structure"), "'structure' is missing"),

@@ -62,6 +62,7 @@ TEST(ShownBracket, OfATinyNumberHasAPowerOfTenAndFewDigits) {
   EXPECT_EQ(rounded_down(-4.8689434088798864e-96), "-4.869e-96");
   EXPECT_EQ(rounded_up(9.999999e-30), "1e-29");
   EXPECT_EQ(in_sentence(0, 4.8689434088798864e-96).lower, "0");
+  EXPECT_EQ(in_sentence(-5.12345678, 4.8689434088798864e-96).lower, "-5.1235");
 }
 
 TEST(ShownBracket, KeepsZero) {
