@@ -60,7 +60,7 @@ class Result(dict):
     remarks: further messages of the command, one line each: warnings, open parts, the call that
     resumes.
     sentence, reservations, warnings: the answer, its limitations and the warnings about the input,
-    as in the table and the report; empty for files of version 0.1.
+    as in the table and the report.
     """
 
     def __init__(self, content, partial=None, remarks=()):
@@ -70,11 +70,11 @@ class Result(dict):
 
     @property
     def sentence(self):
-        return self.get("verdict", {}).get("sentence", "")
+        return self["verdict"]["sentence"]
 
     @property
     def reservations(self):
-        return self.get("verdict", {}).get("reservations", [])
+        return self["verdict"]["reservations"]
 
     @property
     def warnings(self):
@@ -307,20 +307,7 @@ def _stamp(path):
 
 def _is_partial(content):
     """True for exit code 3, determined from the file alone."""
-    if "verdict" in content:
-        return not content["verdict"]["answered"]
-    answer = content["result"]  # version 0.1
-    if content["status"] not in ("solved", "not-carried"):
-        return True
-    if content["command"] == "patterns":
-        return answer["marginal"] + answer["undecided"] > 0
-    if content["command"] == "critical":
-        return bool(answer.get("open", answer.get("doubtful")))  # "doubtful" in version 0.1
-    if content["command"] == "sweep":
-        return bool(answer.get("open")) or any(each.get("count", 0) is None for each in answer["points"])
-    if content["command"] == "mip":
-        return answer["answer"] in ("feasible", "unknown")
-    return False
+    return not content["verdict"]["answered"]
 
 
 def _patterns(result):

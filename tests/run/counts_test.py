@@ -90,7 +90,7 @@ class Counts(KusabiCase):
         self.assertEqual(rows[-1]["count"], 2 ** 64)
 
     def test_a_count_of_thousands_of_digits_is_an_integer_in_python(self):
-        content = {"command": "patterns", "problem": {}, "status": "solved",
+        content = {"command": "patterns", "problem": {}, "status": "solved", "verdict": {"answered": True},
                    "result": {"count": "9" * 5000, "marginal": 0, "undecided": 0}}
         self.result.write_text(json.dumps(content))
         self.assertEqual(kusabi.load(self.result).answer["count"], 10 ** 5000 - 1)
