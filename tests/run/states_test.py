@@ -135,24 +135,6 @@ class States(KusabiCase):
         self.assertEqual(said["reservations"], result["verdict"]["reservations"])
         self.assertEqual(said["warnings"], ["Warning: " + each for each in result["warnings"]])
 
-    def check_older(self, result):
-        """A file of an older version, which has no verdict, leads to the same one."""
-        older = {key: value for key, value in result.items() if key not in ("verdict", "warnings")}
-        self.result.write_text(json.dumps(older))
-        page = Header(self.kusabi("report", self.result).stdout).found
-        said = page["verdict"]
-        # States that older versions do not have: one pattern instead of a list, degenerate nodes of a
-        # certificate.
-        answer = result["verdict"]["answer"]
-        if "example" in answer or answer.get("degenerate") and result["verdict"]["exit_code"] == 3:
-            return
-        # Older versions neither write least factors nor prove nominal ones.
-        if result["command"] != "limit" and answer["kind"] != "load-steps":
-            self.assertEqual(said, [result["verdict"]["sentence"]])
-        if answer["kind"] == "sticking" and not result["result"]["exact"]["done"]:
-            self.assertEqual(answer["standing"] == "computed", any("not proved in exact" in each for each in page["reservations"]))
-        self.assertEqual(kusabi.load(self.result).partial, result["verdict"]["exit_code"] == 3)
-
     def check_facts(self, result):
         """Other keys of the result file do not contradict its verdict."""
         verdict, answer, found = result["verdict"], result["verdict"]["answer"], result["result"]
@@ -203,8 +185,7 @@ class States(KusabiCase):
         self.assertEqual(kusabi.load(self.result).partial, code == 3)
         if command != "mip":
             self.check_report(result)
-            self.check_older(result)
-
+    
     def test_all_outputs_agree(self):
         for state, code, *call in STATES:
             with self.subTest(state, call=" ".join(map(str, call))):
