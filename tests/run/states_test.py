@@ -138,6 +138,9 @@ class States(KusabiCase):
     def check_facts(self, result):
         """Other keys of the result file do not contradict its verdict."""
         verdict, answer, found = result["verdict"], result["verdict"]["answer"], result["result"]
+        if answer["kind"] == "sticking":
+            self.assertEqual(answer["standing"] == "computed",
+                             any("not proved in exact" in each for each in verdict["reservations"]))
         if verdict["ended"] != "solved":
             self.assertEqual(result["status"], verdict["ended"])
         if answer["kind"] == "sticking":
@@ -185,7 +188,7 @@ class States(KusabiCase):
         self.assertEqual(kusabi.load(self.result).partial, code == 3)
         if command != "mip":
             self.check_report(result)
-    
+
     def test_all_outputs_agree(self):
         for state, code, *call in STATES:
             with self.subTest(state, call=" ".join(map(str, call))):
