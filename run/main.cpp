@@ -4,12 +4,12 @@
 #include <exception>
 #include <string>
 
+#include "answer/exit_code.hpp"
 #include "engine/collectives.hpp"
 #include "engine/transport/reason.hpp"
 #include "run/command/command_line.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/config_file.hpp"
-#include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/session.hpp"
@@ -19,13 +19,14 @@
 namespace {
 
 using namespace kusabi::run;
+namespace answer = kusabi::answer;
 
 int refuse(Session& session, const std::string& message) {
   if (session.is_first()) {
     std::fflush(stdout);
     print_message("{}\n", message);
   }
-  return wrong_input;
+  return answer::wrong_input;
 }
 
 int run(Session& session, int argc, char** argv) {
@@ -33,13 +34,13 @@ int run(Session& session, int argc, char** argv) {
   const auto asked = parse(list, argc, argv);
   if (asked.entry == nullptr) {
     if (session.is_first()) print_answer(asked.text);
-    return asked.wrong ? wrong_input : solved;
+    return asked.wrong ? answer::wrong_input : answer::solved;
   }
   auto& entry = *asked.entry;
   const auto* const serial = entry.table.find("--serial");
   if (const auto fault = session.fault_of_launch(serial != nullptr && serial->given)) {
     if (!fault->empty()) refuse(session, "kusabi: " + *fault);
-    return wrong_input;
+    return answer::wrong_input;
   }
   const auto defaults = take_defaults(session, list, entry);
   require_options(entry);
@@ -61,11 +62,11 @@ int main(int argc, char** argv) {
     return refuse(session, error.what());
   } catch (const kusabi::engine::RankMismatch& error) {
     if (session.is_first()) print_message("kusabi: {}\n", error.what());
-    return failed;
+    return answer::failed;
   } catch (const std::exception& error) {
     const auto reason = kusabi::engine::reason_of(error.what());
     session.transport().abandon(reason);
     print_message("kusabi: {}\n", reason);
-    return failed;
+    return answer::failed;
   }
 }

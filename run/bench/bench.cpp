@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "answer/exit_code.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "run/bench/bench_scaling.hpp"
@@ -10,7 +11,6 @@
 #include "run/bench/bench_uts.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
-#include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -20,14 +20,16 @@ namespace {
 class Bench : public Subcommand {
  public:
   void search(CommandRun& run) final {
-    const bool good = measure(run.session()) == solved;
+    const bool good = measure(run.session()) == answer::solved;
     // A reduction adds: the number of ranks on which a measurement failed.
     const auto all =
         engine::all_reduce(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
     agrees_ = all.found == 0;
   }
   std::vector<Step> results(CommandRun& /*run*/) final { return {flush_standard_output}; }
-  [[nodiscard]] Verdict verdict() const final { return {.answer = Measurement{.agrees = agrees_}}; }
+  [[nodiscard]] answer::Verdict verdict() const final {
+    return {.answer = answer::Measurement{.agrees = agrees_}};
+  }
 
  protected:
   /// @return the exit code of this rank

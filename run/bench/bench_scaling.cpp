@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "answer/exit_code.hpp"
 #include "engine/simulation.hpp"
 #include "nodes/benchmark/recorded_tree.hpp"
 #include "nodes/benchmark/sized_tree.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
-#include "run/output/exit_code.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -136,7 +136,7 @@ int bench_scaling(Session& session, const BenchScalingOptions& options) {
     const auto& standard = benchmark::standard_tree(options.tree);
     of_equal_nodes(benchmark::UnbalancedTree(standard.parameters), standard.counts.nodes);
   }
-  return solved;
+  return answer::solved;
 }
 
 }  // namespace kusabi::run

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "answer/exit_code.hpp"
 #include "engine/simulation.hpp"
 #include "nodes/benchmark/sized_tree.hpp"
-#include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -139,7 +139,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
   }
   fmt::print("{} schedules{}, {} failed\n", tried,
              step == 1 ? "" : fmt::format(" on rank {}", session.transport().rank()), failed_seeds);
-  return failed_seeds == 0 ? solved : failed;
+  return failed_seeds == 0 ? answer::solved : answer::failed;
 }
 
 }  // namespace kusabi::run

@@ -16,11 +16,11 @@
 #include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
+#include "answer/exit_code.hpp"
 #include "engine/collectives.hpp"
 #include "engine/search.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "run/bench/paired_turns.hpp"
-#include "run/output/exit_code.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -237,7 +237,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
       fastest = std::move(outcome);
     }
   }
-  if (!session.is_first()) return right ? solved : failed;
+  if (!session.is_first()) return right ? answer::solved : answer::failed;
 
   print_ranks(fastest);
   fmt::print("\n");
@@ -245,7 +245,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
   if (!right) fmt::print("WRONG: the counts of some round differ\n");
   fmt::print("\n");
   print_speed(least, fastest.opened(), ratios, session.ranks() == 1);
-  return right ? solved : failed;
+  return right ? answer::solved : answer::failed;
 }
 
 }  // namespace kusabi::run

@@ -13,19 +13,20 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "answer/ending.hpp"
+#include "answer/values.hpp"
+#include "answer/verdict_json.hpp"
+#include "answer/words.hpp"
 #include "engine/collectives.hpp"
 #include "engine/signals.hpp"
 #include "engine/transport/mpi.hpp"
+#include "run/output/conclusion_text.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
-#include "run/verdict/conclusion_text.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/verdict_json.hpp"
-#include "run/verdict/words.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -66,7 +67,7 @@ int CommandRun::execute() {
   }
   if (shows()) announce();
   command_.search(*this);
-  std::uint64_t code = solved;
+  std::uint64_t code = answer::solved;
   if (session_.is_first()) {
     auto steps = command_.results(*this);
     if (journal_options_) steps.insert(steps.begin(), [this] { write_status(); });
@@ -75,19 +76,19 @@ int CommandRun::execute() {
       for (const auto& name : outputs_.written()) print_message("wrote {}\n", name);
     }
     const auto reached = verdict();
-    const auto exit = exit_code(reached);
+    const auto exit = answer::exit_code(reached);
     print_open_reservations(reached);
     auto remarks = command_.remarks(*this);
     if (journal_options_ && reached.ended != engine::Status::solved)
       remarks.insert(remarks.begin(), how_to_go_on(reached.ended));
     for (const auto& remark : remarks) {
-      if (exit == solved) {
+      if (exit == answer::solved) {
         print_message("{}\n", remark);
       } else {
         print_warning(remark);
       }
     }
-    if (journal_ && exit == solved) journal_->finish();
+    if (journal_ && exit == answer::solved) journal_->finish();
     code = static_cast<std::uint64_t>(exit);
   }
   // Reduction of a value of rank 0 only; the other ranks sleep until it has written.
@@ -99,11 +100,11 @@ int CommandRun::execute() {
 // is killed meanwhile.
 void CommandRun::write_status() const {
   OutputFile file("--resume", journal_options_->file + status_ending, input());
-  file.stream() << status_text(verdict()) << '\n';
+  file.stream() << answer::status_text(verdict()) << '\n';
   file.put_in_place();
 }
 
-Verdict CommandRun::verdict() const {
+answer::Verdict CommandRun::verdict() const {
   auto reached = command_.verdict();
   const auto& warnings = session_.warnings();
   reached.warnings.insert(reached.warnings.end(), warnings.begin(), warnings.end());
@@ -112,10 +113,10 @@ Verdict CommandRun::verdict() const {
 
 // Prints open reservations on standard error, unless a terminal shows both streams: the table has
 // them there.
-void CommandRun::print_open_reservations(const Verdict& verdict) const {
+void CommandRun::print_open_reservations(const answer::Verdict& verdict) const {
   const auto is_terminal = [](const Page& page) { return page.width != Page::endless; };
   if (!quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO))) return;
-  for (const auto& [sentence, open] : reservations(verdict)) {
+  for (const auto& [sentence, open] : answer::reservations(verdict)) {
     if (open) print_warning(sentence);
   }
 }
@@ -152,9 +153,9 @@ int CommandRun::stopped_before_the_search() {
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
     print_warning(fmt::format(
         "stopped early ({}) during the preparation of the problem: no results, no files",
-        status_name(why)));
+        answer::status_name(why)));
   }
-  return stopped_early;
+  return answer::stopped_early;
 }
 
 // Combinations are checked on the whole call, after defaults are added.
@@ -181,7 +182,7 @@ std::string CommandRun::defaults_text() const {
 nlohmann::ordered_json CommandRun::last_members() const {
   const auto reached = verdict();
   auto all = nlohmann::ordered_json::object();
-  all["verdict"] = verdict_json(reached);
+  all["verdict"] = answer::verdict_json(reached);
   all["warnings"] = reached.warnings;
   all.update(defaults_json());
   return all;
@@ -206,7 +207,7 @@ std::string CommandRun::input() const {
 
 void CommandRun::announce() {
   const auto line =
-      command_.announcement(counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
+      command_.announcement(answer::counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
   if (line.empty()) return;
   auto text = fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, name_, input(), line);
   if (!defaults_.taken.empty()) text += defaults_text() + '\n';

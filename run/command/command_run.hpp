@@ -133,9 +133,9 @@ class CommandRun {
   void check() const;
   [[nodiscard]] std::string defaults_text() const;
   [[nodiscard]] nlohmann::ordered_json defaults_json() const;
-  [[nodiscard]] Verdict verdict() const;
+  [[nodiscard]] answer::Verdict verdict() const;
   [[nodiscard]] nlohmann::ordered_json last_members() const;
-  void print_open_reservations(const Verdict& verdict) const;
+  void print_open_reservations(const answer::Verdict& verdict) const;
   [[nodiscard]] std::string how_to_go_on(engine::Status why) const;
 
   Session& session_;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "answer/verdict.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand_text.hpp"
 #include "run/session/time_limit.hpp"
-#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -60,7 +60,7 @@ class Subcommand {
 
   /// The verdict after the search. Its sentences, the exit code and the key `verdict` of the result
   /// file are made from it.
-  [[nodiscard]] virtual Verdict verdict() const { return {}; }
+  [[nodiscard]] virtual answer::Verdict verdict() const { return {}; }
 
   /// Lines on standard error after all files are written, such as on outputs that were shortened.
   virtual std::vector<std::string> remarks(CommandRun& /*run*/) { return {}; }

@@ -35,7 +35,7 @@ class Critical final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   void draw(OutputFolder& folder, const WholeStates& states) const;
@@ -173,7 +173,7 @@ std::vector<Step> Critical::results(CommandRun& run) {
       })};
 }
 
-Verdict Critical::verdict() const {
+answer::Verdict Critical::verdict() const {
   return critical_verdict(options_, contact_.problem, findings_);
 }
 

@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "answer/ending.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "run/critical/critical_verdict.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/shown_bracket.hpp"
-#include "run/verdict/words.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -25,7 +26,7 @@ ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::Cr
                         const WholeStateJson* whole) {
   ordered_json json = pattern_json(problem, entry.block, entry.pattern);
   json["lower"] = entry.lower;
-  json["upper"] = number_or_null(entry.upper);
+  json["upper"] = answer::number_or_null(entry.upper);
   if (entry.reaction.empty()) return json;
   json["reaction"] = block_rows(problem, entry.block, entry.reaction);
   if (whole == nullptr) return json;
@@ -132,7 +133,7 @@ std::vector<std::string> open_sentences(const CriticalOptions& options,
                                         const problems::WedgedProblem& problem,
                                         const wedged::CriticalFindings& findings) {
   std::vector<std::string> sentences;
-  for (const auto& each : reservations(critical_verdict(options, problem, findings))) {
+  for (const auto& each : answer::reservations(critical_verdict(options, problem, findings))) {
     if (each.open) sentences.push_back(each.sentence);
   }
   return sentences;
@@ -164,14 +165,16 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
       fmt::format_to(out, "{:>5}  {} more\n", "…", findings.patterns.size() - number);
       break;
     }
-    const auto shown = entry.upper ? in_table(entry.lower, *entry.upper)
-                                   : ShownBracket{rounded_down(entry.lower, digits_of_table), "?"};
+    const auto shown =
+        entry.upper
+            ? answer::in_table(entry.lower, *entry.upper)
+            : answer::ShownBracket{answer::rounded_down(entry.lower, answer::digits_of_table), "?"};
     fmt::format_to(out, "{:>5}  {:>16}  {:>16}  {}\n", ++number, shown.lower, shown.upper,
                    contact_text(problem, entry.pattern));
   }
-  text += '\n' + bracket_line(critical_bracket(options, problem, findings));
+  text += '\n' + answer::bracket_line(critical_bracket(options, problem, findings));
   if (!finds_smallest_only(options.parameters.strategy) && findings.upper) {
-    fmt::format_to(out, "(of the {} at {})\n", counted(findings.patterns.size(), "pattern"),
+    fmt::format_to(out, "(of the {} at {})\n", answer::counted(findings.patterns.size(), "pattern"),
                    options.parameters.maximum.value_or(0));
   }
   return text + '\n' + ranks_text(findings, page) + costs_text(findings);
@@ -187,17 +190,17 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   ordered_json chosen = {{"method", word_of(strategy_words(), options.parameters.strategy)},
                          {"cuts", word_of(cuts_words(), options.parameters.tightening)},
                          {"width", wedged::grid_of(problem, options.parameters).width}};
-  chosen["mu_max"] = number_or_null(options.parameters.maximum);
+  chosen["mu_max"] = answer::number_or_null(options.parameters.maximum);
   chosen["list"] = options.parameters.list;
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole.structure(), problem, options.input.file)},
           {"options", std::move(chosen)},
-          {"status", status_text(critical_verdict(options, problem, findings))},
+          {"status", answer::status_text(critical_verdict(options, problem, findings))},
           {"result",
            {{"critical_friction",
              {{"lower", findings.lower},
-              {"upper", number_or_null(findings.upper)},
+              {"upper", answer::number_or_null(findings.upper)},
               {"lower_proved", findings.lower_proved},
               {"upper_proved", findings.upper_proved}}},
             {"pattern", patterns.empty() ? ordered_json() : patterns.front()},

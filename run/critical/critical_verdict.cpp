@@ -13,8 +13,8 @@
 namespace kusabi::run {
 namespace {
 
-Bound bound(double value, bool proved) {
-  return {value, proved ? Standing::proved : Standing::computed};
+answer::Bound bound(double value, bool proved) {
+  return {value, proved ? answer::Standing::proved : answer::Standing::computed};
 }
 
 // A pattern that is feasible at the upper bound, where others may be as well, and its slipping
@@ -38,10 +38,10 @@ std::string first_way(const problems::WedgedProblem& problem, const wedged::Crit
 
 }  // namespace
 
-CriticalBracket critical_bracket(const CriticalOptions& options,
-                                 const problems::WedgedProblem& problem,
-                                 const wedged::CriticalFindings& findings) {
-  CriticalBracket found{
+answer::CriticalBracket critical_bracket(const CriticalOptions& options,
+                                         const problems::WedgedProblem& problem,
+                                         const wedged::CriticalFindings& findings) {
+  answer::CriticalBracket found{
       .bracket = {},
       .factor = !problems::uniform_friction(problem),
       .maximum = options.parameters.maximum.value_or(wedged::default_max_friction),
@@ -49,7 +49,8 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   // A bound of zero means only that nothing sticks without friction: the search has not advanced.
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
-  found.grounds = findings.exact ? Grounds::exact_arithmetic : Grounds::solver_bounds;
+  found.grounds =
+      findings.exact ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds;
   found.displacement_ratio = findings.displacement_ratio;
   using enum wedged::OpenPoint;
   found.wide = std::ranges::find(findings.open_points, wide_bracket) != findings.open_points.end();
@@ -59,10 +60,11 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   return found;
 }
 
-Verdict critical_verdict(const CriticalOptions& options, const problems::WedgedProblem& problem,
-                         const wedged::CriticalFindings& findings) {
+answer::Verdict critical_verdict(const CriticalOptions& options,
+                                 const problems::WedgedProblem& problem,
+                                 const wedged::CriticalFindings& findings) {
   const auto bracket = critical_bracket(options, problem, findings);
-  Verdict verdict{.ended = findings.status, .answer = bracket};
+  answer::Verdict verdict{.ended = findings.status, .answer = bracket};
   const bool closed =
       findings.status == engine::Status::solved && !bracket.wide && bracket.bracket.lower;
   if (findings.upper && !findings.patterns.empty())

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
@@ -15,7 +16,6 @@
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
-#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -55,7 +55,7 @@ class Draw final : public Subcommand {
       throw WrongInput(fmt::format(
           "--pattern {}: the picture of {} is one chart; expected no --pattern", pattern_, file_));
     }
-    const auto sentence = headline(result_verdict(reader));
+    const auto sentence = answer::headline(result_verdict(reader));
     chart_ = is_sweep(reader) ? sweep_chart(reader, sentence) : hold_chart(reader, sentence);
     if (!chart_)
       throw WrongInput(fmt::format(

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/command/command_run.hpp"
@@ -20,7 +22,6 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
-#include "run/verdict/words.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/ignored_loads.hpp"
@@ -39,7 +40,7 @@ class Hold final : public Subcommand {
   void search(CommandRun& run) override;
   void search_at(engine::Analysis& analysis, double mu);
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   void check() const override;
@@ -128,7 +129,7 @@ wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
     throw WrongInput(
         fmt::format("{}: --diagram: the file has {}; expected two, each with a reference "
                     "load",
-                    file, counted(options_.cases.size(), "load case")));
+                    file, answer::counted(options_.cases.size(), "load case")));
   }
   for (const auto& load : structure_->loads) {
     const bool dead = load.kind == problems::Load::Kind::dead;
@@ -276,12 +277,12 @@ std::vector<Step> Hold::results(CommandRun& run) {
                [this](auto& out) {
                  const ResultReader result(hold_json(options_, structure_, loaded_, findings_),
                                            "the result");
-                 write_chart(out, hold_chart(result, headline(verdict())).value());
+                 write_chart(out, hold_chart(result, answer::headline(verdict())).value());
                }),
       run.answer([this] { return hold_table(options_, loaded_, findings_); })};
 }
 
-Verdict Hold::verdict() const {
+answer::Verdict Hold::verdict() const {
   return hold_verdict(options_, loaded_, findings_);
 }
 

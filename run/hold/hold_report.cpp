@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "answer/ending.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/hold/diagram_report.hpp"
 #include "run/hold/hold_verdict.hpp"
-#include "run/output/values.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/shown_bracket.hpp"
-#include "run/verdict/words.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -62,18 +62,18 @@ ordered_json grip_json(const wedged::GripRange& found) {
 
 std::string grip_table(const wedged::GripRange& found) {
   if (!found.held) return {};
-  const auto minimum = in_table(found.minimum.out, found.minimum.held);
+  const auto minimum = answer::in_table(found.minimum.out, found.minimum.held);
   if (!found.maximum.unbounded && !found.maximum.known) return {};
   if (found.maximum.unbounded)
     return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", minimum.lower);
-  const auto maximum = in_table(found.maximum.held, found.maximum.out);
+  const auto maximum = answer::in_table(found.maximum.held, found.maximum.out);
   return fmt::format("sum of the normal reactions: {} to {}\n", minimum.lower, maximum.upper);
 }
 
 std::string end_text(double held, double out, bool upward) {
   if (std::isinf(held)) return "no end";
   if (held == out) return fmt::format("{:.12g}", held);
-  const auto shown = upward ? in_table(held, out) : in_table(out, held);
+  const auto shown = upward ? answer::in_table(held, out) : answer::in_table(out, held);
   return upward ? shown.lower : shown.upper;
 }
 
@@ -112,8 +112,8 @@ ordered_json costs_json(const HoldFindings& findings) {
   auto searches = ordered_json::array();
   for (const auto& cost : findings.costs()) {
     searches.push_back({{"friction", cost.friction},
-                        {"low", number_or_null(cost.low)},
-                        {"high", number_or_null(cost.high)},
+                        {"low", answer::number_or_null(cost.low)},
+                        {"high", answer::number_or_null(cost.high)},
                         {"opened", cost.opened},
                         {"iterations", cost.programs}});
   }
@@ -123,10 +123,10 @@ ordered_json costs_json(const HoldFindings& findings) {
 ordered_json intervals_json(const wedged::LoadedProblem& loaded, const wedged::HeldFactors& found) {
   auto intervals = ordered_json::array();
   for (const auto& each : found.intervals) {
-    intervals.push_back({{"low", number_or_null(each.low)},
-                         {"low_out", number_or_null(each.low_out)},
-                         {"high", number_or_null(each.high)},
-                         {"high_out", number_or_null(each.high_out)},
+    intervals.push_back({{"low", answer::number_or_null(each.low)},
+                         {"low_out", answer::number_or_null(each.low_out)},
+                         {"high", answer::number_or_null(each.high)},
+                         {"high_out", answer::number_or_null(each.high_out)},
                          {"proved", each.proved},
                          {"low_proved", each.low_proved},
                          {"high_proved", each.high_proved},
@@ -157,7 +157,7 @@ ordered_json result_json(const HoldOptions& options, const wedged::LoadedProblem
   if (findings.friction) {
     const auto& found = *findings.friction;
     holding = {{"lower", found.lower_known ? ordered_json(found.lower) : ordered_json()},
-               {"upper", number_or_null(found.upper)},
+               {"upper", answer::number_or_null(found.upper)},
                {"lower_proved", found.lower_known && found.lower_proved},
                {"upper_proved", found.upper && found.upper_proved},
                {"pattern", names_in_block(loaded, found.block, found.pattern)},
@@ -221,7 +221,7 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
   if (findings.friction) {
     const auto& found = *findings.friction;
     if (found.upper) {
-      const auto shown = in_table(found.lower, *found.upper);
+      const auto shown = answer::in_table(found.lower, *found.upper);
       fmt::format_to(out, "\nholding friction coefficient: {}\nin contact: {}\n",
                      *found.upper == 0 ? std::string("0")
                                        : fmt::format("between {} and {}", shown.lower, shown.upper),
@@ -237,8 +237,8 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
   }
   std::uint64_t opened = 0;
   for (const auto& cost : findings.costs()) opened += cost.opened;
-  fmt::format_to(out, "\n{}, {}\n", counted(findings.costs().size(), "tree"),
-                 counted(opened, "node"));
+  fmt::format_to(out, "\n{}, {}\n", answer::counted(findings.costs().size(), "tree"),
+                 answer::counted(opened, "node"));
   return text;
 }
 
@@ -259,7 +259,7 @@ ordered_json hold_json(const HoldOptions& options, const problems::Structure& st
           {"version", KUSABI_VERSION},
           {"problem", problem_json(structure, loaded.problem, options.input.file)},
           {"options", std::move(given)},
-          {"status", status_text(hold_verdict(options, loaded, findings))},
+          {"status", answer::status_text(hold_verdict(options, loaded, findings))},
           {"result", result_json(options, loaded, findings)},
           {"statistics", costs_json(findings)}};
 }

@@ -9,53 +9,54 @@
 
 #include <fmt/format.h>
 
+#include "answer/answer_words.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/verdict/answer_words.hpp"
 
 namespace kusabi::run {
 namespace {
 
-Standing standing(bool proved) {
-  return proved ? Standing::proved : Standing::computed;
+answer::Standing standing(bool proved) {
+  return proved ? answer::Standing::proved : answer::Standing::computed;
 }
 
 // The end at `held`, with a factor beyond it that is not held; nothing for an end at infinity.
-Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool upward) {
-  Bracket bracket;
+answer::Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool upward) {
+  answer::Bracket bracket;
   if (std::isinf(held)) return bracket;
-  const Bound inside{held, standing(held_proved)};
-  std::optional<Bound> outside;
-  if (std::isfinite(out)) outside = Bound{out, standing(out_proved)};
-  return upward ? Bracket{inside, outside} : Bracket{outside, inside};
+  const answer::Bound inside{held, standing(held_proved)};
+  std::optional<answer::Bound> outside;
+  if (std::isfinite(out)) outside = answer::Bound{out, standing(out_proved)};
+  return upward ? answer::Bracket{inside, outside} : answer::Bracket{outside, inside};
 }
 
-HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const wedged::HoldingFriction& found) {
-  HoldingBracket answer{.bracket = {},
-                        .factor = !problems::uniform_friction(loaded.problem),
-                        .maximum = found.maximum};
+answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const wedged::HoldingFriction& found) {
+  answer::HoldingBracket answer{.bracket = {},
+                                .factor = !problems::uniform_friction(loaded.problem),
+                                .maximum = found.maximum};
   answer.load_case = options.load_case;
-  if (found.any_by_supports) answer.reason = HoldReason::supports;
-  if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
-  if (found.lower_known) answer.bracket.lower = Bound{found.lower, standing(found.lower_proved)};
-  if (found.upper) answer.bracket.upper = Bound{*found.upper, standing(found.upper_proved)};
+  if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
+  if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
+  if (found.lower_known)
+    answer.bracket.lower = answer::Bound{found.lower, standing(found.lower_proved)};
+  if (found.upper) answer.bracket.upper = answer::Bound{*found.upper, standing(found.upper_proved)};
   return answer;
 }
 
-HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const HeldPoint& point) {
+answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const HeldPoint& point) {
   const auto& found = point.factors;
-  HoldingFactors answer{.friction = point.mu,
-                        .factor = !problems::uniform_friction(loaded.problem),
-                        .of_reference = loaded.has_reference,
-                        .intervals = {},
-                        .outside = standing(found.proved),
-                        .open = found.unresolved};
+  answer::HoldingFactors answer{.friction = point.mu,
+                                .factor = !problems::uniform_friction(loaded.problem),
+                                .of_reference = loaded.has_reference,
+                                .intervals = {},
+                                .outside = standing(found.proved),
+                                .open = found.unresolved};
   answer.load_case = options.load_case;
   answer.total = options.parameters.total;
-  if (found.any_by_supports) answer.reason = HoldReason::supports;
-  if (found.any_by_wedging) answer.reason = HoldReason::wedging;
-  if (found.not_in_equilibrium) answer.reason = HoldReason::unbalanced;
+  if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
+  if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
+  if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
   for (const auto& each : found.intervals) {
     answer.intervals.push_back(
         {each.low, each.high, standing(each.proved),
@@ -65,8 +66,8 @@ HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProble
   return answer;
 }
 
-HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const wedged::Diagram& found) {
+answer::HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const wedged::Diagram& found) {
   const auto count = [&](auto is) {
     return static_cast<std::uint64_t>(std::ranges::count_if(found.pieces, is));
   };
@@ -80,25 +81,25 @@ HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProble
           .coarse = count([](const auto& piece) { return !piece.fine; })};
 }
 
-HoldingGrip grip_of(const wedged::GripRange& found) {
-  HoldingGrip grip{.held = found.held,
-                   .held_standing = standing(found.held_proved),
-                   .unbounded = found.maximum.unbounded,
-                   .unbounded_standing = standing(found.maximum.held_proved)};
+answer::HoldingGrip grip_of(const wedged::GripRange& found) {
+  answer::HoldingGrip grip{.held = found.held,
+                           .held_standing = standing(found.held_proved),
+                           .unbounded = found.maximum.unbounded,
+                           .unbounded_standing = standing(found.maximum.held_proved)};
   if (found.status != engine::Status::solved || !found.held) return grip;
   const auto& [minimum, maximum] = std::tie(found.minimum, found.maximum);
-  grip.minimum = {Bound{minimum.out, standing(minimum.out_proved)},
-                  Bound{minimum.held, standing(minimum.held_proved)}};
+  grip.minimum = {answer::Bound{minimum.out, standing(minimum.out_proved)},
+                  answer::Bound{minimum.held, standing(minimum.held_proved)}};
   if (!maximum.unbounded && maximum.known) {
-    grip.maximum = {Bound{maximum.held, standing(maximum.held_proved)},
-                    Bound{maximum.out, standing(maximum.out_proved)}};
+    grip.maximum = {answer::Bound{maximum.held, standing(maximum.held_proved)},
+                    answer::Bound{maximum.out, standing(maximum.out_proved)}};
   }
   return grip;
 }
 
 // The answer at one coefficient, with its grip range if that is complete.
-HoldingFactors point_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                        const HeldPoint& point) {
+answer::HoldingFactors point_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                const HeldPoint& point) {
   auto answer = factors_of(options, loaded, point);
   if (point.grip && point.grip->status == engine::Status::solved)
     answer.grip = grip_of(*point.grip);
@@ -126,9 +127,9 @@ std::vector<std::string> missing_certificates(const HoldFindings& findings) {
 
 }  // namespace
 
-Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                     const HoldFindings& findings) {
-  Verdict verdict{.ended = findings.status()};
+answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                             const HoldFindings& findings) {
+  answer::Verdict verdict{.ended = findings.status()};
   bool any = false;
   if (findings.friction) {
     verdict.answer = bracket_of(options, loaded, *findings.friction);
@@ -136,14 +137,14 @@ Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& lo
   } else if (findings.diagram) {
     verdict.answer = diagram_of(options, loaded, *findings.diagram);
   } else if (options.points.size() > 1) {
-    HoldingSweep sweep{.requested = options.points.size()};
+    answer::HoldingSweep sweep{.requested = options.points.size()};
     for (const auto& point : findings.points)
       sweep.points.push_back(point_of(options, loaded, point));
     verdict.answer = std::move(sweep);
     any = !findings.points.empty() && findings.points.front().factors.any_by_supports;
   } else if (!findings.points.empty()) {
     auto factors = point_of(options, loaded, findings.points.front());
-    if (factors.grip) verdict.details.push_back(grip_sentence(*factors.grip));
+    if (factors.grip) verdict.details.push_back(answer::grip_sentence(*factors.grip));
     verdict.answer = std::move(factors);
     any = findings.points.front().factors.any_by_supports;
   }

@@ -9,11 +9,11 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/limit/limit_cases.hpp"
 #include "run/output/csv.hpp"
-#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -85,7 +85,7 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
   for (const auto& piece : curve.pieces) {
     const auto mode = named_mode(problem, piece);
     fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {} yielding{}\n", piece.from.at, piece.from.factor,
-                   counted(mode.yielding.size(), "member"),
+                   answer::counted(mode.yielding.size(), "member"),
                    mode.along_reference ? ", along the reference load" : "");
     if (!mode.tension.empty()) {
       fmt::format_to(out, "{:27}in tension:     {}\n", "", fmt::join(mode.tension, " "));
@@ -112,7 +112,7 @@ ordered_json pieces_json(const LimitProblem& problem, const LoadCurve& curve) {
                       {"to", piece.to},
                       {"factor_from", piece.from.factor},
                       {"factor_to", piece.factor_at_end},
-                      {"error", number_or_null(piece.error)},
+                      {"error", answer::number_or_null(piece.error)},
                       {"along_reference_load", mode.along_reference},
                       {"yielding", mode.yielding},
                       {"tension", mode.tension}});

@@ -46,7 +46,7 @@ class Limit final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   void take_cases(const problems::CheckedStructure& whole);
@@ -293,7 +293,7 @@ const char* Limit::why_no_certificate() const {
   return "not all bounds are proved";
 }
 
-Verdict Limit::verdict() const {
+answer::Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
   if (!certificate_.empty() && !claims_losses() && !have_statements(cases_)) {
     verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",

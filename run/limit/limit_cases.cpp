@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/limit/loss_report.hpp"
-#include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 
 namespace kusabi::run {
@@ -192,14 +192,14 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
                                              answer.worst ? answer.worst->zeta : Eigen::VectorXd());
     }
     if (const auto& worst = answer.worst) {
-      row["worst_case"] = {{"lower", number_or_null(worst->ends.lower)},
-                           {"upper", number_or_null(worst->ends.upper)},
+      row["worst_case"] = {{"lower", answer::number_or_null(worst->ends.lower)},
+                           {"upper", answer::number_or_null(worst->ends.upper)},
                            {"proved", worst->proved}};
       row["guaranteed_interval"] = interval_json(guaranteed_interval(answer, each.found.residual));
     }
     if (const auto& loss = each.found.loss) {
-      row["member_loss"] = {{"lower", number_or_null(loss->ends.lower)},
-                            {"upper", number_or_null(loss->ends.upper)},
+      row["member_loss"] = {{"lower", answer::number_or_null(loss->ends.lower)},
+                            {"upper", answer::number_or_null(loss->ends.upper)},
                             {"proved", loss->proved}};
     }
     row["state"] = state_of(each.found);

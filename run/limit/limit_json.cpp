@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "answer/ending.hpp"
+#include "answer/values.hpp"
 #include "problems/limit/action_factors.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
@@ -16,7 +18,6 @@
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
-#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -55,14 +56,14 @@ ordered_json support_reactions_json(const LimitReport& report, const limit::Limi
 
 // Load factors that are carried.
 ordered_json carried_between(const limit::LimitCollapse& collapse) {
-  return {number_or_null(collapse.minimum), collapse.factor};
+  return {answer::number_or_null(collapse.minimum), collapse.factor};
 }
 
 ordered_json options_json(const LimitOptions& options) {
   const auto& parameters = options.parameters;
-  ordered_json chosen{{"alpha", number_or_null(options.asked.alpha)},
+  ordered_json chosen{{"alpha", answer::number_or_null(options.asked.alpha)},
                       {"cuts", word_of(limit_method_words(), parameters.method)},
-                      {"big_m", number_or_null(parameters.big_m)},
+                      {"big_m", answer::number_or_null(parameters.big_m)},
                       {"samples", parameters.samples},
                       {"seed", parameters.seed},
                       {"curve", parameters.curve}};
@@ -73,7 +74,7 @@ ordered_json options_json(const LimitOptions& options) {
   chosen["curve_to"] = parameters.curve_to;
   if (parameters.loss) {
     chosen["lose"] = parameters.loss->maximum;
-    chosen["at_least"] = number_or_null(parameters.loss->at_least);
+    chosen["at_least"] = answer::number_or_null(parameters.loss->at_least);
     if (parameters.loss->sudden != 1) chosen["sudden"] = parameters.loss->sudden;
     if (!options.loss.kept.empty()) chosen["keep"] = options.loss.kept;
   }
@@ -82,11 +83,11 @@ ordered_json options_json(const LimitOptions& options) {
 
 void add_worst_case(ordered_json& result, const LimitReport& report,
                     const limit::LimitWorstCase& worst) {
-  result["alpha"] =
-      number_or_null(problems::common_half_width(report.problem, *report.options.parameters.alpha));
+  result["alpha"] = answer::number_or_null(
+      problems::common_half_width(report.problem, *report.options.parameters.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
-  result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
-                          {"upper", number_or_null(worst.ends.upper)},
+  result["worst_case"] = {{"lower", answer::number_or_null(worst.ends.lower)},
+                          {"upper", answer::number_or_null(worst.ends.upper)},
                           {"proved", worst.proved},
                           {"lower_proved", worst.ends.lower_proved},
                           {"upper_proved", worst.ends.upper_proved},
@@ -120,7 +121,7 @@ ordered_json samples_json(const LimitReport& report) {
   auto factors = ordered_json::array();
   for (const double factor : report.answer.samples) factors.push_back(factor);
   return {{"seed", report.options.parameters.seed},
-          {"least", number_or_null(*std::ranges::min_element(report.answer.samples))},
+          {"least", answer::number_or_null(*std::ranges::min_element(report.answer.samples))},
           {"factors", std::move(factors)}};
 }
 
@@ -250,7 +251,7 @@ ordered_json LimitReport::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem, truss, options.input.file)},
           {"options", options_json(options)},
-          {"status", status_text(limit_verdict(options, cases))},
+          {"status", answer::status_text(limit_verdict(options, cases))},
           {"result", result_json(*this)},
           {"statistics", statistics_json(*this)}};
 }

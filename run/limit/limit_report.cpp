@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/limit/curve_report.hpp"
@@ -16,9 +18,7 @@
 #include "run/limit/loss_report.hpp"
 #include "run/limit/strut_report.hpp"
 #include "run/limit/zero_one_report.hpp"
-#include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
-#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -38,10 +38,11 @@ void write_mode(std::string& text, const LimitProblem& problem,
     (elongation > 0 ? tension : compression).push_back(problems::member_name(problem, member));
   }
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "  collapse mode: {} {}{}, {} {}\n", counted(mode.moving.size(), "node"),
+  fmt::format_to(out, "  collapse mode: {} {}{}, {} {}\n",
+                 answer::counted(mode.moving.size(), "node"),
                  mode.moving.size() == 1 ? "moves" : "move",
                  mode.along_reference ? " along the reference load" : "",
-                 counted(mode.yielding.size(), "member"),
+                 answer::counted(mode.yielding.size(), "member"),
                  mode.yielding.size() == 1 ? "yields" : "yield");
   if (!tension.empty()) fmt::format_to(out, "    in tension:     {}\n", fmt::join(tension, " "));
   if (!compression.empty()) {
@@ -66,7 +67,7 @@ void write_nominal(std::string& text, const LimitReport& report) {
                  factor_text(largest.lower, largest.upper), report.residual ? upper_value : "");
   write_zero(text, "the dead load", largest.upper);
   if (minimum.lower > 0 && minimum.upper <= largest.lower) {
-    const auto [low, high] = inside(minimum.upper, largest.lower, digits_of_table);
+    const auto [low, high] = answer::inside(minimum.upper, largest.lower, answer::digits_of_table);
     fmt::format_to(std::back_inserter(text),
                    "  the dead load is carried at load factors from {} to {}, not at zero\n", low,
                    high);
@@ -104,7 +105,8 @@ std::string heading_of_worst(const LimitReport& report) {
   if (alpha == 0) return "no load is uncertain: " + half_width;
   return fmt::format(
       "worst case of {}, {}",
-      counted(static_cast<std::uint64_t>(problem.uncertain_count()), "uncertain load"), half_width);
+      answer::counted(static_cast<std::uint64_t>(problem.uncertain_count()), "uncertain load"),
+      half_width);
 }
 
 // Number of uncertain loads, or of actions, that change the reference load.
@@ -116,8 +118,8 @@ void write_along(std::string& text, const LimitReport& report) {
   if (along == 0) return;
   fmt::format_to(std::back_inserter(text),
                  "  {} {} along the reference load; the load factor does not include {}\n",
-                 counted(static_cast<std::uint64_t>(along),
-                         report.truss.actions.empty() ? "uncertain load" : "other action"),
+                 answer::counted(static_cast<std::uint64_t>(along),
+                                 report.truss.actions.empty() ? "uncertain load" : "other action"),
                  along == 1 ? "acts" : "act", along == 1 ? "it" : "them");
 }
 
@@ -142,13 +144,14 @@ std::string evidence_text(const limit::LimitWorstCase& worst) {
     return fmt::format(
         "  static evidence: {} of the uncertain loads; linear programs: {} load factors, {} in the "
         "tree\n",
-        counted(worst.corners, "corner"), worst.counts.load_factors, worst.tree_programs);
+        answer::counted(worst.corners, "corner"), worst.counts.load_factors, worst.tree_programs);
   }
   return fmt::format(
       "  static evidence: {} cuts, {}{}; linear programs: {} load factors, {} relaxations, {} for "
       "cuts, {} in the tree\n",
-      worst.cuts, counted(worst.nodes, "node"),
-      worst.corners == 0 ? "" : fmt::format(", of these {}", counted(worst.corners, "corner")),
+      worst.cuts, answer::counted(worst.nodes, "node"),
+      worst.corners == 0 ? ""
+                         : fmt::format(", of these {}", answer::counted(worst.corners, "corner")),
       worst.counts.load_factors, worst.counts.relaxations, worst.counts.pricings,
       worst.tree_programs);
 }
@@ -177,7 +180,7 @@ void write_worst(std::string& text, const LimitReport& report) {
   }
   if (worst.zero_one) text += zero_one_text(worst);
   if (worst.search != engine::Status::solved) {
-    fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
+    fmt::format_to(out, "  stopped early ({})\n", answer::status_name(worst.search));
   }
   if (worst.as_printed) return;
   text += evidence_text(worst);
@@ -190,7 +193,7 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
   }
   if (answer.rest != engine::Status::solved) {
     return fmt::format("stopped early ({}) before the nominal load factor was found\n",
-                       status_name(answer.rest));
+                       answer::status_name(answer.rest));
   }
   return "open: no nominal load factor was proved\n";
 }
@@ -215,8 +218,8 @@ std::string LimitReport::table(const Page& page) const {
   }
   text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {
-    text += page.warning(
-        fmt::format("stopped early ({}): the results are incomplete\n", status_name(answer.rest)));
+    text += page.warning(fmt::format("stopped early ({}): the results are incomplete\n",
+                                     answer::status_name(answer.rest)));
   }
   return text;
 }

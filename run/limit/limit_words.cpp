@@ -14,6 +14,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/answer_words.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "problems/limit/action_factors.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
@@ -21,9 +24,6 @@
 #include "run/limit/loss_report.hpp"
 #include "run/limit/strut_report.hpp"
 #include "run/output/name_ranges.hpp"
-#include "run/output/values.hpp"
-#include "run/verdict/answer_words.hpp"
-#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -75,8 +75,8 @@ std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& 
     names.resize(max_in_sentence);
     names.push_back(fmt::format("and {} more", all - max_in_sentence));
   }
-  return fmt::format("{} {} {}: {}.", when, counted(all, "member"), all == 1 ? "yields" : "yield",
-                     fmt::join(names, " "));
+  return fmt::format("{} {} {}: {}.", when, answer::counted(all, "member"),
+                     all == 1 ? "yields" : "yield", fmt::join(names, " "));
 }
 
 }  // namespace
@@ -167,22 +167,22 @@ std::string critical_load_text(const problems::Structure& truss, const LimitProb
 
 namespace {
 
-Standing standing(bool proved) {
-  return proved ? Standing::proved : Standing::computed;
+answer::Standing standing(bool proved) {
+  return proved ? answer::Standing::proved : answer::Standing::computed;
 }
 
-std::optional<Bound> bound(double value, bool proved) {
+std::optional<answer::Bound> bound(double value, bool proved) {
   if (!std::isfinite(value)) return std::nullopt;
-  return Bound{value, standing(proved)};
+  return answer::Bound{value, standing(proved)};
 }
 
-Bracket bracket(const limit::FactorBracket& found) {
+answer::Bracket bracket(const limit::FactorBracket& found) {
   return {bound(found.lower, found.lower_proved), bound(found.upper, found.upper_proved)};
 }
 
 // Bounds of the uncertain loads in all cases.
-LoadRange load_range(const LimitOptions& options, std::span<const LimitCase> cases) {
-  LoadRange loads;
+answer::LoadRange load_range(const LimitOptions& options, std::span<const LimitCase> cases) {
+  answer::LoadRange loads;
   std::set<std::pair<std::optional<double>, std::optional<std::string_view>>> half_widths;
   for (const auto& each : cases)
     half_widths.emplace(problems::common_half_width(each.problem, *options.parameters.alpha),
@@ -226,7 +226,7 @@ std::string critical_combination(const LimitCase& each) {
 }
 
 // The load cases in which the carried factors of all cases begin and end.
-std::string cases_at_ends(std::span<const LimitCase> cases, const LoadInterval& interval) {
+std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadInterval& interval) {
   if (cases.size() < 2) {
     const auto combination = critical_combination(cases.front());
     if (combination.empty() || interval.carried_at_none) return {};
@@ -251,13 +251,14 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const LoadInterval& 
       return fmt::format(
           "In load case {} a load is carried only from {} on{}, and another one only "
           "up to {}{}.",
-          begins.name, rounded_down(from.lower->value), unless_proved(from.lower->standing),
-          rounded_up(to.upper->value), unless_proved(to.upper->standing));
+          begins.name, answer::rounded_down(from.lower->value),
+          answer::unless_proved(from.lower->standing), answer::rounded_up(to.upper->value),
+          answer::unless_proved(to.upper->standing));
     }
-    return fmt::format("Load case {} is carried only from {} on{}, load case {} only up to {}{}.",
-                       begins.name, rounded_down(from.lower->value),
-                       unless_proved(from.lower->standing), ends.name, rounded_up(to.upper->value),
-                       unless_proved(to.upper->standing));
+    return fmt::format(
+        "Load case {} is carried only from {} on{}, load case {} only up to {}{}.", begins.name,
+        answer::rounded_down(from.lower->value), answer::unless_proved(from.lower->standing),
+        ends.name, answer::rounded_up(to.upper->value), answer::unless_proved(to.upper->standing));
   }
   const auto combination = critical_combination(ends);
   return fmt::format("The least {}of the largest factors is that of load case {}{}{}.",
@@ -265,9 +266,9 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const LoadInterval& 
                      combination);
 }
 
-LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases) {
+answer::LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases) {
   const auto found = interval_of_all(cases);
-  LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
+  answer::LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
   if (with_worst_case(cases)) interval.uncertain = load_range(options, cases);
   interval.reference_action = reference_action(*cases.front().truss);
   if (found.at_none) {
@@ -285,10 +286,10 @@ LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCas
 
 }  // namespace
 
-Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases) {
+answer::Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases) {
   const auto& governs = governing(cases);
   const auto& answer = governs.found.answer;
-  Verdict verdict;
+  answer::Verdict verdict;
   for (const auto& each : cases) {
     if (verdict.ended == engine::Status::solved) verdict.ended = each.found.ended();
   }
@@ -328,9 +329,9 @@ Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> ca
   } else if (options.parameters.loss && !interval.carried_at_none) {
     verdict.details.clear();
     const auto& loss = *options.parameters.loss;
-    verdict.answer = MemberLoss{.maximum = static_cast<std::uint64_t>(loss.maximum),
-                                .cases = cases.size(),
-                                .struts = struts};
+    verdict.answer = answer::MemberLoss{.maximum = static_cast<std::uint64_t>(loss.maximum),
+                                        .cases = cases.size(),
+                                        .struts = struts};
   }
   if (auto text = strut_sentence(cases); !text.empty()) verdict.details.push_back(std::move(text));
   return verdict;

@@ -8,12 +8,12 @@
 
 #include <Eigen/Core>
 
+#include "answer/verdict.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "run/limit/limit.hpp"
 #include "run/limit/limit_cases.hpp"
-#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -36,6 +36,6 @@ std::string combination_text(const problems::Structure& truss,
                              const problems::LimitProblem& problem, const Eigen::VectorXd& zeta);
 
 /// Load factors that are carried, and the members that yield at their ends.
-Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases);
+answer::Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases);
 
 }  // namespace kusabi::run

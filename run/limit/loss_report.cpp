@@ -11,12 +11,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
-#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -69,17 +70,19 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   const auto failed = static_cast<std::size_t>(
       std::ranges::count(singles, LoadStatus::undetermined, &SingleLoss::status));
   if (failed > 0)
-    fmt::format_to(out, "    {}: the simplex method failed\n", counted(failed, "member"));
+    fmt::format_to(out, "    {}: the simplex method failed\n",
+                   answer::counted(failed, "member"));
   const auto missing = static_cast<std::size_t>(loss.eligible) - singles.size();
   if (missing > 0) {
-    fmt::format_to(out, "    {}: not computed before the early end\n", counted(missing, "member"));
+    fmt::format_to(out, "    {}: not computed before the early end\n",
+                   answer::counted(missing, "member"));
   }
   // A larger upper bound of the worst case does not exclude a smaller factor.
   const char* const rest = loss.uncertain ? "for {} of {} no lower factor was found"
                                           : "{} of {} do not lower the factor";
   fmt::format_to(out, "    {}\n",
                  fmt::format(fmt::runtime(rest), singles.size() - shown - failed,
-                             counted(singles.size(), "member")));
+                             answer::counted(singles.size(), "member")));
   return text;
 }
 
@@ -129,13 +132,15 @@ void write_ends(std::string& text, const LossAnswer& loss) {
     fmt::format_to(out, "  load factor {}\n", factor_text(ends.lower, ends.upper));
     return;
   } else if (ends.lower_proved) {
-    fmt::format_to(out, "  load factor at least {}\n", rounded_down(ends.lower, digits_of_table));
+    fmt::format_to(out, "  load factor at least {}\n",
+                   answer::rounded_down(ends.lower, answer::digits_of_table));
   } else {
     text += "  no lower bound of the load factor was proved\n";
   }
   if (std::isfinite(ends.upper))
     fmt::format_to(out, "  load factor after the worst loss known: {}{}\n",
-                   rounded_up(ends.upper, digits_of_table), mark(ends.upper_proved));
+                   answer::rounded_up(ends.upper, answer::digits_of_table),
+                   mark(ends.upper_proved));
 }
 
 }  // namespace
@@ -157,7 +162,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
                       const LossAnswer& loss) {
   std::string text = fmt::format(
       "\nloss of up to {} of {}{}{}\n", loss.maximum,
-      counted(static_cast<std::uint64_t>(loss.eligible), "member"),
+      answer::counted(static_cast<std::uint64_t>(loss.eligible), "member"),
       loss.uncertain ? ", under every admissible load" : "",
       loss.sudden == 1 ? std::string() : fmt::format(", dynamic factor {}", loss.sudden));
   write_ends(text, loss);
@@ -174,15 +179,17 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
                    loss.sudden == 1 ? std::string() : fmt::format("{} times ", loss.sudden),
                    loss.uncertain ? "an admissible dead load" : "the dead load");
   if (loss.undecided > 0)
-    fmt::format_to(out, "  {} numerically undecided\n",
-                   counted(loss.undecided, "node") + (loss.undecided == 1 ? " is" : " are"));
+    fmt::format_to(
+        out, "  {} numerically undecided\n",
+        answer::counted(loss.undecided, "node") + (loss.undecided == 1 ? " is" : " are"));
   text += singles_text(problem, loss);
   if (loss.search != engine::Status::solved)
-    fmt::format_to(out, "  stopped early ({})\n", status_name(loss.search));
+    fmt::format_to(out, "  stopped early ({})\n", answer::status_name(loss.search));
   const auto& counts = loss.counts;
-  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", counted(counts.rounds, "round"),
-                 counted(counts.nodes, "node"), counted(counts.states, "carrying stress state"),
-                 counted(counts.programs, "linear program"));
+  fmt::format_to(out, "  evidence: {}, {}, {}, {}\n", answer::counted(counts.rounds, "round"),
+                 answer::counted(counts.nodes, "node"),
+                 answer::counted(counts.states, "carrying stress state"),
+                 answer::counted(counts.programs, "linear program"));
   return text;
 }
 
@@ -193,14 +200,14 @@ ordered_json loss_json(const LimitProblem& problem, const problems::Structure& t
       {"uncertain", loss.uncertain},
       {"sudden", loss.sudden},
       {"eligible", loss.eligible},
-      {"lower", number_or_null(loss.ends.lower)},
-      {"upper", number_or_null(loss.ends.upper)},
+      {"lower", answer::number_or_null(loss.ends.lower)},
+      {"upper", answer::number_or_null(loss.ends.upper)},
       {"lower_proved", loss.ends.lower_proved},
       {"upper_proved", loss.ends.upper_proved},
       {"proved", loss.proved},
       {"fatal", loss.is_fatal()},
       {"lost", names_of(problem, loss.lost)},
-      {"target", number_or_null(loss.target)},
+      {"target", answer::number_or_null(loss.target)},
       {"reached", loss.reaches_target ? ordered_json(*loss.reaches_target) : ordered_json()},
       {"undecided", loss.undecided}};
   auto singles = ordered_json::array();
@@ -227,13 +234,15 @@ ordered_json loss_json(const LimitProblem& problem, const problems::Structure& t
   return json;
 }
 
-MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept) {
+answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept) {
   const auto& governs = governing(cases);
   const auto& worst = *governs.found.loss;
-  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
-  MemberLoss answer{.maximum = static_cast<std::uint64_t>(worst.maximum),
-                    .cases = cases.size(),
-                    .uncertain = worst.uncertain};
+  const auto standing = [](bool proved) {
+    return proved ? answer::Standing::proved : answer::Standing::computed;
+  };
+  answer::MemberLoss answer{.maximum = static_cast<std::uint64_t>(worst.maximum),
+                            .cases = cases.size(),
+                            .uncertain = worst.uncertain};
   answer.lost = names_of(governs.problem, worst.lost);
   answer.target = worst.target;
   answer.kept = names_of(governs.problem, kept);
@@ -244,7 +253,7 @@ MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>&
     return answer;
   }
   if (std::isfinite(worst.ends.upper))
-    answer.factor.upper = Bound{worst.ends.upper, standing(worst.ends.upper_proved)};
+    answer.factor.upper = answer::Bound{worst.ends.upper, standing(worst.ends.upper_proved)};
   double lower = std::numeric_limits<double>::infinity();
   bool reached = true;
   bool missed = false;
@@ -261,7 +270,7 @@ MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>&
                                                        : -std::numeric_limits<double>::infinity());
     reached = reached && carried->reaches_target.value_or(false);
   }
-  if (std::isfinite(lower)) answer.factor.lower = Bound{lower, Standing::proved};
+  if (std::isfinite(lower)) answer.factor.lower = answer::Bound{lower, answer::Standing::proved};
   if (worst.target && (reached || missed)) answer.reached = reached;
   return answer;
 }

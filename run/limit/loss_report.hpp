@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answer/verdict.hpp"
 #include "nodes/limit/loss/loss_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit_cases.hpp"
-#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -30,6 +30,6 @@ nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,
 
 /// Of the load case in which the least factor remains. @param kept members that are not lost
 /// @pre every case has an answer
-MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept);
+answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept);
 
 }  // namespace kusabi::run

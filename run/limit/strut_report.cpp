@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "problems/limit/utilisation.hpp"
 #include "run/limit/loss_report.hpp"
-#include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 
 namespace kusabi::run {
@@ -91,12 +91,12 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
   const auto& residual = *report.residual;
   nlohmann::ordered_json json{
       {"at_strength", struts_at_strength(report)},
-      {"nominal",
-       residual.nominal ? number_or_null(residual.nominal->factor) : nlohmann::ordered_json()},
+      {"nominal", residual.nominal ? answer::number_or_null(residual.nominal->factor)
+                                   : nlohmann::ordered_json()},
       {"at_no_factor", at_no_factor(residual)}};
   if (const auto& worst = residual.worst) {
-    json["lower"] = number_or_null(worst->ends.lower);
-    json["upper"] = number_or_null(worst->ends.upper);
+    json["lower"] = answer::number_or_null(worst->ends.lower);
+    json["upper"] = answer::number_or_null(worst->ends.upper);
     json["proved"] = worst->proved;
     json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
   }

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
+#include "answer/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -55,21 +55,23 @@ std::string zero_one_text(const LimitWorstCase& worst) {
   if (zero_one.cut_rounds > 0) {
     fmt::format_to(
         out, "  Algorithm 5.1: {}, {}, {} kept; the relaxation (38) rose from {:.10g} to {:.10g}\n",
-        counted(zero_one.cut_rounds, "round"), counted(zero_one.cut_programs, "program") + " (51)",
-        counted(zero_one.cuts, "cut"), zero_one.first_bound, zero_one.last_bound);
+        answer::counted(zero_one.cut_rounds, "round"),
+        answer::counted(zero_one.cut_programs, "program") + " (51)",
+        answer::counted(zero_one.cuts, "cut"), zero_one.first_bound, zero_one.last_bound);
   }
-  fmt::format_to(out, "  Algorithm 4.2: {}, {}; {} before it\n", counted(zero_one.nodes, "node"),
-                 counted(zero_one.programs, "linear program"), zero_one.root_programs);
+  fmt::format_to(out, "  Algorithm 4.2: {}, {}; {} before it\n",
+                 answer::counted(zero_one.nodes, "node"),
+                 answer::counted(zero_one.programs, "linear program"), zero_one.root_programs);
   return text;
 }
 
 nlohmann::ordered_json zero_one_json(const LimitZeroOne& zero_one) {
-  return {{"big_m", number_or_null(zero_one.big_m)},
-          {"lower", number_or_null(zero_one.lower)},
-          {"upper", number_or_null(zero_one.upper)},
-          {"start", number_or_null(zero_one.start)},
-          {"first_bound", number_or_null(zero_one.first_bound)},
-          {"last_bound", number_or_null(zero_one.last_bound)},
+  return {{"big_m", answer::number_or_null(zero_one.big_m)},
+          {"lower", answer::number_or_null(zero_one.lower)},
+          {"upper", answer::number_or_null(zero_one.upper)},
+          {"start", answer::number_or_null(zero_one.start)},
+          {"first_bound", answer::number_or_null(zero_one.first_bound)},
+          {"last_bound", answer::number_or_null(zero_one.last_bound)},
           {"cut_rounds", zero_one.cut_rounds},
           {"cut_programs", zero_one.cut_programs},
           {"cuts", zero_one.cuts},

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "engine/analysis/analysis.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
@@ -53,7 +54,7 @@ class Mip final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   MipOptions options_;
@@ -110,8 +111,8 @@ void Mip::prepare(CommandRun& run) {
 std::string Mip::announcement(const std::string& ranks) const {
   const auto& [name, constant, columns, rows, entries] = program_.mixed.program;
   return fmt::format("{}: {}, {}, {} of them binary, {}; {}; {}",
-                     name.empty() ? "unnamed program" : name, counted(rows.size(), "row"),
-                     counted(columns.size(), "column"), program_.mixed.binaries.size(),
+                     name.empty() ? "unnamed program" : name, answer::counted(rows.size(), "row"),
+                     answer::counted(columns.size(), "column"), program_.mixed.binaries.size(),
                      entries.size() == 1 ? "1 entry" : fmt::format("{} entries", entries.size()),
                      program_.maximise ? "maximise" : "minimise", ranks);
 }
@@ -131,7 +132,7 @@ std::vector<Step> Mip::results(CommandRun& run) {
           run.answer([report] { return report->table(CommandRun::page()); })};
 }
 
-Verdict Mip::verdict() const {
+answer::Verdict Mip::verdict() const {
   return MipReport{options_, program_, fingerprint_, *found_}.verdict();
 }
 

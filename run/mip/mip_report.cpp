@@ -8,10 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "answer/ending.hpp"
+#include "answer/values.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
-#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -70,17 +71,17 @@ double MipReport::gap() const {
 
 // Of a point that is not known to be optimal, its own; an optimum requires the bound as well, and a
 // program without points the bounds that exclude them.
-Standing MipReport::standing() const {
+answer::Standing MipReport::standing() const {
   const bool point = found.point() == nullptr || found.point()->proved;
   const bool proved = point && (found.status() == MixedStatus::feasible || found.proved());
-  return proved ? Standing::proved : Standing::computed;
+  return proved ? answer::Standing::proved : answer::Standing::computed;
 }
 
-Verdict MipReport::verdict() const {
-  using State = MixedOptimum::State;
-  MixedOptimum answer{.standing = standing(),
-                      .maximise = program.maximise,
-                      .unproved = found.outcome.tally().unproved};
+answer::Verdict MipReport::verdict() const {
+  using State = answer::MixedOptimum::State;
+  answer::MixedOptimum answer{.standing = standing(),
+                              .maximise = program.maximise,
+                              .unproved = found.outcome.tally().unproved};
   switch (found.status()) {
     case MixedStatus::optimal:
       answer.state = State::optimal;
@@ -102,7 +103,8 @@ Verdict MipReport::verdict() const {
     answer.gap = gap();
   }
   if (std::isfinite(bound()))
-    answer.bound = Bound{bound(), found.proved() ? Standing::proved : Standing::computed};
+    answer.bound = answer::Bound{
+        bound(), found.proved() ? answer::Standing::proved : answer::Standing::computed};
   return {.ended = found.outcome.status, .nodes_left = found.outcome.open, .answer = answer};
 }
 
@@ -164,8 +166,8 @@ ordered_json MipReport::json() const {
   ordered_json result{{"answer", answer_name(found.status())}};
   if (has_point()) {
     result["objective"] = objective();
-    result["bound"] = number_or_null(bound());
-    result["gap"] = number_or_null(gap());
+    result["bound"] = answer::number_or_null(bound());
+    result["gap"] = answer::number_or_null(gap());
     result["proved"] = found.proved();
     result["point_proved"] = found.point()->proved;
     ordered_json columns = ordered_json::object();
@@ -175,14 +177,14 @@ ordered_json MipReport::json() const {
     }
     result["columns"] = std::move(columns);
   } else if (found.status() == MixedStatus::unknown) {
-    result["bound"] = number_or_null(bound());
+    result["bound"] = answer::number_or_null(bound());
   } else {
-    result["proved"] = standing() == Standing::proved;
+    result["proved"] = standing() == answer::Standing::proved;
   }
   result["unproved"] = found.outcome.tally().unproved;
   // Those of an unbounded program are of the program without costs.
   const auto root_bound = [&](double bound) {
-    return found.unbounded ? ordered_json() : number_or_null(in_the_files_sense(bound));
+    return found.unbounded ? ordered_json() : answer::number_or_null(in_the_files_sense(bound));
   };
   result["root"] = {{"first_bound", root_bound(counts.first_bound)},
                     {"last_bound", root_bound(counts.last_bound)},
@@ -209,7 +211,7 @@ ordered_json MipReport::json() const {
             {"branching", word_of(zero_one_branching_words(), options.branching)},
             {"tighten", options.tighten},
             {"dive", options.dive}}},
-          {"status", status_text(verdict())},
+          {"status", answer::status_text(verdict())},
           {"result", std::move(result)},
           {"statistics",
            {{"opened", found.outcome.opened()},

@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answer/verdict.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/mip/mip.hpp"
 #include "run/output/terminal_page.hpp"
-#include "run/verdict/verdict.hpp"
 #include "solvers/linear/program_file.hpp"
 
 namespace kusabi::run {
@@ -27,7 +27,7 @@ struct MipReport {
   /// |objective - bound| / |objective|; the absolute difference if the objective is zero.
   [[nodiscard]] double gap() const;
 
-  [[nodiscard]] Verdict verdict() const;
+  [[nodiscard]] answer::Verdict verdict() const;
 
   /// The point, rank statistics and times, as text.
   [[nodiscard]] std::string table(const Page& page) const;
@@ -40,7 +40,7 @@ struct MipReport {
 
  private:
   [[nodiscard]] double in_the_files_sense(double objective) const;
-  [[nodiscard]] Standing standing() const;
+  [[nodiscard]] answer::Standing standing() const;
   [[nodiscard]] bool has_point() const;  // the result file has a point
 };
 

@@ -1,34 +1,9 @@
-// Names of states.
+// Text of values.
 #include "run/output/values.hpp"
-
-#include <cmath>
 
 #include <fmt/format.h>
 
 namespace kusabi::run {
-
-const char* status_name(engine::Status status) {
-  switch (status) {
-    case engine::Status::solved:
-      return "solved";
-    case engine::Status::time_limit:
-      return "time-limit";
-    case engine::Status::node_limit:
-      return "node-limit";
-    case engine::Status::solution_limit:
-      return "solution-limit";
-    case engine::Status::gap_limit:
-      return "gap-limit";
-    case engine::Status::interrupted:
-      break;
-  }
-  return "interrupted";
-}
-
-nlohmann::ordered_json number_or_null(std::optional<double> value) {
-  if (value && std::isfinite(*value)) return *value;
-  return nullptr;
-}
 
 std::string json_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -36,24 +11,6 @@ std::string json_line(const nlohmann::ordered_json& json) {
 
 std::string hexadecimal(std::uint64_t fingerprint) {
   return fmt::format("{:016x}", fingerprint);
-}
-
-std::string counted(std::uint64_t count, std::string_view thing) {
-  return counted(support::ExactCount(count), thing);
-}
-
-std::string counted(const support::ExactCount& count, std::string_view thing) {
-  return fmt::format("{} {}{}", count.text(), thing, count == 1U ? "" : "s");
-}
-
-void add_count(nlohmann::ordered_json& json, const std::string& key,
-               const support::ExactCount& count) {
-  if (const auto number = count.number()) {
-    json[key] = *number;
-    return;
-  }
-  json[key] = count.digits();
-  json[key + "_log10"] = count.log10();
 }
 
 }  // namespace kusabi::run

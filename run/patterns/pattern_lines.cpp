@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "run/output/line_sorter.hpp"
 #include "run/output/values.hpp"
 #include "run/patterns/patterns_report.hpp"
@@ -113,10 +114,10 @@ ordered_json lean_pattern(const problems::WedgedProblem& problem, const wedged::
 
 ordered_json firmness_json(const std::optional<wedged::Firmness>& firmness) {
   if (!firmness) return nullptr;
-  return {{"low", number_or_null(firmness->low)},
-          {"low_out", number_or_null(firmness->low_out)},
-          {"high", number_or_null(firmness->high)},
-          {"high_out", number_or_null(firmness->high_out)}};
+  return {{"low", answer::number_or_null(firmness->low)},
+          {"low_out", answer::number_or_null(firmness->low_out)},
+          {"high", answer::number_or_null(firmness->high)},
+          {"high_out", answer::number_or_null(firmness->high_out)}};
 }
 
 PatternLines::PatternLines(Session& session, const problems::WedgedProblem& problem,

@@ -81,7 +81,7 @@ class Patterns final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
   [[nodiscard]] double seconds_to_write(std::uint64_t solutions) const override;
   std::vector<std::string> remarks(CommandRun& run) override;
 
@@ -287,7 +287,7 @@ PatternsReport Patterns::report() const {
           numbers_, CommandRun::page(), lines_ ? &lines_->numbers() : nullptr};
 }
 
-Verdict Patterns::verdict() const {
+answer::Verdict Patterns::verdict() const {
   return report().verdict();
 }
 

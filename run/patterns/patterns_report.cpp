@@ -7,12 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "answer/ending.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/patterns/pattern_lines.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/exact_json.hpp"
@@ -26,7 +27,7 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string patterns(const support::ExactCount& count) {
-  return counted(count, "sign pattern");
+  return answer::counted(count, "sign pattern");
 }
 
 // Number of patterns if all open leaves are patterns and none is contained in another.
@@ -75,7 +76,7 @@ ordered_json PatternsReport::candidates_json() const {
   return list;
 }
 
-Verdict PatternsReport::verdict() const {
+answer::Verdict PatternsReport::verdict() const {
   // A pattern answers --exists; a search that is complete has listed all of them.
   const bool example = options_.exists && findings_.count() != 0U &&
                        findings_.outcome.status == engine::Status::solution_limit;
@@ -85,24 +86,26 @@ Verdict PatternsReport::verdict() const {
   const bool bounded = findings_.flat == 0 && (example || exact.unproved == 0);
   const bool proved = exact.done ? !exact.is_open() && exact.unproved == 0
                                  : bounded && problem_.modes.bodies.empty();
-  Verdict verdict{
+  answer::Verdict verdict{
       .ended = example ? engine::Status::solved : findings_.outcome.status,
       .nodes_left = example ? 0 : findings_.outcome.open,
-      .answer = Sticking{.friction = options_.friction,
-                         .factor = !problems::uniform_friction(problem_),
-                         .count = findings_.count(),
-                         .undecided = findings_.unresolved(),
-                         .standing = proved ? Standing::proved : Standing::computed,
-                         .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
-                         .degenerate = exact.unproved,
-                         .remainder = remainder_of(exact),
-                         .displacement_ratio = exact.displacement_ratio,
-                         .example = example}};
+      .answer = answer::Sticking{
+          .friction = options_.friction,
+          .factor = !problems::uniform_friction(problem_),
+          .count = findings_.count(),
+          .undecided = findings_.unresolved(),
+          .standing = proved ? answer::Standing::proved : answer::Standing::computed,
+          .grounds =
+              exact.done ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds,
+          .degenerate = exact.unproved,
+          .remainder = remainder_of(exact),
+          .displacement_ratio = exact.displacement_ratio,
+          .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (!options_.certificate.empty() && findings_.whole() && exact.unproved > 0 && !exact.asked) {
     verdict.missing.push_back(
         fmt::format("The certificate does not prove {} with a margin of zero.",
-                    counted(exact.unproved, "degenerate node")));
+                    answer::counted(exact.unproved, "degenerate node")));
   }
   if (!firmness_.empty()) verdict.details.push_back(largest_load());
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
@@ -161,11 +164,11 @@ std::string PatternsReport::largest_load() const {
       findings_.blocks.size() > 1 ? "part of the reference load on its block" : "reference load");
   if (std::isinf(high)) {
     return fmt::format("Number {} at any factor{}.", held,
-                       std::isinf(low) ? "" : fmt::format(" from {} on", rounded_up(low)));
+                       std::isinf(low) ? "" : fmt::format(" from {} on", answer::rounded_up(low)));
   }
   return fmt::format(
       "While its normal reactions add up to 1, number {} up to a factor of {}, the largest of {}.",
-      held, rounded_down(high), all ? "all patterns" : "those known to have a margin");
+      held, answer::rounded_down(high), all ? "all patterns" : "those known to have a margin");
 }
 
 std::string PatternsReport::details() const {
@@ -213,7 +216,7 @@ std::string PatternsReport::details() const {
     fmt::format_to(out,
                    "{} found with polyhedral friction cones of {} facets; each was then tested "
                    "with second-order cones\n",
-                   counted(findings_.outcome.tally().polyhedral_leaves, "sign pattern"),
+                   answer::counted(findings_.outcome.tally().polyhedral_leaves, "sign pattern"),
                    options_.facets);
   }
   if (findings_.undecided != 0) {
@@ -272,7 +275,7 @@ void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whol
     auto pattern = lean_pattern(problem_, leaf, findings_.inactive());
     if (!brackets_.empty()) {
       pattern["critical_friction"] = {{"lower", brackets_[i].lower},
-                                      {"upper", number_or_null(brackets_[i].upper)}};
+                                      {"upper", answer::number_or_null(brackets_[i].upper)}};
     }
     if (!firmness_.empty()) pattern["firmness"] = firmness_json(firmness_[i]);
     if (options_.whole || i < whole_unless_requested || i == largest) {
@@ -312,7 +315,7 @@ ordered_json PatternsReport::result_json() const {
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
   ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
-  add_count(result, "count", findings_.count());
+  answer::add_count(result, "count", findings_.count());
   result["flat"] = findings_.flat;
   result["marginal"] = findings_.marginal;
   result["undecided"] = findings_.undecided;
@@ -361,7 +364,7 @@ ordered_json PatternsReport::head_json(const problems::Structure& structure) con
           {"version", KUSABI_VERSION},
           {"problem", problem_json(structure, problem_, options_.input.file)},
           {"options", chosen_json()},
-          {"status", status_text(verdict())}};
+          {"status", answer::status_text(verdict())}};
 }
 
 void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const {

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answer/verdict.hpp"
 #include "nodes/wedged/hold/firmness.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
@@ -17,7 +18,6 @@
 #include "run/output/json_writer.hpp"
 #include "run/output/terminal_page.hpp"
 #include "run/patterns/patterns.hpp"
-#include "run/verdict/verdict.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
@@ -44,7 +44,7 @@ class PatternsReport {
         page_(page),
         numbers_(in_lines) {}
 
-  [[nodiscard]] Verdict verdict() const;
+  [[nodiscard]] answer::Verdict verdict() const;
 
   /// Patterns, rank statistics and times as text.
   [[nodiscard]] std::string table() const;

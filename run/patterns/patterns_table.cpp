@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "run/output/name_ranges.hpp"
-#include "run/output/values.hpp"
 #include "run/patterns/patterns_report.hpp"
-#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -41,9 +41,11 @@ std::string held_text(const std::optional<wedged::Firmness>& firmness) {
     return std::isinf(factor) ? std::string("any") : shown;
   };
   const auto [low, high] =
-      firmness ? std::pair(end(firmness->low, rounded_up(firmness->low, digits_of_table)),
-                           end(firmness->high, rounded_down(firmness->high, digits_of_table)))
-               : std::pair(std::string("-"), std::string("-"));
+      firmness
+          ? std::pair(
+                end(firmness->low, answer::rounded_up(firmness->low, answer::digits_of_table)),
+                end(firmness->high, answer::rounded_down(firmness->high, answer::digits_of_table)))
+          : std::pair(std::string("-"), std::string("-"));
   return fmt::format("{:>14}  {:>12}", low, high);
 }
 
@@ -140,7 +142,8 @@ std::string PatternsReport::groups() const {
   text += fmt::format(
       "       {} of patterns with steps of at most {}; margin and number are those of the member "
       "with the largest margin\n",
-      counted(all, "group"), counted(static_cast<std::uint64_t>(options_.group), "candidate"));
+      answer::counted(all, "group"),
+      answer::counted(static_cast<std::uint64_t>(options_.group), "candidate"));
   return text;
 }
 
@@ -169,8 +172,8 @@ std::string PatternsReport::overview() const {
          fmt::format(
              "{} in {}: members differ from that with the largest margin in at most {}. --group 0 "
              "lists all, --sort margin --top 10 the largest margins; files contain all\n",
-             counted(leaves.size(), "pattern"), counted(groups->size(), "group"),
-             counted(static_cast<std::uint64_t>(apart), "candidate"));
+             answer::counted(leaves.size(), "pattern"), answer::counted(groups->size(), "group"),
+             answer::counted(static_cast<std::uint64_t>(apart), "candidate"));
 }
 
 // Candidates of Algorithm 5.8: Y_1, ..., Y_k, with the result of (23) for each.

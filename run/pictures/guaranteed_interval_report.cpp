@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
-#include "run/verdict/shown_bracket.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -17,8 +17,8 @@ using limit::GuaranteedInterval;
 using nlohmann::ordered_json;
 
 ordered_json bracket_json(const FactorBracket& bracket) {
-  return {{"lower", number_or_null(bracket.lower)},
-          {"upper", number_or_null(bracket.upper)},
+  return {{"lower", answer::number_or_null(bracket.lower)},
+          {"upper", answer::number_or_null(bracket.upper)},
           {"lower_proved", bracket.lower_proved},
           {"upper_proved", bracket.upper_proved}};
 }
@@ -31,13 +31,15 @@ const char* proved_word(bool proved) {
 
 std::string factor_text(double lower, double upper) {
   if (std::isfinite(lower) && std::isfinite(upper)) {
-    const auto shown = in_table(lower, upper);
+    const auto shown = answer::in_table(lower, upper);
     return fmt::format("{} ... {}, proved", shown.lower, shown.upper);
   }
   if (std::isfinite(lower))
-    return fmt::format("at least {}, proved; open above", rounded_down(lower, digits_of_table));
+    return fmt::format("at least {}, proved; open above",
+                       answer::rounded_down(lower, answer::digits_of_table));
   if (std::isfinite(upper))
-    return fmt::format("at most {}, proved; open below", rounded_up(upper, digits_of_table));
+    return fmt::format("at most {}, proved; open below",
+                       answer::rounded_up(upper, answer::digits_of_table));
   return "open";
 }
 
@@ -47,16 +49,17 @@ std::string interval_text(const GuaranteedInterval& interval, std::string_view l
   }
   const auto& [minimum, largest, at_none, at_none_proved] = interval;
   if (interval.has_factors()) {
-    const auto [low, high] = inside(minimum.upper, largest.lower, digits_of_table);
+    const auto [low, high] = answer::inside(minimum.upper, largest.lower, answer::digits_of_table);
     return fmt::format("factors {} ... {} are carried{}, {}", low, high, loads,
                        proved_word(interval.decided()));
   }
   const auto known = [](double bound, std::string text) {
     return std::isfinite(bound) ? std::move(text) : std::string("unknown");
   };
-  return fmt::format("open: factors carried{} lie between {} and {}; their existence is undecided",
-                     loads, known(minimum.lower, rounded_down(minimum.lower, digits_of_table)),
-                     known(largest.upper, rounded_up(largest.upper, digits_of_table)));
+  return fmt::format(
+      "open: factors carried{} lie between {} and {}; their existence is undecided", loads,
+      known(minimum.lower, answer::rounded_down(minimum.lower, answer::digits_of_table)),
+      known(largest.upper, answer::rounded_up(largest.upper, answer::digits_of_table)));
 }
 
 std::string passed_text(const GuaranteedInterval& interval) {

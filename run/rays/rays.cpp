@@ -59,7 +59,7 @@ class Rays final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
   [[nodiscard]] double seconds_to_write(std::uint64_t solutions) const override;
   [[nodiscard]] bool limit_includes_writing() const override { return options_.lines; }
   std::vector<std::string> remarks(CommandRun& run) override;
@@ -248,15 +248,15 @@ std::vector<Step> Rays::results(CommandRun& run) {
           run.answer([table] { return table->str(); })};
 }
 
-Verdict Rays::verdict() const {
+answer::Verdict Rays::verdict() const {
   return {.ended = found_.status,
-          .answer = Sticking{.thing = "extremal ray",
-                             .friction = options_.friction,
-                             .factor = !uniform_friction(contact_.problem),
-                             .count = found_.count(),
-                             .standing = Standing::computed,
-                             .ambiguous = !found_.health.sound(),
-                             .remainder = remainder_of(exact_)}};
+          .answer = answer::Sticking{.thing = "extremal ray",
+                                     .friction = options_.friction,
+                                     .factor = !uniform_friction(contact_.problem),
+                                     .count = found_.count(),
+                                     .standing = answer::Standing::computed,
+                                     .ambiguous = !found_.health.sound(),
+                                     .remainder = remainder_of(exact_)}};
 }
 
 double Rays::seconds_to_write(std::uint64_t solutions) const {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
@@ -153,12 +154,13 @@ std::string RaysReport::summary() const {
   // The cones follow from all rays.
   const bool whole = found_.status == engine::Status::solved;
   fmt::format_to(
-      out, "\n{}{}{} at friction coefficient {}, by {}\n", counted(found_.count(), "extremal ray"),
+      out, "\n{}{}{} at friction coefficient {}, by {}\n",
+      answer::counted(found_.count(), "extremal ray"),
       problem_.modes.bodies.empty()
           ? ""
           : fmt::format(" and {} without reactions",
-                        counted(found_.motions.size(), "extremal motion")),
-      whole ? " in " + counted(found_.cones.size(), "maximal cone")
+                        answer::counted(found_.motions.size(), "extremal motion")),
+      whole ? " in " + answer::counted(found_.cones.size(), "maximal cone")
             : std::string(found_.count() == 1 ? " is known" : " are known"),
       friction_text(problem_, options_.friction),
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
@@ -175,7 +177,7 @@ ordered_json RaysReport::head_json() const {
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole_.structure(), problem_, options_.input.file)},
           {"options", {{"mu", options_.friction}, {"method", method_name(found_.method)}}},
-          {"status", status_name(found_.status)}};
+          {"status", answer::status_name(found_.status)}};
 }
 
 // Members of the result before its rays.

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/output/values.hpp"
+#include "answer/values.hpp"
 #include "run/report/facts.hpp"
 
 namespace kusabi::run {
@@ -29,7 +29,7 @@ class ProblemFacts {
     add_fact(page, "name", reader_.text(problem_, "name"));
     add_fact(page, "structure",
              fmt::format("{}, {}", reader_.number(problem_, "d") == 2 ? "in the plane" : "in space",
-                         counted(size("node_names"), "node")));
+                         answer::counted(size("node_names"), "node")));
     add_fact(page, "mesh", mesh());
     add_fact(page, "members", size("members") > 0 ? std::to_string(size("members")) : "");
     add_fact(page, "material", material());
@@ -107,10 +107,10 @@ class ProblemFacts {
     std::vector<std::string> parts;
     if (const auto* const fixed = find("fixed")) {
       for (const auto& [axis, nodes] : fixed->items())
-        parts.push_back(fmt::format("{} along {}", counted(nodes.size(), "node"), axis));
+        parts.push_back(fmt::format("{} along {}", answer::counted(nodes.size(), "node"), axis));
     }
     const auto add = [&](const char* key, const char* thing) {
-      if (size(key) > 0) parts.push_back(counted(size(key), thing));
+      if (size(key) > 0) parts.push_back(answer::counted(size(key), thing));
     };
     add("inclined_supports", "inclined support");
     add("springs", "spring");
@@ -124,7 +124,7 @@ class ProblemFacts {
     if (bodies == nullptr) return {};
     for (const auto& each : *bodies) {
       parts.push_back(fmt::format("the body of {} ({}) {}", reader_.text(each, "node"),
-                                  counted(reader_.count(each, "nodes"), "node"),
+                                  answer::counted(reader_.count(each, "nodes"), "node"),
                                   reader_.text(each, "motions")));
     }
     return fmt::format("{}", fmt::join(parts, "; "));
@@ -151,7 +151,7 @@ class ProblemFacts {
   [[nodiscard]] std::string loads() const {
     std::vector<std::string> parts;
     const auto add = [&](std::size_t count, const char* thing) {
-      if (count > 0) parts.push_back(counted(count, thing));
+      if (count > 0) parts.push_back(answer::counted(count, thing));
     };
     add(size("dead_loads"), "dead load");
     add(size("reference_loads"), "reference load");

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "pictures/svg/chart.hpp"
 #include "run/report/facts.hpp"
 #include "run/results/alpha_unit.hpp"
 #include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
-#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -27,7 +27,7 @@ class SweepSection {
     const bool loads = sweeps_loads(reader_);
     page_.open("section", {{"id", "sweep"}});
     page_.element("h2", loads ? "Over the uncertainty of loads" : "Over the friction coefficient");
-    if (const auto chart = sweep_chart(reader_, headline(result_verdict(reader_))))
+    if (const auto chart = sweep_chart(reader_, answer::headline(result_verdict(reader_))))
       page_.verbatim(inline_chart("curve", *chart));
     if (loads) {
       load_points();

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
+#include "answer/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/drawn_structure.hpp"
 #include "run/results/result_reader.hpp"
@@ -119,7 +119,7 @@ class SceneReader {
     const double friction = reader_.number(result_, "friction");
     const auto& patterns = reader_.list(result_, "patterns");
     all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
-                                     counted(patterns.size(), "sign pattern"), friction)};
+                                     answer::counted(patterns.size(), "sign pattern"), friction)};
     for (const auto& pattern : patterns) {
       if (!is_chosen(all, all.count)) continue;
       add_remark_on_whole(all, pattern, "patterns");
@@ -167,7 +167,7 @@ class SceneReader {
     const double friction = reader_.number(result_, "friction");
     const auto& rays = reader_.list(result_, "rays");
     all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
-                                     counted(rays.size(), "extremal ray"), friction)};
+                                     answer::counted(rays.size(), "extremal ray"), friction)};
     if (!rays.empty()) add_remark_on_whole(all, rays.front(), "rays");
     for (const auto& ray : rays) {
       if (!is_chosen(all, all.count)) continue;

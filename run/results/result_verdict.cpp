@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
-#include "run/verdict/verdict_json.hpp"
+#include "answer/values.hpp"
+#include "answer/verdict_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -19,11 +19,11 @@ class WrittenVerdict {
   explicit WrittenVerdict(const ResultReader& reader)
       : reader_(reader), verdict_(reader.at(reader.all(), "verdict")) {}
 
-  [[nodiscard]] Verdict verdict() const {
-    Verdict verdict{.ended = ended(),
-                    .nodes_left = count(verdict_, "nodes_left"),
-                    .details = reader_.names(verdict_, "details"),
-                    .missing = reader_.names(verdict_, "missing")};
+  [[nodiscard]] answer::Verdict verdict() const {
+    answer::Verdict verdict{.ended = ended(),
+                            .nodes_left = count(verdict_, "nodes_left"),
+                            .details = reader_.names(verdict_, "details"),
+                            .missing = reader_.names(verdict_, "missing")};
     if (ResultReader::find(reader_.all(), "warnings") != nullptr)
       verdict.warnings = reader_.names(reader_.all(), "warnings");
     const auto& answer = reader_.at(verdict_, "answer");
@@ -62,7 +62,7 @@ class WrittenVerdict {
     const auto word = reader_.text(verdict_, "ended");
     for (const auto each :
          {solved, time_limit, node_limit, solution_limit, gap_limit, interrupted}) {
-      if (word == status_name(each)) return each;
+      if (word == answer::status_name(each)) return each;
     }
     reader_.refuse("'ended' is not the end of a search");
   }
@@ -91,41 +91,42 @@ class WrittenVerdict {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;
     return reader_.text(object, key);
   }
-  [[nodiscard]] Standing standing(const ResultJson& object, const char* key) const {
+  [[nodiscard]] answer::Standing standing(const ResultJson& object, const char* key) const {
     const auto word = reader_.text(object, key);
     if (word != "proved" && word != "computed")
       reader_.refuse(fmt::format("'{}' is neither proved nor computed", key));
-    return word == "proved" ? Standing::proved : Standing::computed;
+    return word == "proved" ? answer::Standing::proved : answer::Standing::computed;
   }
-  [[nodiscard]] Grounds grounds(const ResultJson& answer) const {
+  [[nodiscard]] answer::Grounds grounds(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "grounds");
-    for (const auto each : {Grounds::exact_arithmetic, Grounds::solver_bounds})
-      if (word == grounds_name(each)) return each;
+    for (const auto each : {answer::Grounds::exact_arithmetic, answer::Grounds::solver_bounds})
+      if (word == answer::grounds_name(each)) return each;
     reader_.refuse("'grounds' is neither exact-arithmetic nor solver-bounds");
   }
-  [[nodiscard]] std::optional<Standing> some_standing(const ResultJson& object,
-                                                      const char* key) const {
+  [[nodiscard]] std::optional<answer::Standing> some_standing(const ResultJson& object,
+                                                              const char* key) const {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;
     return standing(object, key);
   }
-  [[nodiscard]] std::optional<Bound> bound(const ResultJson& object, const char* key) const {
+  [[nodiscard]] std::optional<answer::Bound> bound(const ResultJson& object,
+                                                   const char* key) const {
     const auto* const found = ResultReader::find(object, key);
     if (found == nullptr) return std::nullopt;
-    return Bound{reader_.number(*found, "value"), standing(*found, "standing")};
+    return answer::Bound{reader_.number(*found, "value"), standing(*found, "standing")};
   }
-  [[nodiscard]] Bracket bracket(const ResultJson& object, const char* key) const {
+  [[nodiscard]] answer::Bracket bracket(const ResultJson& object, const char* key) const {
     const auto& found = reader_.at(object, key);
     return {bound(found, "lower"), bound(found, "upper")};
   }
 
-  [[nodiscard]] std::optional<ExactRemainder> remainder(const ResultJson& answer) const {
+  [[nodiscard]] std::optional<answer::ExactRemainder> remainder(const ResultJson& answer) const {
     const auto* const found = ResultReader::find(answer, "doubt");
     if (found == nullptr) return std::nullopt;
-    return ExactRemainder{reader_.number(*found, "scale_ratio"), reader_.text(*found, "why"),
-                          count(*found, "nodes")};
+    return answer::ExactRemainder{reader_.number(*found, "scale_ratio"),
+                                  reader_.text(*found, "why"), count(*found, "nodes")};
   }
 
-  [[nodiscard]] Sticking sticking(const ResultJson& answer) const {
+  [[nodiscard]] answer::Sticking sticking(const ResultJson& answer) const {
     return {.thing = reader_.text(answer, "thing"),
             .friction = reader_.number(answer, "friction"),
             .factor = truth(answer, "factor"),
@@ -139,31 +140,31 @@ class WrittenVerdict {
             .displacement_ratio = some_number(answer, "displacement_ratio"),
             .example = ResultReader::find(answer, "example") != nullptr};
   }
-  [[nodiscard]] HoldReason hold_reason(const ResultJson& answer) const {
+  [[nodiscard]] answer::HoldReason hold_reason(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "reason");
-    const auto found = std::ranges::find(hold_reasons, word);
-    if (found == hold_reasons.end())
+    const auto found = std::ranges::find(answer::hold_reasons, word);
+    if (found == answer::hold_reasons.end())
       reader_.refuse("'reason' is not that of an answer about loads");
-    return static_cast<HoldReason>(found - hold_reasons.begin());
+    return static_cast<answer::HoldReason>(found - answer::hold_reasons.begin());
   }
-  [[nodiscard]] HoldingBracket holding_friction(const ResultJson& answer) const {
+  [[nodiscard]] answer::HoldingBracket holding_friction(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),
             .factor = truth(answer, "factor"),
             .maximum = reader_.number(answer, "most"),
             .reason = hold_reason(answer),
             .load_case = some_text(answer, "case").value_or("")};
   }
-  [[nodiscard]] HoldingFactors holding_factors(const ResultJson& answer) const {
+  [[nodiscard]] answer::HoldingFactors holding_factors(const ResultJson& answer) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    HoldingFactors found{.friction = reader_.number(answer, "friction"),
-                         .factor = truth(answer, "factor"),
-                         .of_reference = truth(answer, "of_reference"),
-                         .intervals = {},
-                         .outside = standing(answer, "outside"),
-                         .open = truth(answer, "open"),
-                         .reason = hold_reason(answer),
-                         .load_case = some_text(answer, "case").value_or(""),
-                         .total = some_number(answer, "total")};
+    answer::HoldingFactors found{.friction = reader_.number(answer, "friction"),
+                                 .factor = truth(answer, "factor"),
+                                 .of_reference = truth(answer, "of_reference"),
+                                 .intervals = {},
+                                 .outside = standing(answer, "outside"),
+                                 .open = truth(answer, "open"),
+                                 .reason = hold_reason(answer),
+                                 .load_case = some_text(answer, "case").value_or(""),
+                                 .total = some_number(answer, "total")};
     for (const auto& each : reader_.list(answer, "intervals")) {
       found.intervals.push_back({some_number(each, "low").value_or(-unbounded),
                                  some_number(each, "high").value_or(unbounded),
@@ -174,7 +175,7 @@ class WrittenVerdict {
       found.grip = holding_grip(*grip);
     return found;
   }
-  [[nodiscard]] HoldingGrip holding_grip(const ResultJson& grip) const {
+  [[nodiscard]] answer::HoldingGrip holding_grip(const ResultJson& grip) const {
     return {.held = truth(grip, "held"),
             .held_standing = standing(grip, "held_standing"),
             .minimum = bracket(grip, "least"),
@@ -182,13 +183,13 @@ class WrittenVerdict {
             .unbounded = truth(grip, "unbounded"),
             .unbounded_standing = standing(grip, "unbounded_standing")};
   }
-  [[nodiscard]] HoldingSweep holding_sweep(const ResultJson& answer) const {
-    HoldingSweep found{.requested = count(answer, "requested")};
+  [[nodiscard]] answer::HoldingSweep holding_sweep(const ResultJson& answer) const {
+    answer::HoldingSweep found{.requested = count(answer, "requested")};
     for (const auto& each : reader_.list(answer, "points"))
       found.points.push_back(holding_factors(each));
     return found;
   }
-  [[nodiscard]] HoldingDiagram holding_diagram(const ResultJson& answer) const {
+  [[nodiscard]] answer::HoldingDiagram holding_diagram(const ResultJson& answer) const {
     return {.friction = reader_.number(answer, "friction"),
             .factor = truth(answer, "factor"),
             .cases = reader_.names(answer, "cases"),
@@ -198,7 +199,7 @@ class WrittenVerdict {
             .open = truth(answer, "open"),
             .coarse = count(answer, "coarse")};
   }
-  [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
+  [[nodiscard]] answer::CriticalBracket critical(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),
             .factor = truth(answer, "factor"),
             .maximum = reader_.number(answer, "most"),
@@ -208,7 +209,7 @@ class WrittenVerdict {
             .grounds = grounds(answer),
             .displacement_ratio = some_number(answer, "displacement_ratio")};
   }
-  [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
+  [[nodiscard]] answer::FrictionSteps friction_steps(const ResultJson& answer) const {
     return {.maximum = reader_.number(answer, "most"),
             .factor = truth(answer, "factor"),
             .infeasible = bound(answer, "infeasible"),
@@ -218,37 +219,39 @@ class WrittenVerdict {
             .undecided_points = count(answer, "undecided_points"),
             .remainder = remainder(answer)};
   }
-  [[nodiscard]] LoadInterval load_interval(const ResultJson& answer) const {
-    LoadInterval found{.uncertain = {},
-                       .minimum = bracket(answer, "least"),
-                       .maximum = bracket(answer, "most"),
-                       .carried_at_none = some_standing(answer, "carried_at_none"),
-                       .if_big_m = truth(answer, "if_big_m"),
-                       .incomplete = truth(answer, "incomplete"),
-                       .cases = count(answer, "cases"),
-                       .reference_action = some_text(answer, "reference_action").value_or(""),
-                       .struts = ResultReader::find(answer, "struts") != nullptr};
+  [[nodiscard]] answer::LoadInterval load_interval(const ResultJson& answer) const {
+    answer::LoadInterval found{
+        .uncertain = {},
+        .minimum = bracket(answer, "least"),
+        .maximum = bracket(answer, "most"),
+        .carried_at_none = some_standing(answer, "carried_at_none"),
+        .if_big_m = truth(answer, "if_big_m"),
+        .incomplete = truth(answer, "incomplete"),
+        .cases = count(answer, "cases"),
+        .reference_action = some_text(answer, "reference_action").value_or(""),
+        .struts = ResultReader::find(answer, "struts") != nullptr};
     if (const auto* const loads = ResultReader::find(answer, "uncertain"))
-      found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
+      found.uncertain =
+          answer::LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
     return found;
   }
-  [[nodiscard]] MemberLoss member_loss(const ResultJson& answer) const {
-    MemberLoss found{.maximum = count(answer, "most"),
-                     .factor = bracket(answer, "factor"),
-                     .fatal = some_standing(answer, "fatal"),
-                     .lost = reader_.names(answer, "lost"),
-                     .target = some_number(answer, "target"),
-                     .reached = {},
-                     .cases = count(answer, "cases"),
-                     .struts = ResultReader::find(answer, "struts") != nullptr,
-                     .sudden = some_number(answer, "sudden").value_or(1)};
+  [[nodiscard]] answer::MemberLoss member_loss(const ResultJson& answer) const {
+    answer::MemberLoss found{.maximum = count(answer, "most"),
+                             .factor = bracket(answer, "factor"),
+                             .fatal = some_standing(answer, "fatal"),
+                             .lost = reader_.names(answer, "lost"),
+                             .target = some_number(answer, "target"),
+                             .reached = {},
+                             .cases = count(answer, "cases"),
+                             .struts = ResultReader::find(answer, "struts") != nullptr,
+                             .sudden = some_number(answer, "sudden").value_or(1)};
     if (ResultReader::find(answer, "kept") != nullptr) found.kept = reader_.names(answer, "kept");
     if (ResultReader::find(answer, "reached") != nullptr) found.reached = truth(answer, "reached");
     if (ResultReader::find(answer, "uncertain") != nullptr)
       found.uncertain = truth(answer, "uncertain");
     return found;
   }
-  [[nodiscard]] LoadSteps load_steps(const ResultJson& answer) const {
+  [[nodiscard]] answer::LoadSteps load_steps(const ResultJson& answer) const {
     return {.nominal = bound(answer, "nominal"),
             .nominal_at_none = some_standing(answer, "nominal_at_none"),
             .half_width = some_number(answer, "half_width"),
@@ -260,11 +263,11 @@ class WrittenVerdict {
             .points_asked = count(answer, "points_asked"),
             .open = truth(answer, "open")};
   }
-  [[nodiscard]] MixedOptimum mixed_optimum(const ResultJson& answer) const {
+  [[nodiscard]] answer::MixedOptimum mixed_optimum(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "state");
-    const auto state = std::ranges::find(mixed_states, word);
-    if (state == mixed_states.end()) reader_.refuse("'state' is not that of a program");
-    return {.state = static_cast<MixedOptimum::State>(state - mixed_states.begin()),
+    const auto state = std::ranges::find(answer::mixed_states, word);
+    if (state == answer::mixed_states.end()) reader_.refuse("'state' is not that of a program");
+    return {.state = static_cast<answer::MixedOptimum::State>(state - answer::mixed_states.begin()),
             .standing = standing(answer, "standing"),
             .maximise = truth(answer, "maximise"),
             .objective = some_number(answer, "objective"),
@@ -279,7 +282,7 @@ class WrittenVerdict {
 
 }  // namespace
 
-Verdict result_verdict(const ResultReader& reader) {
+answer::Verdict result_verdict(const ResultReader& reader) {
   return WrittenVerdict(reader).verdict();
 }
 

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
+#include "answer/values.hpp"
 #include "run/results/alpha_unit.hpp"
 
 namespace kusabi::run {
@@ -96,7 +96,7 @@ class SweptFriction : public SweepPage {
       const double mu = number(point, "mu");
       const auto count = known(point, mu);
       asked.marks.push_back({mu, height(count, as_logarithms),
-                             fmt::format("{} at {}", counted(count, "sign pattern"), mu)});
+                             fmt::format("{} at {}", answer::counted(count, "sign pattern"), mu)});
     }
     return asked;
   }
@@ -136,7 +136,7 @@ class SweptFriction : public SweepPage {
     const bool uniform = std::ranges::all_of(
         reader_.list(problem_, "contact"),
         [this](const ResultJson& each) { return number(each, "friction") == 1; });
-    return of_each_candidate(!uniform);
+    return answer::of_each_candidate(!uniform);
   }
 
   const bool could_not_wrap_ =

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "problems/structure/bodies/connected_bodies.hpp"
-#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -109,7 +109,7 @@ std::vector<std::string> touching_surfaces(const Structure& structure) {
   for (const auto& [key, candidates] : surfaces) {
     const auto& [name, touch] = key;
     lines.push_back(fmt::format("{}{}: {}, {}", name.empty() ? "" : name + ", ", touch,
-                                counted(candidates.size(), "candidate"),
+                                answer::counted(candidates.size(), "candidate"),
                                 shape_of(structure, candidates)));
   }
   return lines;

@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "problems/structure/bodies/connected_bodies.hpp"
 #include "problems/structure/bodies/rigid_motions.hpp"
 #include "problems/structure/model/element_shape.hpp"
 #include "problems/structure/model/load_cases.hpp"
-#include "run/output/values.hpp"
 #include "run/show/contact_checks.hpp"
 #include "run/show/expectation.hpp"
 
@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 void add_counted(std::vector<std::string>& parts, std::size_t count, std::string_view thing) {
-  if (count > 0) parts.push_back(counted(count, thing));
+  if (count > 0) parts.push_back(answer::counted(count, thing));
 }
 
 std::string bodies(const Structure& structure) {
@@ -42,7 +42,7 @@ std::string bodies(const Structure& structure) {
   for (const auto& [shape, count] : shapes)
     add_counted(parts, count, problems::shape_traits(shape).name);
   if (!structure.superelements.empty()) {
-    parts.push_back(counted(structure.superelements.size(), "stiffness") + " from a file");
+    parts.push_back(answer::counted(structure.superelements.size(), "stiffness") + " from a file");
   }
   return joined(parts);
 }
@@ -68,8 +68,9 @@ std::string connected(const problems::CheckedStructure& structure) {
   auto text = fmt::format("  bodies      {}, not connected with each other\n", all.size());
   for (const auto& nodes : std::span(all).first(std::min(all.size(), maximum))) {
     const auto& first = structure->node_names[static_cast<std::size_t>(*nodes.begin())];
-    text += fmt::format("              {}, the first {}, {}\n", counted(nodes.size(), "node"),
-                        support::in_quotes(first), held(nodes));
+    text +=
+        fmt::format("              {}, the first {}, {}\n", answer::counted(nodes.size(), "node"),
+                    support::in_quotes(first), held(nodes));
   }
   if (all.size() > maximum)
     text += fmt::format("              and {} more\n", all.size() - maximum);
@@ -100,7 +101,7 @@ std::string supports(const Structure& structure) {
   std::vector<std::string> parts;
   parts.reserve(held.size());
   for (const auto& [axes, count] : held)
-    parts.push_back(fmt::format("{} along {}", counted(count, "node"), axes));
+    parts.push_back(fmt::format("{} along {}", answer::counted(count, "node"), axes));
   add_counted(parts, structure.inclined.size(), "inclined support");
   add_counted(parts, structure.springs.size(), "spring");
   add_counted(parts, structure.ties.size(), "multi-point constraint");
@@ -155,7 +156,7 @@ std::string loads(const Structure& structure) {
   }
   const auto cases = problems::load_cases(structure);
   if (!cases.empty()) {
-    parts.push_back(fmt::format("in {}: {}", counted(cases.size(), "load case"),
+    parts.push_back(fmt::format("in {}: {}", answer::counted(cases.size(), "load case"),
                                 problems::choice_of_load_cases(structure)));
   }
   return joined(parts);

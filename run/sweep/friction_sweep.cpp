@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "answer/ending.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/sweep/sweep_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -13,8 +16,6 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/exact_json.hpp"
 #include "run/wedged/pattern_start.hpp"
@@ -59,7 +60,7 @@ class FrictionSweep final : public Swept {
   [[nodiscard]] std::string table() const override {
     return points_text() + cones_text() + ranks_text();
   }
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   /// The smallest coefficient with a pattern, or the limit of the search: at small coefficients the
@@ -102,10 +103,10 @@ ordered_json bracket_json(const std::optional<wedged::FrictionBracket>& bracket)
 
 void add_counts(ordered_json& json, const support::ExactCount& known, std::size_t open) {
   if (open == 0)
-    add_count(json, "count", known);
+    answer::add_count(json, "count", known);
   else
     json["count"] = nullptr;
-  add_count(json, "known", known);
+  answer::add_count(json, "known", known);
   json["open"] = open;
 }
 
@@ -147,7 +148,7 @@ ordered_json FrictionSweep::json() const {
       {"version", KUSABI_VERSION},
       {"problem", problem_json(contact_.structure, contact_.problem, options_.input.file)},
       {"options", std::move(chosen)},
-      {"status", status_text(verdict())},
+      {"status", answer::status_text(verdict())},
       {"result",
        {{"points", std::move(points)},
         {"at_mu_max",
@@ -196,18 +197,19 @@ std::string FrictionSweep::cones_text() const {
                  "in contact (U)");
   std::size_t number = 0;
   for (const auto& cone : found_.cones) {
-    const auto begins = in_table(cone.begins.lower, cone.begins.upper);
+    const auto begins = answer::in_table(cone.begins.lower, cone.begins.upper);
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}", ++number, begins.lower, begins.upper,
                    names(cone.pattern.contact));
     if (!cone.solid()) fmt::format_to(out, "  inactive: {}", names(cone.pattern.inactive));
     if (cone.absorbed)
       fmt::format_to(out, "  part of a larger one from {} on",
-                     in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
+                     answer::in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
     text += '\n';
   }
   for (const auto& leaf : found_.unresolved) {
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}\n", "open",
-                   rounded_down(leaf.lower, digits_of_table), "?", names(leaf.pattern.contact));
+                   answer::rounded_down(leaf.lower, answer::digits_of_table), "?",
+                   names(leaf.pattern.contact));
   }
   return text + begins_explained;
 }
@@ -227,15 +229,15 @@ std::string FrictionSweep::ranks_text() const {
   return text + "\nSearch for the critical coefficients, one leaf at a time:\n" + histories.text();
 }
 
-Verdict FrictionSweep::verdict() const {
-  FrictionSteps steps{.maximum = parameters_.maximum,
-                      .factor = !problems::uniform_friction(contact_.problem),
-                      .open_patterns = found_.unresolved.size()};
+answer::Verdict FrictionSweep::verdict() const {
+  answer::FrictionSteps steps{.maximum = parameters_.maximum,
+                              .factor = !problems::uniform_friction(contact_.problem),
+                              .open_patterns = found_.unresolved.size()};
   if (found_.enumerated) {
     double infeasible = parameters_.maximum;
     for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
     for (const auto& leaf : found_.unresolved) infeasible = std::min(infeasible, leaf.lower);
-    steps.infeasible = Bound{infeasible, Standing::computed};
+    steps.infeasible = answer::Bound{infeasible, answer::Standing::computed};
     const auto last = found_.count_at(found_.maximum);
     steps.count = last.known;
     steps.open_at_most = last.unresolved;

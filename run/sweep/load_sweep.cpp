@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "answer/ending.hpp"
+#include "answer/values.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_sweep.hpp"
 #include "problems/files/sections/residual_strength.hpp"
@@ -23,7 +25,6 @@
 #include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/sweep/swept.hpp"
-#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -88,7 +89,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
   [[nodiscard]] std::string table() const override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   /// lambda_min over multiples of the largest alpha; null if unknown.
@@ -138,10 +139,14 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
     yielding.push_back(problems::member_name(problem_, member));
     if (elongation > 0) tension.push_back(yielding.back());
   }
-  return {{"from", alpha_at(piece.from.at)},      {"to", alpha_at(piece.to)},
-          {"factor_from", piece.from.factor},     {"factor_to", piece.factor_at_end},
-          {"error", number_or_null(piece.error)}, {"along_reference_load", mode.along_reference},
-          {"yielding", std::move(yielding)},      {"tension", std::move(tension)}};
+  return {{"from", alpha_at(piece.from.at)},
+          {"to", alpha_at(piece.to)},
+          {"factor_from", piece.from.factor},
+          {"factor_to", piece.factor_at_end},
+          {"error", answer::number_or_null(piece.error)},
+          {"along_reference_load", mode.along_reference},
+          {"yielding", std::move(yielding)},
+          {"tension", std::move(tension)}};
 }
 
 ordered_json LoadSweep::json() const {
@@ -152,8 +157,8 @@ ordered_json LoadSweep::json() const {
   auto points = ordered_json::array();
   for (const auto& [alpha, worst, interval] : found_.points) {
     points.push_back({{"alpha", alpha},
-                      {"lower", number_or_null(worst.ends.lower)},
-                      {"upper", number_or_null(worst.ends.upper)},
+                      {"lower", answer::number_or_null(worst.ends.lower)},
+                      {"upper", answer::number_or_null(worst.ends.upper)},
                       {"proved", worst.proved},
                       {"guaranteed_interval", interval_json(interval)},
                       {"state", state_of(worst)}});
@@ -176,7 +181,7 @@ ordered_json LoadSweep::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem_, truss_, options_.input.file)},
           {"options", std::move(chosen)},
-          {"status", status_text(verdict())},
+          {"status", answer::status_text(verdict())},
           {"result", std::move(result)},
           {"statistics", {{"ranks", ranks_}}}};
 }
@@ -213,7 +218,7 @@ std::string LoadSweep::curve_text() const {
   for (const auto& piece : curve()->pieces) {
     const auto mode = problems::collapse_mode(problem_, piece.from.motion);
     fmt::format_to(out, "{:>12.8g} {:>12.8g}  {} yielding{}\n", alpha_at(piece.from.at),
-                   piece.from.factor, counted(mode.yielding.size(), "member"),
+                   piece.from.factor, answer::counted(mode.yielding.size(), "member"),
                    mode.along_reference ? ", along the reference load" : "");
   }
   const auto& last = curve()->pieces.back();
@@ -243,15 +248,17 @@ std::string LoadSweep::table() const {
   return text + curve_text();
 }
 
-Verdict LoadSweep::verdict() const {
-  LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
-  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
+answer::Verdict LoadSweep::verdict() const {
+  answer::LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
+  const auto standing = [](bool proved) {
+    return proved ? answer::Standing::proved : answer::Standing::computed;
+  };
   if (const auto& nominal = found_.last.nominal) {
     const auto& largest = found_.last.nominal_factors.largest;
-    steps.nominal = Bound{largest.lower_proved ? largest.lower : nominal->factor,
-                          standing(largest.lower_proved)};
+    steps.nominal = answer::Bound{largest.lower_proved ? largest.lower : nominal->factor,
+                                  standing(largest.lower_proved)};
   } else if (found_.last.status == limit::LoadStatus::not_carried) {
-    steps.nominal_at_none = Standing::proved;
+    steps.nominal_at_none = answer::Standing::proved;
   }
   if (problems::alpha_is_force(problem_)) steps.force = problem_.units.force;
   if (!found_.points.empty()) {
@@ -262,14 +269,14 @@ Verdict LoadSweep::verdict() const {
     } else {
       const auto& ends = worst.ends;
       if (std::isfinite(ends.lower))
-        steps.worst.lower = Bound{ends.lower, standing(ends.lower_proved)};
+        steps.worst.lower = answer::Bound{ends.lower, standing(ends.lower_proved)};
       if (std::isfinite(ends.upper))
-        steps.worst.upper = Bound{ends.upper, standing(ends.upper_proved)};
+        steps.worst.upper = answer::Bound{ends.upper, standing(ends.upper_proved)};
       const auto& minimum = interval.minimum;
       if (std::isfinite(minimum.lower))
-        steps.minimum.lower = Bound{minimum.lower, standing(minimum.lower_proved)};
+        steps.minimum.lower = answer::Bound{minimum.lower, standing(minimum.lower_proved)};
       if (std::isfinite(minimum.upper))
-        steps.minimum.upper = Bound{minimum.upper, standing(minimum.upper_proved)};
+        steps.minimum.upper = answer::Bound{minimum.upper, standing(minimum.upper_proved)};
     }
   }
   steps.open = !found_.whole(alphas_.size());

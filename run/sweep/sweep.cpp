@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "run/command/group_half_widths.hpp"
 #include "run/command/registrations.hpp"
@@ -16,7 +17,6 @@
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
 #include "run/sweep/swept.hpp"
-#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -32,7 +32,7 @@ class Sweep final : public Subcommand {
   }
   void search(CommandRun& run) override { swept_->search(run); }
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override { return swept_->verdict(); }
+  [[nodiscard]] answer::Verdict verdict() const override { return swept_->verdict(); }
   std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
@@ -112,7 +112,7 @@ std::vector<Step> Sweep::results(CommandRun& run) {
   const ResultReader result(swept_->json(), "the result");
   std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
-  chart_ = sweep_chart(result, headline(verdict()));
+  chart_ = sweep_chart(result, answer::headline(verdict()));
   if (chart_) {
     steps.push_back(run.file("--svg", [this](std::ostream& out) { write_chart(out, *chart_); }));
   }

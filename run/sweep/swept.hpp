@@ -45,7 +45,7 @@ class Swept {
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
   [[nodiscard]] virtual std::string table() const = 0;
-  [[nodiscard]] virtual Verdict verdict() const = 0;
+  [[nodiscard]] virtual answer::Verdict verdict() const = 0;
 };
 
 /// @param points increasing; may be empty @param maximum the largest

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
@@ -103,7 +104,7 @@ std::string verified_problem(const VerifyOptions& options,
 std::string verified_friction(const problems::CheckedStructure& structure, double friction) {
   const bool same =
       std::ranges::all_of(structure->contact, [](const auto& each) { return each.friction == 1; });
-  return fmt::format("friction coefficient: {}{}\n", friction, of_each_candidate(!same));
+  return fmt::format("friction coefficient: {}{}\n", friction, answer::of_each_candidate(!same));
 }
 
 std::string large_displacements_text(std::uint64_t nodes) {

@@ -57,7 +57,7 @@ class Verify final : public Subcommand {
   void prepare(CommandRun& run) override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
   VerifyOptions options_;
@@ -129,7 +129,7 @@ std::vector<Step> Verify::results(CommandRun& run) {
   return {CommandRun::print(folded(text, page.width)), run.answer([] { return std::string(); })};
 }
 
-Verdict Verify::verdict() const {
+answer::Verdict Verify::verdict() const {
   return {.ended = findings_.status, .answer = findings_.check};
 }
 

@@ -16,7 +16,7 @@ struct VerifyOptions {
 
 /// Findings. Texts are on rank 0.
 struct VerifyFindings {
-  CertificateCheck check{};
+  answer::CertificateCheck check{};
   engine::Status status = engine::Status::solved;  ///< not solved: nothing is proved
   std::string refusals = {};                       ///< one line each
   std::string summary = {};                        ///< claims that are proved, and the method

@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "engine/counts.hpp"
 #include "engine/index_range.hpp"
 #include "engine/search.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/proof_words.hpp"
 #include "verify/wedged/consistency.hpp"
@@ -102,23 +102,25 @@ std::string refusal_line(const VerifyOptions& options, const verify::HoldCertifi
   return line(state.line, state.share ? "alive" : "wedged", state);
 }
 
-std::vector<CertificateCheck::Range> ranges_of(const std::vector<verify::FactorRange>& ranges) {
-  std::vector<CertificateCheck::Range> result;
+std::vector<answer::CertificateCheck::Range> ranges_of(
+    const std::vector<verify::FactorRange>& ranges) {
+  std::vector<answer::CertificateCheck::Range> result;
   result.reserve(ranges.size());
   for (const auto& [low, high] : ranges) result.push_back({low, high});
   return result;
 }
 
-CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction, bool reference) {
-  CertificateCheck::Held held{.friction = friction,
-                              .of_reference = reference,
-                              .total = claims.total,
-                              .held = ranges_of(claims.held),
-                              .none = ranges_of(claims.none)};
+answer::CertificateCheck::Held held_of(const verify::HoldClaims& claims, double friction,
+                                       bool reference) {
+  answer::CertificateCheck::Held held{.friction = friction,
+                                      .of_reference = reference,
+                                      .total = claims.total,
+                                      .held = ranges_of(claims.held),
+                                      .none = ranges_of(claims.none)};
   if (!claims.grip) return held;
   held.grip = {claims.grip->below, claims.grip->above, {}};
   if (const auto& states = claims.grip->states)
-    held.grip->states = CertificateCheck::Range{states->low, states->high};
+    held.grip->states = answer::CertificateCheck::Range{states->low, states->high};
   return held;
 }
 
@@ -169,7 +171,7 @@ std::string summary_of(const VerifyOptions& options, const problems::CheckedStru
       verified_friction(structure, friction), covered_cases_text({certificate.load_case}),
       cases_left_text({certificate.load_case}, structure),
       enclosure.problem.stiffness.radius.nearest(), certificate.nodes.size(),
-      counted(certificate.trees.size(), "tree"),
+      answer::counted(certificate.trees.size(), "tree"),
       large_displacements_text(except_large_displacements), certificate.states.size());
 }
 

@@ -13,8 +13,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "run/output/values.hpp"
-#include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
 #include "support/input_error.hpp"
@@ -29,8 +30,9 @@ using verify::LimitClaim;
 
 // "34 cuts, 1 node covers all loads"
 std::string covering_text(const CheckedStatement& statement) {
-  return fmt::format("{}, {} {} all loads\n", counted(statement.cuts, "cut"),
-                     counted(statement.nodes, "node"), statement.nodes == 1 ? "covers" : "cover");
+  return fmt::format("{}, {} {} all loads\n", answer::counted(statement.cuts, "cut"),
+                     answer::counted(statement.nodes, "node"),
+                     statement.nodes == 1 ? "covers" : "cover");
 }
 
 std::string summary_of(const CheckedStatement& statement) {
@@ -101,13 +103,13 @@ ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
 }
 
 // Sentence about all cases together.
-CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
+answer::CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
   const auto all = factors_of(statements);
   std::set<std::string> cases;
   for (const auto& each : statements) cases.insert(each.load_case);
-  CertificateCheck::Factor factor{.loads = {.half_width = half_width_of(statements)},
-                                  .cases = cases.size(),
-                                  .at_none = all.at_none};
+  answer::CertificateCheck::Factor factor{.loads = {.half_width = half_width_of(statements)},
+                                          .cases = cases.size(),
+                                          .at_none = all.at_none};
   if (all.at_none) return factor;
   factor.lower = all.largest_lower;
   factor.upper = all.largest_upper;
@@ -124,8 +126,9 @@ bool is_counterpart(const CheckedStatement& one, const CheckedStatement& other) 
 
 // Bounds of the factors that are carried while no strut falls below its residual strength: those
 // carried at residual strength are, and those beyond the bounds at full strength are not.
-CertificateCheck::Factor factor_of_struts(const std::vector<CheckedStatement>& at_strength,
-                                          const std::vector<CheckedStatement>& after_buckling) {
+answer::CertificateCheck::Factor factor_of_struts(
+    const std::vector<CheckedStatement>& at_strength,
+    const std::vector<CheckedStatement>& after_buckling) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
   auto factor = factor_of(at_strength);
   factor.struts = true;
@@ -198,8 +201,8 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
     summary += cases_at_residual_text(statements, after_buckling);
     summary += fmt::format(
         "all struts at their strength, an upper value: {}\nall struts at {}, PROVED: {}\n",
-        factor_claim(factor_of(statements)), residual_strength(structure.has_value()),
-        factor_claim(factor_of(after_buckling)));
+        answer::factor_claim(factor_of(statements)), residual_strength(structure.has_value()),
+        answer::factor_claim(factor_of(after_buckling)));
   }
   const bool struts = residual.size() > 0 || !after_buckling.empty();
   findings.check.claim =

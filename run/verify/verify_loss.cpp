@@ -12,12 +12,12 @@
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "engine/analysis/analysis.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
-#include "run/output/values.hpp"
-#include "run/verdict/words.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
 #include "support/input_error.hpp"
@@ -126,7 +126,8 @@ std::string difference(const LossStatement& one, const LossStatement& other) {
 
 // Merges a proved statement into that about all load cases.
 void add(const LossStatement& statement, const CheckedLoss& checked,
-         const std::optional<problems::CheckedStructure>& structure, CertificateCheck::Loss& all) {
+         const std::optional<problems::CheckedStructure>& structure,
+         answer::CertificateCheck::Loss& all) {
   const double upper = checked.upper;
   all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
   all.as_given = all.as_given || checked.as_given;
@@ -163,7 +164,8 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
   std::size_t states = 0;
   for (const auto& statement : statements) states += statement.states.size();
   if (states == 0) return summary;
-  return summary + fmt::format("{} cover all losses\n", counted(states, "carrying stress state"));
+  return summary +
+         fmt::format("{} cover all losses\n", answer::counted(states, "carrying stress state"));
 }
 
 }  // namespace
@@ -181,12 +183,12 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
   const auto after_buckling = statements.size() - cases;
   const auto& first = statements.front();
   VerifyFindings findings;
-  const CertificateCheck::Loss none{.maximum = first.maximum,
-                                    .cases = cases,
-                                    .load_case = cases == 1 ? first.load_case : "",
-                                    .lower = std::numeric_limits<double>::infinity(),
-                                    .upper = std::numeric_limits<double>::infinity(),
-                                    .sudden = first.sudden};
+  const answer::CertificateCheck::Loss none{.maximum = first.maximum,
+                                            .cases = cases,
+                                            .load_case = cases == 1 ? first.load_case : "",
+                                            .lower = std::numeric_limits<double>::infinity(),
+                                            .upper = std::numeric_limits<double>::infinity(),
+                                            .sudden = first.sudden};
   std::array all{none, none};  // at strength, and at residual strength
   std::vector<HalfWidths> half_widths;
   for (const auto& statement : statements) {
@@ -215,9 +217,10 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
   }
   findings.summary = summary_of(options, statements, half_widths, structure);
   if (after_buckling > 0) {
-    findings.summary += fmt::format(
-        "all struts at their strength, an upper value; {}\nall struts at {}, {}\n",
-        loss_claim(all[0]), residual_strength(structure.has_value()), loss_claim(all[1]));
+    findings.summary +=
+        fmt::format("all struts at their strength, an upper value; {}\nall struts at {}, {}\n",
+                    answer::loss_claim(all[0]), residual_strength(structure.has_value()),
+                    answer::loss_claim(all[1]));
   }
   // The factor at strength bounds that of struts with a residual strength from outside only.
   all[0].struts = after_buckling > 0 || residual.size() > 0;

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "engine/analysis/analysis.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/output/values.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verify/proof_words.hpp"
 #include "run/verify/verification.hpp"
@@ -86,7 +86,7 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
                  certificate.motions == 0
                      ? ""
                      : fmt::format(" with grounding springs for {} of unconstrained bodies",
-                                   counted(certificate.motions, "rigid-body mode")),
+                                   answer::counted(certificate.motions, "rigid-body mode")),
                  proof.min_eigenvalue()->nearest());
   if (covered) {
     for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
@@ -94,7 +94,8 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
       const auto nodes = std::ranges::count(certificate.records, b, &verify::Record::block);
       fmt::format_to(std::back_inserter(text), "{}{} cover all {} sign patterns{}, each once\n",
                      certificate.blocks.size() > 1 ? fmt::format("block {}: ", b + 1) : "",
-                     counted(static_cast<std::uint64_t>(nodes), "node"), all_patterns(block.size()),
+                     answer::counted(static_cast<std::uint64_t>(nodes), "node"),
+                     all_patterns(block.size()),
                      certificate.blocks.size() > 1 ? " of " + certificate.names_of(block) : "");
     }
   }
@@ -127,7 +128,7 @@ engine::Outcome<Verification> verified(CommandRun& run, Verification& verificati
   return analysis.search(verification, search_options);
 }
 
-CertificateCheck::List list_of(const Verification::Tally& proved) {
+answer::CertificateCheck::List list_of(const Verification::Tally& proved) {
   return {.patterns = proved.feasible,
           .nodes = proved.infeasible + proved.feasible + proved.unloaded,
           .undecided = proved.open(),
@@ -167,7 +168,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   VerifyFindings findings{
       .check = {.refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U)}};
   if (one_pattern)
-    findings.check.claim = CertificateCheck::Example{.patterns = proved.feasible};
+    findings.check.claim = answer::CertificateCheck::Example{.patterns = proved.feasible};
   else
     findings.check.claim = list_of(proved);
   if (!run.session().is_first()) return findings;  // refusals are on rank 0

@@ -11,9 +11,10 @@ nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
           {"ties", test.unproved}};
 }
 
-std::optional<ExactRemainder> remainder_of(const wedged::ExactTest& test) {
+std::optional<answer::ExactRemainder> remainder_of(const wedged::ExactTest& test) {
   if (!test.is_open()) return std::nullopt;
-  return ExactRemainder{test.scale_ratio, test.unable, test.closed_unproved + test.unproved};
+  return answer::ExactRemainder{test.scale_ratio, test.unable,
+                                test.closed_unproved + test.unproved};
 }
 
 }  // namespace kusabi::run

@@ -5,14 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answer/verdict.hpp"
 #include "nodes/wedged/pattern_search.hpp"
-#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
 nlohmann::ordered_json exact_json(const wedged::ExactTest& test);
 
 /// Nothing if the test was not called or has decided everything.
-std::optional<ExactRemainder> remainder_of(const wedged::ExactTest& test);
+std::optional<answer::ExactRemainder> remainder_of(const wedged::ExactTest& test);
 
 }  // namespace kusabi::run

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "problems/structure/model/load_cases.hpp"
-#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -22,7 +22,7 @@ void add_clearances(const problems::Structure& structure, std::string_view comma
   const auto message = fmt::format(
       "kusabi {} ignores the clearance or interference of {}: the gaps of a wedged configuration "
       "are zero; kusabi hold uses them",
-      command, counted(count, "contact candidate"));
+      command, answer::counted(count, "contact candidate"));
   const auto position =
       problems::position_of(structure.sources.contact, static_cast<int>(first - contact.begin()));
   lines.emplace_back(problems::structure_error(structure, position, message).what());
@@ -51,7 +51,8 @@ std::vector<std::string> ignored_loads(const problems::Structure& structure,
     const auto message = fmt::format(
         "kusabi {} ignores {} of the file: wedged configurations are without load; kusabi hold "
         "searches states under load, kusabi limit the limit load of a truss",
-        command, loads ? counted(count, "load") : counted(uncertain, "uncertain load"));
+        command,
+        loads ? answer::counted(count, "load") : answer::counted(uncertain, "uncertain load"));
     lines.emplace_back(problems::structure_error(structure, position, message).what());
   }
   if (structure.imposed_forces.size() > 0) {
@@ -72,7 +73,7 @@ std::vector<std::string> ignored_uncertainty(const problems::Structure& structur
   if (!structure.uncertain || structure.uncertain->empty()) return {};
   const auto message =
       fmt::format("kusabi {} ignores {} without a half-width: the loads are those of the file",
-                  command, counted(structure.uncertain->size(), "uncertain load"));
+                  command, answer::counted(structure.uncertain->size(), "uncertain load"));
   const auto position = problems::position_of(structure.sources.uncertain, 0);
   return {problems::structure_error(structure, position, message).what()};
 }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "nodes/wedged/relaxation/contact_solver.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/name_ranges.hpp"
@@ -50,7 +51,7 @@ ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
 
 std::string problem_line(const problems::WedgedProblem& problem) {
   const auto number_of = [](int number, const char* noun) {
-    return counted(static_cast<std::uint64_t>(number), noun);
+    return answer::counted(static_cast<std::uint64_t>(number), noun);
   };
   auto sizes = number_of(problem.provenance.nodes, "node");
   if (problem.provenance.members > 0)
@@ -59,7 +60,7 @@ std::string problem_line(const problems::WedgedProblem& problem) {
     sizes += ", " + number_of(problem.provenance.elements, "element");
   auto line = fmt::format("{}: {}, {}, {}", problem.provenance.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
-                          counted(problem.contact_names.size(), "contact candidate"));
+                          answer::counted(problem.contact_names.size(), "contact candidate"));
   const auto& bodies = problem.modes.bodies;
   constexpr std::size_t max_described = 3;
   for (std::size_t k = 0; k < std::min(bodies.size(), max_described); ++k) {
@@ -73,7 +74,8 @@ std::string problem_line(const problems::WedgedProblem& problem) {
 }
 
 std::string friction_text(const problems::WedgedProblem& problem, double coefficient) {
-  return fmt::format("{}{}", coefficient, of_each_candidate(!problems::uniform_friction(problem)));
+  return fmt::format("{}{}", coefficient,
+                     answer::of_each_candidate(!problems::uniform_friction(problem)));
 }
 
 ordered_json problem_json(const problems::Structure& structure,

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "answer/values.hpp"
 #include "problems/structure/assembly/element_stress.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/structure_json.hpp"
@@ -39,7 +40,7 @@ void add_internal_forces(ordered_json& configuration, const problems::Structure&
   if (problems::has_yield_forces(structure)) {
     auto used = ordered_json::array();
     for (const double each : problems::utilisations(structure, state.axial_forces))
-      used.push_back(number_or_null(each));
+      used.push_back(answer::number_or_null(each));
     configuration["utilisation"] = std::move(used);
   }
   if (structure.elements.empty()) return;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "pictures/html/markup.hpp"
 #include "pictures/svg/inline_picture.hpp"
 #include "run/report/answers.hpp"
@@ -24,7 +25,6 @@
 #include "run/results/hold_chart.hpp"
 #include "run/results/result_scenes.hpp"
 #include "run/results/result_verdict.hpp"
-#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -32,17 +32,17 @@ namespace {
 using pictures::Markup;
 
 // The answer in a sentence, the verdict, and all that qualifies it.
-void add_verdict(Markup& page, const Verdict& verdict, const std::string& sentence) {
+void add_verdict(Markup& page, const answer::Verdict& verdict, const std::string& sentence) {
   if (!sentence.empty()) page.element("p", sentence, {{"id", "answer"}});
-  page.element("p", headline(verdict), {{"id", "verdict"}});
+  page.element("p", answer::headline(verdict), {{"id", "verdict"}});
   std::vector<std::string> sentences;
   for (const auto& each : verdict.warnings) sentences.push_back("Warning: " + each);
   add_list(page, "warnings", sentences);
   sentences.clear();
-  for (const auto& each : reservations(verdict)) sentences.push_back(each.sentence);
+  for (const auto& each : answer::reservations(verdict)) sentences.push_back(each.sentence);
   add_list(page, "reservations", sentences);
   // Names of the first way are in the sentence already; a state under load needs its explanation.
-  if (!sentence.empty() && !std::holds_alternative<HoldingBracket>(verdict.answer)) return;
+  if (!sentence.empty() && !std::holds_alternative<answer::HoldingBracket>(verdict.answer)) return;
   for (const auto& each : verdict.details) page.element("p", each);
 }
 
@@ -67,12 +67,12 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
 }
 
 // Both bounds with their standing.
-void add_bracket(Markup& page, const CriticalBracket& found) {
+void add_bracket(Markup& page, const answer::CriticalBracket& found) {
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
   auto facts = ResultJson::object();
-  const auto take = [&](const std::optional<Bound>& bound, const std::string& name) {
+  const auto take = [&](const std::optional<answer::Bound>& bound, const std::string& name) {
     if (!bound) return;
-    const bool proved = bound->standing == Standing::proved;
+    const bool proved = bound->standing == answer::Standing::proved;
     facts[fmt::format("{} ({})", name, proved ? "proved" : "computed, not proved")] = bound->value;
   };
   take(found.bracket.lower, "cannot stick at");
@@ -81,8 +81,8 @@ void add_bracket(Markup& page, const CriticalBracket& found) {
   page.close();
 }
 
-void add_held_loads(Markup& page, const ResultReader& reader, const Verdict& verdict) {
-  const auto chart = hold_chart(reader, headline(verdict));
+void add_held_loads(Markup& page, const ResultReader& reader, const answer::Verdict& verdict) {
+  const auto chart = hold_chart(reader, answer::headline(verdict));
   if (!chart) return;
   page.open("section", {{"id", "loads"}}).element("h2", "Loads that can be held");
   page.verbatim(inline_chart("held", *chart));
@@ -104,7 +104,7 @@ std::string report_page(const ResultReader& reader) {
   add_verdict(page, verdict, first_sentence(reader, verdict, leading, list.names));
   page.close().open("main");
   if (leading != nullptr) add_leading(page, reader, list);
-  if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
+  if (const auto* const found = std::get_if<answer::CriticalBracket>(&verdict.answer))
     add_bracket(page, *found);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "run/verdict/verdict.hpp"
+#include "answer/verdict.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 /// Sentence, details, reservations, exit code, and counts and bounds, each bound with its standing.
 nlohmann::ordered_json verdict_json(const Verdict& verdict);
@@ -16,4 +16,4 @@ const char* standing_name(Standing standing);
 /// "exact-arithmetic" or "solver-bounds".
 const char* grounds_name(Grounds grounds);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

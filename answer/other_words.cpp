@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/output/values.hpp"
-#include "run/verdict/answer_words.hpp"
+#include "answer/answer_words.hpp"
+#include "answer/values.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 const char* in_brackets(Standing standing) {
@@ -261,4 +261,4 @@ void reserve(const CertificateCheck& found, std::vector<Reservation>& all) {
                  true});
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
-#include "run/verdict/answer_words.hpp"
-#include "run/verdict/shown_bracket.hpp"
+#include "answer/answer_words.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 constexpr int digits_of_sweep = 10;
@@ -233,4 +233,4 @@ void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
   }
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

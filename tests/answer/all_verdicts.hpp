@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "run/verdict/verdict.hpp"
+#include "answer/verdict.hpp"
 
-namespace kusabi::run::testing {
+namespace kusabi::answer::testing {
 
 std::vector<Verdict> all_verdicts();
 
-}  // namespace kusabi::run::testing
+}  // namespace kusabi::answer::testing

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "run/verdict/verdict.hpp"
+#include "answer/verdict.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 /// The answer as a sentence: "It can stick in 27 ways at friction coefficient 0.65." Empty if the
 /// command has no answer.
@@ -32,4 +32,4 @@ std::string loss_claim(const CertificateCheck::Loss& loss);
 /// A critical friction coefficient for a table: both bounds and their standing.
 std::string bracket_line(const CriticalBracket& found);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -1,11 +1,11 @@
 // JSON keys of each kind of answer.
-#include "run/verdict/verdict_json.hpp"
+#include "answer/verdict_json.hpp"
 
-#include "run/output/values.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/words.hpp"
+#include "answer/ending.hpp"
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 using nlohmann::ordered_json;
@@ -229,4 +229,4 @@ ordered_json verdict_json(const Verdict& verdict) {
       {"answer", std::visit([](const auto& found) { return answer_json(found); }, verdict.answer)}};
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

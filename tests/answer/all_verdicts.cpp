@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace kusabi::run::testing {
+namespace kusabi::answer::testing {
 namespace {
 
 using Standings = std::initializer_list<std::optional<Standing>>;
@@ -314,4 +314,4 @@ std::vector<Verdict> all_verdicts() {
   return all;
 }
 
-}  // namespace kusabi::run::testing
+}  // namespace kusabi::answer::testing

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
-#include "run/verdict/answer_words.hpp"
-#include "run/verdict/shown_bracket.hpp"
+#include "answer/answer_words.hpp"
+#include "answer/shown_bracket.hpp"
+#include "answer/values.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 constexpr const char* held_by_supports =
@@ -310,4 +310,4 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
   }
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -15,7 +15,7 @@
 #include "engine/statistics.hpp"
 #include "support/exact_count.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 /// Standing of a bound or a list. An absent one is open.
 enum class Standing {
@@ -323,4 +323,4 @@ struct Verdict {
   std::vector<std::string> warnings{};  ///< about the input
 };
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "run/output/exit_code.hpp"
-#include "run/verdict/verdict.hpp"
+#include "answer/exit_code.hpp"
+#include "answer/verdict.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 /// True if nothing that was requested is open.
 bool is_answered(const Verdict& verdict);
@@ -17,4 +17,4 @@ ExitCode exit_code(const Verdict& verdict);
 /// "open".
 std::string status_text(const Verdict& verdict);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

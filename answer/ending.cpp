@@ -1,12 +1,12 @@
 // Exit codes: 3 for an answer with open reservations, 1 for a refused certificate.
-#include "run/verdict/ending.hpp"
+#include "answer/ending.hpp"
 
 #include <algorithm>
 
-#include "run/output/values.hpp"
-#include "run/verdict/words.hpp"
+#include "answer/values.hpp"
+#include "answer/words.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 bool has_failed(const Verdict& verdict) {
@@ -44,4 +44,4 @@ std::string status_text(const Verdict& verdict) {
   return is_carried_at_none(verdict) ? "not-carried" : "solved";
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

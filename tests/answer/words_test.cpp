@@ -1,5 +1,5 @@
 // Properties of the sentences of every verdict, and some sentences in full.
-#include "run/verdict/words.hpp"
+#include "answer/words.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -11,13 +11,13 @@
 #include <gtest/gtest.h>
 
 #include "all_verdicts.hpp"
+#include "answer/ending.hpp"
+#include "answer/verdict_json.hpp"
+#include "run/output/conclusion_text.hpp"
 #include "run/results/result_verdict.hpp"
-#include "run/verdict/conclusion_text.hpp"
-#include "run/verdict/ending.hpp"
-#include "run/verdict/verdict_json.hpp"
 #include "tests/support/thorough.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 using run::testing::all_verdicts;
@@ -159,7 +159,7 @@ TEST(Verdicts, AreTheSameAfterWritingAndReading) {
         ResultJson::parse(
             nlohmann::ordered_json{{"verdict", written}, {"warnings", verdict.warnings}}.dump()),
         "result.json");
-    const auto again = result_verdict(reader);
+    const auto again = run::result_verdict(reader);
     EXPECT_EQ(all_words(again), all_words(verdict));
     EXPECT_EQ(again.details, verdict.details);
     EXPECT_EQ(again.warnings, verdict.warnings);
@@ -172,7 +172,7 @@ TEST(Verdicts, AreTheSameAfterWritingAndReading) {
 
 TEST(Verdicts, ArePrintedCompletelyBelowTables) {
   for (const auto& verdict : all_verdicts()) {
-    const auto text = conclusion_text(verdict, {});
+    const auto text = run::conclusion_text(verdict, {});
     EXPECT_TRUE(has(text, headline(verdict)));
     for (const auto& each : reservations(verdict)) EXPECT_TRUE(has(text, each.sentence));
     for (const auto& each : verdict.warnings) EXPECT_TRUE(has(text, "Warning: " + each));
@@ -262,7 +262,7 @@ Verdict read_back(const Verdict& verdict) {
   const ResultReader reader(
       ResultJson::parse(nlohmann::ordered_json{{"verdict", verdict_json(verdict)}}.dump()),
       "result.json");
-  return result_verdict(reader);
+  return run::result_verdict(reader);
 }
 
 // Carried up to 0.4 after buckling, and to 1.2 at most.
@@ -392,4 +392,4 @@ TEST(LoadWords, ReportAnEmptyInterval) {
 }
 
 }  // namespace
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -1,12 +1,12 @@
 // Decimal bounds remain bounds, and lower and upper ones differ.
-#include "run/verdict/shown_bracket.hpp"
+#include "answer/shown_bracket.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 TEST(ShownBracket, HasOneDecimalPlaceOnBothSidesOfAPowerOfTen) {
@@ -74,4 +74,4 @@ TEST(ShownBracket, KeepsZero) {
 }
 
 }  // namespace
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -1,15 +1,15 @@
 // Sentences common to all kinds of answer: an early end, and outputs that were not made.
-#include "run/verdict/words.hpp"
+#include "answer/words.hpp"
 
 #include <algorithm>
 #include <type_traits>
 
 #include <fmt/format.h>
 
-#include "run/output/values.hpp"
-#include "run/verdict/answer_words.hpp"
+#include "answer/answer_words.hpp"
+#include "answer/values.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 template <class Answer>
@@ -69,4 +69,4 @@ std::vector<Reservation> reservations(const Verdict& verdict) {
   return all;
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

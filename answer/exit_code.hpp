@@ -1,7 +1,7 @@
 // Exit codes of the command.
 #pragma once
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 enum ExitCode : int {
   solved = 0,         ///< everything requested is answered ("none" is an answer)
@@ -10,4 +10,4 @@ enum ExitCode : int {
   stopped_early = 3,  ///< stopped at a limit, or partly undecided, with a valid partial answer
 };
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

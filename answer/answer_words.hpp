@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "run/verdict/words.hpp"
+#include "answer/words.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 // Headlines. @param ended of the search
 
@@ -58,4 +58,4 @@ std::string after_worst_loss(const std::vector<std::string>& lost, double sudden
 /// "± 0.45 kN": half-width of an uncertain load.
 std::string half_width_text(double half_width, const std::optional<std::string>& force);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

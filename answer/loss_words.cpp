@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/verdict/answer_words.hpp"
-#include "run/verdict/shown_bracket.hpp"
+#include "answer/answer_words.hpp"
+#include "answer/shown_bracket.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 
 std::string except_kept(const std::vector<std::string>& members) {
   constexpr std::size_t max_named = 8;
@@ -114,4 +114,4 @@ void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservat
     all.push_back({"An upper bound of the factor that remains is not proved.", true});
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

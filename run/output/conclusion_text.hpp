@@ -3,12 +3,12 @@
 
 #include <string>
 
+#include "answer/verdict.hpp"
 #include "run/output/terminal_page.hpp"
-#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
 /// Last lines of a table; empty if there is neither an answer nor a warning.
-std::string conclusion_text(const Verdict& verdict, const Page& page);
+std::string conclusion_text(const answer::Verdict& verdict, const Page& page);
 
 }  // namespace kusabi::run

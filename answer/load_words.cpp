@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "run/verdict/answer_words.hpp"
-#include "run/verdict/shown_bracket.hpp"
+#include "answer/answer_words.hpp"
+#include "answer/shown_bracket.hpp"
 
-namespace kusabi::run {
+namespace kusabi::answer {
 namespace {
 
 // @param cases "each of", "all of"
@@ -291,4 +291,4 @@ void reserve(const LoadSteps& found, std::vector<Reservation>& all) {
   if (found.open) all.push_back({"Not every point, or not all of the curve, is proved.", true});
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::answer

@@ -1,0 +1,38 @@
+// Names of states, counts in sentences, numbers in JSON.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/statistics.hpp"
+#include "support/exact_count.hpp"
+
+namespace kusabi::answer {
+
+/// Name in the result file: "solved", "time-limit", ...
+const char* status_name(engine::Status status);
+
+/// null for an infinite or absent number, since JSON has no infinity.
+nlohmann::ordered_json number_or_null(std::optional<double> value);
+
+/// "1 rank", "2 ranks".
+std::string counted(std::uint64_t count, std::string_view thing);
+std::string counted(const support::ExactCount& count, std::string_view thing);
+
+/// Suffix of a friction coefficient.
+/// @param factor true if it multiplies the coefficient of each candidate; otherwise the suffix is
+///   empty
+constexpr const char* of_each_candidate(bool factor) {
+  return factor ? " times that of each candidate" : "";
+}
+
+/// A number if every JSON reader has it exactly, otherwise a string of decimal digits, with its
+/// logarithm in KEY_log10.
+void add_count(nlohmann::ordered_json& json, const std::string& key,
+               const support::ExactCount& count);
+
+}  // namespace kusabi::answer
