@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "answer/answer_words.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "support/input_error.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::answer {
 namespace {
@@ -22,10 +22,12 @@ constexpr const char* unbalanced_load =
 
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
-  if (std::isinf(each.low)) return fmt::format("up to {}{}", rounded_down(each.high), standing);
-  if (std::isinf(each.high)) return fmt::format("from {} on{}", rounded_up(each.low), standing);
+  if (std::isinf(each.low))
+    return fmt::format("up to {}{}", support::rounded_down(each.high), standing);
+  if (std::isinf(each.high))
+    return fmt::format("from {} on{}", support::rounded_up(each.low), standing);
   if (each.low == each.high) return fmt::format("{:.6g}{}", each.low, standing);
-  const auto [low, high] = inside(each.low, each.high);
+  const auto [low, high] = support::inside(each.low, each.high);
   return fmt::format("from {} to {}{}", low, high, standing);
 }
 
@@ -49,14 +51,14 @@ std::string none_outside(const HoldingFactors& found) {
     text += (text.empty() ? ", and none " : " or ") + range;
   };
   if (std::isfinite(all.front().low))
-    add("below " + rounded_down(out(all.front().below.lower, all.front().low)));
+    add("below " + support::rounded_down(out(all.front().below.lower, all.front().low)));
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const auto [from, to] =
-        inside(out(all[i - 1].above.upper, all[i - 1].high), out(all[i].below.lower, all[i].low));
+    const auto [from, to] = support::inside(out(all[i - 1].above.upper, all[i - 1].high),
+                                            out(all[i].below.lower, all[i].low));
     add(fmt::format("between {} and {}", from, to));
   }
   if (std::isfinite(all.back().high))
-    add("above " + rounded_up(out(all.back().above.upper, all.back().high)));
+    add("above " + support::rounded_up(out(all.back().above.upper, all.back().high)));
   return text;
 }
 
@@ -95,7 +97,7 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
                        load);
   if (!upper) {
     return fmt::format("It cannot hold {} up to friction coefficient {}{}{}{}.", load,
-                       rounded_down(lower->value), of_each_candidate(found.factor),
+                       support::rounded_down(lower->value), of_each_candidate(found.factor),
                        unless_proved(lower->standing),
                        lower->value < found.maximum ? "; above it, this is not known" : "");
   }
@@ -104,9 +106,10 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
   if (!lower) {
     return fmt::format(
         "It can hold {} at friction coefficient {}{}{}; below it, this is not known.", load,
-        rounded_up(upper->value), of_each_candidate(found.factor), unless_proved(upper->standing));
+        support::rounded_up(upper->value), of_each_candidate(found.factor),
+        unless_proved(upper->standing));
   }
-  const auto shown = in_sentence(lower->value, upper->value);
+  const auto shown = support::in_sentence(lower->value, upper->value);
   return fmt::format("It cannot hold {} below friction coefficient {}{}{}; at {} it can{}.", load,
                      shown.lower, of_each_candidate(found.factor), unless_proved(lower->standing),
                      shown.upper, unless_proved(upper->standing));
@@ -243,7 +246,7 @@ std::string grip_sentence(const HoldingGrip& grip) {
           : "It is not decided whether there is a state under the dead load alone. ";
   const auto& minimum = grip.minimum.lower;
   const auto& maximum = grip.maximum.upper;
-  const auto lower = fmt::format("{}{}", rounded_down(minimum ? minimum->value : 0),
+  const auto lower = fmt::format("{}{}", support::rounded_down(minimum ? minimum->value : 0),
                                  minimum ? unless_proved(minimum->standing) : "");
   if (grip.unbounded) {
     return fmt::format(
@@ -260,7 +263,7 @@ std::string grip_sentence(const HoldingGrip& grip) {
   return fmt::format(
       "{}In every state under the dead load alone the normal reactions add up to between {} and "
       "{}{}.",
-      undecided, lower, rounded_up(maximum->value), unless_proved(maximum->standing));
+      undecided, lower, support::rounded_up(maximum->value), unless_proved(maximum->standing));
 }
 
 namespace {

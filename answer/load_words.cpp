@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer_words.hpp"
-#include "answer/shown_bracket.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::answer {
 namespace {
@@ -41,8 +41,8 @@ std::string of_struts(const LoadInterval& found) {
   if (!found.struts) return {};
   std::string text = ", while no strut falls below its residual strength";
   if (const auto& upper = found.maximum.upper) {
-    text += fmt::format("; {}{} at full strength is an upper value", rounded_up(upper->value),
-                        unless_proved(upper->standing));
+    text += fmt::format("; {}{} at full strength is an upper value",
+                        support::rounded_up(upper->value), unless_proved(upper->standing));
   }
   return text;
 }
@@ -102,9 +102,10 @@ std::string none_outside(const LoadInterval& found) {
   const auto& below = found.minimum.lower;
   const auto& above = found.maximum.upper;
   if (found.struts || (!below && !above)) return {};
-  return fmt::format(
-      ", and at none {}{}{}", below ? "below " + rounded_down(below->value) : std::string(),
-      below && above ? " or " : "", above ? "above " + rounded_up(above->value) : std::string());
+  return fmt::format(", and at none {}{}{}",
+                     below ? "below " + support::rounded_down(below->value) : std::string(),
+                     below && above ? " or " : "",
+                     above ? "above " + support::rounded_up(above->value) : std::string());
 }
 
 std::string nominal(const LoadInterval& found) {
@@ -114,20 +115,20 @@ std::string nominal(const LoadInterval& found) {
   const auto cases = in_cases(found);
   if (!from) {  // smaller factors need not be carried
     return fmt::format("The largest factor of {} that it carries is at least {}{}{}.",
-                       reference(found), rounded_down(to->value), unless_proved(to->standing),
-                       of_struts(found));
+                       reference(found), support::rounded_down(to->value),
+                       unless_proved(to->standing), of_struts(found));
   }
   auto standing = of_all({from, to});
   if (from->value > 0 || to->value < 0) {
-    const auto [low, high] = inside(from->value, to->value);
+    const auto [low, high] = support::inside(from->value, to->value);
     if (!found.struts) standing = of_all({from, to, found.minimum.lower, found.maximum.upper});
     return fmt::format("It carries its dead load{} at load factors from {} to {}{}{}{}.", cases,
                        low, high, none_outside(found), unless_proved(standing), of_struts(found));
   }
-  auto shown = ShownBracket{rounded_down(to->value), {}};
+  auto shown = support::ShownBracket{support::rounded_down(to->value), {}};
   std::string no_more;
   if (const auto& upper = found.maximum.upper; upper && !found.struts) {
-    shown = in_sentence(to->value, upper->value);
+    shown = support::in_sentence(to->value, upper->value);
     standing = of_all({from, to, upper});
     no_more = shown.lower == shown.upper ? ", and no more"
                                          : fmt::format(", but no more than {} times", shown.upper);
@@ -162,14 +163,14 @@ std::string factors_headline(const LoadInterval& found) {
   const auto& from = found.minimum.upper;
   if (!from) {
     return fmt::format("The largest factor of {} that it carries is at least {}{}{}, {}{}.",
-                       reference(found), rounded_down(to->value), if_large(found),
+                       reference(found), support::rounded_down(to->value), if_large(found),
                        unless_proved(to->standing), loads, of_struts(found));
   }
   if (is_undecided(found)) {
     return fmt::format("It is {}undecided whether any load factor is carried {}.",
                        found.struts ? "" : "numerically ", within(found, "all of"));
   }
-  const auto [low, high] = inside(from->value, to->value);
+  const auto [low, high] = support::inside(from->value, to->value);
   return fmt::format("It carries every factor from {}{} to {}{}{} of {}, {}{}.", low,
                      unless_proved(from->standing), high, if_large(found),
                      unless_proved(to->standing), reference(found), loads, of_struts(found));
@@ -200,7 +201,7 @@ std::string guaranteed(const LoadSteps& found) {
   if (!from) return "; the least factor that is carried under all admissible loads is open";
   if (from->value > to->value)
     return "; it is numerically undecided whether any factor is carried under all admissible loads";
-  const auto [low, high] = inside(from->value, to->value);
+  const auto [low, high] = support::inside(from->value, to->value);
   return fmt::format("; factors from {}{} to {} are carried under all admissible loads", low,
                      unless_proved(from->standing), high);
 }
@@ -240,12 +241,13 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
     if (!found.if_big_m && !is_proved(found.minimum.upper) && empty(found) != Standing::proved)
       all.push_back({"The least factor from which every load is carried is not proved.", true});
     if (is_undecided(found)) {
-      all.push_back({fmt::format("No factor below {} and none above {} is carried.",
-                                 rounded_down(found.minimum.lower ? found.minimum.lower->value
-                                                                  : found.minimum.upper->value),
-                                 rounded_up(found.maximum.upper ? found.maximum.upper->value
-                                                                : found.maximum.lower->value)),
-                     true});
+      all.push_back(
+          {fmt::format("No factor below {} and none above {} is carried.",
+                       support::rounded_down(found.minimum.lower ? found.minimum.lower->value
+                                                                 : found.minimum.upper->value),
+                       support::rounded_up(found.maximum.upper ? found.maximum.upper->value
+                                                               : found.maximum.lower->value)),
+           true});
     }
   }
   if (found.if_big_m)
@@ -261,7 +263,7 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   if (!found.nominal) return "The nominal load factor was not found.";
   constexpr int digits = 8;
   const auto text = fmt::format("The nominal load factor is at least {}{}",
-                                rounded_down(found.nominal->value, digits),
+                                support::rounded_down(found.nominal->value, digits),
                                 unless_proved(found.nominal->standing));
   if (!found.half_width) return text + '.';
   const auto at = fmt::format("; at alpha = {}{}", *found.half_width,
@@ -273,7 +275,7 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
   }
   const auto& [lower, upper] = found.worst;
   if (!lower || !upper) return text + at + " the worst case is open.";
-  const auto shown = in_sentence(lower->value, upper->value, digits);
+  const auto shown = support::in_sentence(lower->value, upper->value, digits);
   const auto worst = shown.lower == shown.upper
                          ? shown.lower
                          : fmt::format("between {} and {}", shown.lower, shown.upper);

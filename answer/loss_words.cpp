@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "answer/answer_words.hpp"
-#include "answer/shown_bracket.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::answer {
 
@@ -61,7 +61,7 @@ std::string at_most(const MemberLoss& found) {
                      found.uncertain ? "and under the worst load " : "",
                      value < 0 ? "it carries its dead load only at load factors up to "
                                : "the limit load factor is at most ",
-                     rounded_up(value)) +
+                     support::rounded_up(value)) +
          unless_proved(standing);
 }
 
@@ -90,7 +90,7 @@ std::string headline_of(const MemberLoss& found, engine::Status /*ended*/) {
   if (const auto& lower = found.factor.lower) {
     const auto upper = at_most(found);
     return capital(fmt::format("{} the limit load factor is at least {}{}{}{}.",
-                               after_any_first(found), rounded_down(lower->value),
+                               after_any_first(found), support::rounded_down(lower->value),
                                unless_proved(lower->standing), upper.empty() ? "" : "; ", upper));
   }
   if (!found.factor.upper) return "The factor that remains after the loss of members is not known.";

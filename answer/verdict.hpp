@@ -13,34 +13,19 @@
 #include <vector>
 
 #include "engine/statistics.hpp"
+#include "support/bracket.hpp"
 #include "support/exact_count.hpp"
 
 namespace kusabi::answer {
 
-/// Standing of a bound or a list. An absent one is open.
-enum class Standing {
-  proved,    ///< holds including rounding errors
-  computed,  ///< in floating point, without a proof
-};
+using support::Bound;
+using support::Bracket;
+using support::Standing;
 
 /// Evidence for proved results.
 enum class Grounds {
   exact_arithmetic,  ///< the test of kusabi verify
   solver_bounds,     ///< bounds of the solver in floating point, with room for rounding
-};
-
-struct Bound {
-  double value = 0;
-  Standing standing = Standing::computed;
-};
-
-inline bool is_proved(const std::optional<Bound>& bound) {
-  return bound && bound->standing == Standing::proved;
-}
-
-/// A number between two bounds; an absent one is open.
-struct Bracket {
-  std::optional<Bound> lower{}, upper{};
 };
 
 /// Remainder of an exact test of a list of patterns (`--prove`, or scales that are far apart).
@@ -57,7 +42,7 @@ struct Sticking {
   bool factor = false;          ///< `friction` multiplies the coefficient of each candidate
   support::ExactCount count{};  ///< may exceed any integer type
   std::uint64_t undecided = 0;  ///< sign patterns not counted
-  Standing standing = Standing::proved;      ///< of the list
+  Standing standing{};          ///< of the list
   Grounds grounds = Grounds::solver_bounds;  ///< of a proved list
   std::uint64_t degenerate = 0;  ///< closed nodes with a margin of zero that are not proved
   bool ambiguous = false;        ///< numbers that cannot be distinguished from zero
@@ -105,11 +90,11 @@ struct HoldingBracket {
 
 /// The least and the largest sum of the normal reactions over all states under the dead load.
 struct HoldingGrip {
-  bool held = true;                           ///< false: there is no state
-  Standing held_standing = Standing::proved;  ///< of this answer
-  Bracket minimum{}, maximum{};               ///< of each end
-  bool unbounded = false;                     ///< there is no largest sum
-  Standing unbounded_standing = Standing::proved;
+  bool held = true;              ///< false: there is no state
+  Standing held_standing{};      ///< of this answer
+  Bracket minimum{}, maximum{};  ///< of each end
+  bool unbounded = false;        ///< there is no largest sum
+  Standing unbounded_standing{};
 };
 
 /// Factors of the reference load that can be held at one coefficient: `hold --mu`.
@@ -117,15 +102,15 @@ struct HoldingFactors {
   /// Both ends are held; infinite: no end.
   struct Interval {
     double low = 0, high = 0;
-    Standing standing = Standing::proved;  ///< of the states at the ends
+    Standing standing{};       ///< of the states at the ends
     Bracket below{}, above{};  ///< of each end: held, and not held; absent if there is no end
   };
   double friction = 0;
   bool factor = false;
   bool of_reference = true;  ///< false: the file has a dead load only, held or not
   std::vector<Interval> intervals{};
-  Standing outside = Standing::proved;  ///< of the claim that no other factor is held
-  bool open = false;                    ///< factors may be missing
+  Standing outside{};  ///< of the claim that no other factor is held
+  bool open = false;   ///< factors may be missing
   HoldReason reason = HoldReason::searched;
   std::string load_case{};            ///< empty: the file has none
   std::optional<double> total{};      ///< sum of the normal reactions in all these states
@@ -142,11 +127,11 @@ struct HoldingSweep {
 struct HoldingDiagram {
   double friction = 0;
   bool factor = false;
-  std::vector<std::string> cases{};     ///< names of both loads
-  std::uint64_t pieces = 0;             ///< convex ones, each of a sign pattern
-  bool everything = false;              ///< one of them contains all pairs
-  Standing outside = Standing::proved;  ///< of the claim that no other pair is held
-  bool open = false;                    ///< pieces may be missing
+  std::vector<std::string> cases{};  ///< names of both loads
+  std::uint64_t pieces = 0;          ///< convex ones, each of a sign pattern
+  bool everything = false;           ///< one of them contains all pairs
+  Standing outside{};                ///< of the claim that no other pair is held
+  bool open = false;                 ///< pieces may be missing
   std::uint64_t coarse = 0;  ///< pieces that contain more pairs than their vertices and rays do
 };
 
@@ -223,7 +208,7 @@ struct MixedOptimum {
   enum class State { optimal, feasible, infeasible, unbounded, unknown };
   State state = State::unknown;
   /// Of the point, or of the infeasible or unbounded program.
-  Standing standing = Standing::computed;
+  Standing standing{};
   bool maximise = false;
   std::optional<double> objective{};  ///< value of the best point
   std::optional<Bound> bound{};       ///< no point has a better objective

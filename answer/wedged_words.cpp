@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "answer/answer_words.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::answer {
 namespace {
@@ -105,16 +105,16 @@ std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) 
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   if (!upper) {
     return fmt::format("It cannot stick up to {} {}{}{}{}.", coefficient,
-                       rounded_down(lower->value), of_each_candidate(found.factor),
+                       support::rounded_down(lower->value), of_each_candidate(found.factor),
                        unless_proved(lower->standing),
                        lower->value < found.maximum ? "; above it, this is not known" : "");
   }
   if (!lower) {
     return fmt::format("It can stick at {} {}{}{}; below it, this is not known.", coefficient,
-                       rounded_up(upper->value), of_each_candidate(found.factor),
+                       support::rounded_up(upper->value), of_each_candidate(found.factor),
                        unless_proved(upper->standing));
   }
-  const auto shown = in_sentence(lower->value, upper->value);
+  const auto shown = support::in_sentence(lower->value, upper->value);
   return fmt::format("It cannot stick below {} {}{}{}; at {} it can{}.", coefficient, shown.lower,
                      of_each_candidate(found.factor), unless_proved(lower->standing), shown.upper,
                      unless_proved(upper->standing));
@@ -170,7 +170,7 @@ std::string bracket_line(const CriticalBracket& found) {
   };
   const auto name = fmt::format("critical {}{}", coefficient, of_each_candidate(found.factor));
   if (lower && upper) {
-    const auto shown = in_table(lower->value, upper->value);
+    const auto shown = support::in_table(lower->value, upper->value);
     if (lower->standing == upper->standing) {
       return fmt::format("{}: between {} and {} ({})\n", name, shown.lower, shown.upper,
                          standing(*lower));
@@ -179,11 +179,13 @@ std::string bracket_line(const CriticalBracket& found) {
                        shown.upper, standing(*upper));
   }
   if (lower) {
-    return fmt::format("{}: above {} ({})\n", name, rounded_down(lower->value, digits_of_table),
+    return fmt::format("{}: above {} ({})\n", name,
+                       support::rounded_down(lower->value, support::digits_of_table),
                        standing(*lower));
   }
   if (upper) {
-    return fmt::format("{}: at most {} ({})\n", name, rounded_up(upper->value, digits_of_table),
+    return fmt::format("{}: at most {} ({})\n", name,
+                       support::rounded_up(upper->value, support::digits_of_table),
                        standing(*upper));
   }
   return fmt::format("{}: open\n", name);
@@ -199,11 +201,11 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
                        unless_proved(standing));
   }
   // Without friction nothing sticks.
-  const auto head =
-      value == 0
-          ? fmt::format("The {} from which it can stick is not known", coefficient)
-          : fmt::format("It cannot stick up to {} {}{}", coefficient,
-                        rounded_down(value, digits_of_sweep), of_each_candidate(found.factor));
+  const auto head = value == 0
+                        ? fmt::format("The {} from which it can stick is not known", coefficient)
+                        : fmt::format("It cannot stick up to {} {}{}", coefficient,
+                                      support::rounded_down(value, digits_of_sweep),
+                                      of_each_candidate(found.factor));
   return fmt::format(
       "{}; at {} there {} {}{}{}.", head, found.maximum, found.count == 1U ? "is" : "are",
       counted(found.count, "sign pattern"),

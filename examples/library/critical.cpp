@@ -29,9 +29,11 @@ int main(int argc, char** argv) {
   engine::SingleProcess alone;
   engine::Analysis analysis(alone, analysis_options);
   const auto found = wedged::find_critical_friction(analysis, structure, problem, {.width = 1e-9});
-  std::printf("nothing wedges below %.10f%s\n", found.lower, found.lower_proved ? ", proved" : "");
-  if (found.upper) {
-    std::printf("something does at %.10f%s\n", *found.upper, found.upper_proved ? ", proved" : "");
+  std::printf("nothing wedges below %.10f%s\n", found.bracket.at_least(),
+              is_proved(found.bracket.lower) ? ", proved" : "");
+  if (found.bracket.upper) {
+    std::printf("something does at %.10f%s\n", found.bracket.at_most(),
+                is_proved(found.bracket.upper) ? ", proved" : "");
   }
   return found.answered() ? 0 : 3;
 }

@@ -95,10 +95,10 @@ CurveSample WorstCurve::at(double beta) {
     const auto last =
         carried_up_to(search_.problem(), std::move(worst.overpowering_motion),
                       [this](const Eigen::VectorXd& motion) { return growth(motion); });
-    return NotCarried{last, worst.proved};
+    return NotCarried{last, worst.standing};
   }
   if (worst.status != RootStatus::closed || !worst.collapse) return {};
-  if (worst.ends.lower_proved) lower_[beta] = worst.ends.lower;
+  if (is_proved(worst.ends.lower)) lower_[beta] = worst.ends.at_least();
   auto& [factor, minimum, forces, motion] = *worst.collapse;
   const double slope = -growth(motion);
   return CurvePoint{beta, factor, slope, std::move(motion)};

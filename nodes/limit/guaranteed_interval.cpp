@@ -2,87 +2,87 @@
 #include "nodes/limit/guaranteed_interval.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace kusabi::limit {
 namespace {
 
-// The bounds of a worst case with the opposite reference load, in terms of the original one.
-FactorBracket reversed(const LimitEnds& ends) {
-  return negative({ends.lower, ends.upper, ends.lower_proved, ends.upper_proved});
-}
+using support::Bound;
+using support::Bracket;
+using support::Standing;
 
-// Keeps the larger of two lower bounds, and the proved one if they are equal.
-void raise(double& bound, bool& proved, double other, bool other_proved) {
-  if (other < bound || (other == bound && proved)) return;
-  bound = other;
-  proved = other_proved;
+// The larger of two lower bounds, and the proved one if they are equal.
+std::optional<Bound> larger(const std::optional<Bound>& one, const std::optional<Bound>& other) {
+  if (!one || !other) return one ? one : other;
+  if (one->value == other->value) return one->proved() ? one : other;
+  return one->value > other->value ? one : other;
 }
 
 // Bracket of the larger of both numbers.
-void raise(FactorBracket& one, const FactorBracket& other) {
-  raise(one.lower, one.lower_proved, other.lower, other.lower_proved);
-  one.upper = std::max(one.upper, other.upper);
-  one.upper_proved = one.upper_proved && other.upper_proved;
+Bracket larger(const Bracket& one, const Bracket& other) {
+  Bracket both{.lower = larger(one.lower, other.lower)};
+  if (one.upper && other.upper)
+    both.upper = Bound{std::max(one.upper->value, other.upper->value),
+                       support::both(one.upper->standing, other.upper->standing)};
+  return both;
+}
+
+// Nothing: neither of the two is known.
+std::optional<Standing> either(std::optional<Standing> one, std::optional<Standing> other) {
+  if (!one || !other) return one ? one : other;
+  return support::proved_if(*one == Standing::proved || *other == Standing::proved);
+}
+
+// That of a nominal load without any factor, which is an answer only if it is proved.
+std::optional<Standing> nominal_at_none(const LimitAnswer& answer) {
+  if (answer.status != LoadStatus::not_carried) return {};
+  return Standing::proved;
 }
 
 GuaranteedInterval of_nominal_load(const LimitAnswer& answer) {
-  GuaranteedInterval interval;
-  interval.at_none = interval.at_none_proved = answer.status == LoadStatus::not_carried;
-  interval.minimum = answer.nominal_factors.minimum;
-  interval.largest = answer.nominal_factors.largest;
-  return interval;
+  return {answer.nominal_factors.minimum, answer.nominal_factors.largest, nominal_at_none(answer)};
 }
 
 // From the intervals at both strengths.
 GuaranteedInterval with_struts(GuaranteedInterval full, const GuaranteedInterval& residual) {
   const auto carried = residual.has_factors() ? residual : GuaranteedInterval{};
   full.minimum.upper = carried.minimum.upper;
-  full.minimum.upper_proved = carried.minimum.upper_proved;
   full.largest.lower = carried.largest.lower;
-  full.largest.lower_proved = carried.largest.lower_proved;
   return full;
 }
 
 }  // namespace
 
-bool GuaranteedInterval::decided() const {
-  if (at_none) return at_none_proved;
-  if (is_empty()) return minimum.lower_proved && largest.upper_proved;
-  return has_factors() && minimum.upper_proved && largest.lower_proved;
+Standing GuaranteedInterval::standing() const {
+  if (at_none) return *at_none;
+  if (is_empty()) return support::proved_if(is_proved(minimum.lower) && is_proved(largest.upper));
+  return support::proved_if(has_factors() && is_proved(minimum.upper) && is_proved(largest.lower));
 }
 
 std::optional<bool> GuaranteedInterval::passed() const {
-  if (has_factors() && minimum.upper_proved && largest.lower_proved && minimum.upper <= 0 &&
-      largest.lower >= 1) {
-    return true;
-  }
-  const bool fails = at_none_proved || (minimum.lower_proved && minimum.lower > 0) ||
-                     (largest.upper_proved && largest.upper < 1) || (is_empty() && decided());
+  const bool proved = standing() == Standing::proved;
+  if (has_factors() && proved && minimum.at_most() <= 0 && largest.at_least() >= 1) return true;
+  const bool fails = (is_proved(minimum.lower) && minimum.at_least() > 0) ||
+                     (is_proved(largest.upper) && largest.at_most() < 1) || (is_empty() && proved);
   return fails ? std::optional(false) : std::nullopt;
 }
 
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   GuaranteedInterval interval;
   if (!answer.worst) {
-    interval.at_none = interval.at_none_proved = answer.status == LoadStatus::not_carried;
+    interval.at_none = nominal_at_none(answer);
     return interval;
   }
   for (const auto* const worst : {&answer.worst, &answer.reversed}) {
-    if (!*worst || (*worst)->status != RootStatus::not_carried) continue;
-    interval.at_none = true;
-    interval.at_none_proved = interval.at_none_proved || (*worst)->proved;
+    if (*worst && (*worst)->status == RootStatus::not_carried)
+      interval.at_none = either(interval.at_none, (*worst)->standing);
   }
   if (interval.at_none) return interval;
-  const auto& ends = answer.worst->ends;
-  interval.largest = {ends.lower, ends.upper, ends.lower_proved, ends.upper_proved};
+  interval.largest = answer.worst->ends;
   if (answer.reversed) {
-    interval.minimum = reversed(answer.reversed->ends);
+    interval.minimum = answer.reversed->ends.negative();
   } else {
     // The nominal load is admissible.
-    const auto& nominal = answer.nominal_factors.minimum;
-    raise(interval.minimum.lower, interval.minimum.lower_proved, nominal.lower,
-          nominal.lower_proved);
+    interval.minimum.lower = answer.nominal_factors.minimum.lower;
   }
   return interval;
 }
@@ -102,12 +102,9 @@ GuaranteedInterval nominal_interval(const LimitAnswer& answer,
 GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases) {
   auto all = cases.front();
   for (const auto& each : cases.subspan(1)) {
-    raise(all.minimum, each.minimum);
-    auto largest = negative(all.largest);
-    raise(largest, negative(each.largest));
-    all.largest = negative(largest);
-    all.at_none = all.at_none || each.at_none;
-    all.at_none_proved = all.at_none_proved || each.at_none_proved;
+    all.minimum = larger(all.minimum, each.minimum);
+    all.largest = larger(all.largest.negative(), each.largest.negative()).negative();
+    all.at_none = either(all.at_none, each.at_none);
   }
   return all;
 }

@@ -10,17 +10,19 @@
 namespace kusabi::limit {
 
 struct GuaranteedInterval {
-  FactorBracket minimum;  ///< of the smallest guaranteed factor L
-  FactorBracket largest;  ///< of the largest guaranteed factor H
-  bool at_none = false;   ///< some admissible load has no factor
-  bool at_none_proved = false;
+  support::Bracket minimum;  ///< of the smallest guaranteed factor L
+  support::Bracket largest;  ///< of the largest guaranteed factor H
+  /// Some admissible load has no factor; absent: none is known to have none.
+  std::optional<support::Standing> at_none;
 
   /// True if the bounds prove that no factor is carried under all admissible loads.
-  [[nodiscard]] bool is_empty() const { return at_none || minimum.lower > largest.upper; }
+  [[nodiscard]] bool is_empty() const { return at_none || minimum.at_least() > largest.at_most(); }
   /// True if the bounds prove that some factor is.
-  [[nodiscard]] bool has_factors() const { return !at_none && minimum.upper <= largest.lower; }
-  /// True if one of the two is proved.
-  [[nodiscard]] bool decided() const;
+  [[nodiscard]] bool has_factors() const {
+    return !at_none && minimum.upper && minimum.at_most() <= largest.at_least();
+  }
+  /// Whether one of the two is proved.
+  [[nodiscard]] support::Standing standing() const;
   /// True if every factor from 0 to 1, the stages of loading up to the design load, is proved to be
   /// carried under all admissible loads; false if one is proved not to be; otherwise nothing.
   [[nodiscard]] std::optional<bool> passed() const;

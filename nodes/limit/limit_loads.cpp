@@ -100,8 +100,8 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
   if (set_up(search, never) == LoadStatus::collapses) search.choose_units(*asked.alpha);
   if (search.is_set_up()) {
     const auto& largest = findings.answer.worst->ends;
-    if (largest.upper_proved) {
-      search.set_enough(-largest.upper - answered_gap * search.model().factor_unit);
+    if (is_proved(largest.upper)) {
+      search.set_enough(-largest.at_most() - answered_gap * search.model().factor_unit);
     }
     const LimitParameters parameters{.alpha = asked.alpha, .corners = asked.corners};
     WorstCaseSearch minimum(search, parameters, mirrored_truss);
@@ -113,12 +113,13 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
 }
 
 // The worst case for alpha = 0, which is that of the nominal load.
-LimitWorstCase worst_without_uncertainty(const LimitAnswer& answer, const FactorBracket& factor,
+LimitWorstCase worst_without_uncertainty(const LimitAnswer& answer, const support::Bracket& factor,
                                          Eigen::Index uncertain) {
   LimitWorstCase worst;
-  worst.ends = {factor.lower, factor.upper, factor.lower_proved, factor.upper_proved};
-  worst.proved = factor.proved(answer.nominal_factors.gap);
-  worst.status = worst.proved ? RootStatus::closed : RootStatus::open;
+  worst.ends = factor;
+  const bool proved = factor.proved_within(answer.nominal_factors.gap);
+  worst.standing = support::proved_if(proved);
+  worst.status = proved ? RootStatus::closed : RootStatus::open;
   worst.zeta = Eigen::VectorXd::Zero(uncertain);
   worst.collapse = answer.nominal;
   return worst;
@@ -286,10 +287,10 @@ bool LimitAnswer::whole() const {
     return !each || !each->pieces.empty();
   };
   if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
-  if (!worst) return nominal_factors.proved() && nominal_interval(*this, {}).decided();
+  if (!worst) return nominal_factors.proved() && is_proved(nominal_interval(*this, {}).standing());
   const auto interval = guaranteed_interval(*this);
-  return worst->proved && (!reversed || reversed->proved || interval.is_empty()) &&
-         interval.decided();
+  return worst->proved() && (!reversed || reversed->proved() || interval.is_empty()) &&
+         is_proved(interval.standing());
 }
 
 }  // namespace kusabi::limit

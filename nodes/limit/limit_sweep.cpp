@@ -47,7 +47,7 @@ bool LimitSweep::whole(std::size_t asked) const {
   if (status != engine::Status::solved || !last.whole()) return false;
   return !last.worst ||
          (points.size() == asked && std::ranges::all_of(points, [](const auto& each) {
-            return each.worst.proved && each.interval.decided();
+            return each.worst.proved() && is_proved(each.interval.standing());
           }));
 }
 

@@ -288,11 +288,12 @@ void CriticalBounds::note_patterns(CriticalFindings& findings) const {
 void CriticalBounds::note_undecided(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
   const double width = parameters_.grid.width;
-  if (!findings.upper && findings.lower < parameters_.grid.maximum)
+  const auto& found = findings.bracket;
+  if (!found.upper && found.at_least() < parameters_.grid.maximum)
     findings.open_points.push_back(OpenPoint::no_upper_bound);
-  if (findings.upper && *findings.upper - findings.lower > wide * width)
+  if (found.upper && found.width() > wide * width)
     findings.open_points.push_back(OpenPoint::wide_bracket);
-  if (!findings.lower_proved) findings.open_points.push_back(OpenPoint::lower_not_proved);
+  if (!is_proved(found.lower)) findings.open_points.push_back(OpenPoint::lower_not_proved);
 }
 
 void CriticalBounds::prove(CriticalFindings& findings) {
@@ -314,10 +315,7 @@ void CriticalBounds::prove(CriticalFindings& findings) {
       stopped(CriticalPhase::list, list(findings));
   }
   if (findings.status != engine::Status::solved && recorder_) record_proved_bounds();
-  findings.lower = bracket_.lower();
-  findings.upper = bracket_.upper();
-  findings.lower_proved = bracket_.lower_proved();
-  findings.upper_proved = bracket_.upper_proved();
+  findings.bracket = bracket_.bracket();
   findings.exact = decisions_.is_exact();
   if (decisions_.leaves_out_large_displacements())
     findings.displacement_ratio = verify::largest_displacement_ratio;

@@ -255,10 +255,10 @@ void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProble
                         const CriticalFindings& findings, NarrowingBracket& bracket) {
   const auto found = engine::from_first_rank(analysis.transport(), [&] {
     SmallestCoefficient smallest;
-    smallest.lower = findings.lower;
-    if (!findings.upper) return smallest;
+    smallest.lower = findings.bracket.at_least();
+    if (!findings.bracket.upper) return smallest;
     const auto& first = findings.patterns.front();
-    smallest.upper = *findings.upper;
+    smallest.upper = findings.bracket.at_most();
     Configuration leaf;
     leaf.block = first.block;
     leaf.pattern = first.pattern;
@@ -279,10 +279,11 @@ void CriticalFindings::conclude(double infeasible) {
     if (a.block != b.block) return a.block < b.block;
     return a.pattern.contact < b.pattern.contact;
   });
-  lower = infeasible;
-  if (patterns.empty()) return;
-  upper = patterns.front().upper;
+  double lower = infeasible;
   for (const auto& entry : patterns) lower = std::min(lower, entry.lower);
+  bracket = {.lower = support::Bound{lower, support::proved_if(lower == 0)}};
+  if (!patterns.empty() && patterns.front().upper)
+    bracket.upper = support::Bound{*patterns.front().upper};
 }
 
 CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalParameters& parameters) {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "answer/ending.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "run/critical/critical_verdict.hpp"
@@ -15,6 +14,7 @@
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -165,15 +165,15 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
       fmt::format_to(out, "{:>5}  {} more\n", "…", findings.patterns.size() - number);
       break;
     }
-    const auto shown =
-        entry.upper
-            ? answer::in_table(entry.lower, *entry.upper)
-            : answer::ShownBracket{answer::rounded_down(entry.lower, answer::digits_of_table), "?"};
+    const auto shown = entry.upper
+                           ? support::in_table(entry.lower, *entry.upper)
+                           : support::ShownBracket{
+                                 support::rounded_down(entry.lower, support::digits_of_table), "?"};
     fmt::format_to(out, "{:>5}  {:>16}  {:>16}  {}\n", ++number, shown.lower, shown.upper,
                    contact_text(problem, entry.pattern));
   }
   text += '\n' + answer::bracket_line(critical_bracket(options, problem, findings));
-  if (!finds_smallest_only(options.parameters.strategy) && findings.upper) {
+  if (!finds_smallest_only(options.parameters.strategy) && findings.bracket.upper) {
     fmt::format_to(out, "(of the {} at {})\n", answer::counted(findings.patterns.size(), "pattern"),
                    options.parameters.maximum.value_or(0));
   }
@@ -199,10 +199,10 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
           {"status", answer::status_text(critical_verdict(options, problem, findings))},
           {"result",
            {{"critical_friction",
-             {{"lower", findings.lower},
-              {"upper", answer::number_or_null(findings.upper)},
-              {"lower_proved", findings.lower_proved},
-              {"upper_proved", findings.upper_proved}}},
+             {{"lower", findings.bracket.at_least()},
+              {"upper", answer::number_or_null(findings.bracket.at_most())},
+              {"lower_proved", is_proved(findings.bracket.lower)},
+              {"upper_proved", is_proved(findings.bracket.upper)}}},
             {"pattern", patterns.empty() ? ordered_json() : patterns.front()},
             {"open", open_sentences(options, problem, findings)},
             {"patterns", std::move(patterns)}}},

@@ -13,10 +13,6 @@
 namespace kusabi::run {
 namespace {
 
-answer::Bound bound(double value, bool proved) {
-  return {value, proved ? answer::Standing::proved : answer::Standing::computed};
-}
-
 // A pattern that is feasible at the upper bound, where others may be as well, and its slipping
 // candidates; in an open bracket, the pattern known to stick with the least friction.
 std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first,
@@ -42,20 +38,19 @@ answer::CriticalBracket critical_bracket(const CriticalOptions& options,
                                          const problems::WedgedProblem& problem,
                                          const wedged::CriticalFindings& findings) {
   answer::CriticalBracket found{
-      .bracket = {},
+      .bracket = findings.bracket,
       .factor = !problems::uniform_friction(problem),
       .maximum = options.parameters.maximum.value_or(wedged::default_max_friction),
       .width = wedged::grid_of(problem, options.parameters).width};
   // A bound of zero means only that nothing sticks without friction: the search has not advanced.
-  if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
-  if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
+  if (found.bracket.at_least() <= 0) found.bracket.lower.reset();
   found.grounds =
       findings.exact ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds;
   found.displacement_ratio = findings.displacement_ratio;
   using enum wedged::OpenPoint;
   found.wide = std::ranges::find(findings.open_points, wide_bracket) != findings.open_points.end();
   found.patterns_open =
-      (findings.upper && findings.patterns.empty()) ||
+      (findings.bracket.upper && findings.patterns.empty()) ||
       std::ranges::find(findings.open_points, list_not_complete) != findings.open_points.end();
   return found;
 }
@@ -67,12 +62,12 @@ answer::Verdict critical_verdict(const CriticalOptions& options,
   answer::Verdict verdict{.ended = findings.status, .answer = bracket};
   const bool closed =
       findings.status == engine::Status::solved && !bracket.wide && bracket.bracket.lower;
-  if (findings.upper && !findings.patterns.empty())
+  if (findings.bracket.upper && !findings.patterns.empty())
     verdict.details.push_back(first_way(problem, findings.patterns.front(), closed));
   if (!options.certificate.empty()) {
     if (!findings.lower_recorded)
       verdict.missing.emplace_back("There is no certificate of the lower bound.");
-    if (findings.upper && !findings.upper_recorded)
+    if (findings.bracket.upper && !findings.upper_recorded)
       verdict.missing.emplace_back("There is no certificate of the upper bound.");
   }
   return verdict;

@@ -24,7 +24,7 @@ ordered_json points_json(const Points& points) {
 // Standing of the answer that no factor is held.
 const char* none(const HeldPoint& point) {
   if (point.factors.unresolved) return "not known";
-  return point.factors.proved ? "none, proved" : "none, computed";
+  return is_proved(point.factors.outside) ? "none, proved" : "none, computed";
 }
 
 // With several coefficients the first column is theirs, and one without intervals has a row.
@@ -36,8 +36,9 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
     std::size_t number = 0;
     for (const auto& each : point.factors.intervals) {
       if (several) csv.number(point.mu);
-      csv.count(++number).number(each.low).number(each.high);
-      csv.word(each.proved && each.low_proved && each.high_proved ? "proved" : "computed");
+      csv.count(++number).number(each.low.value).number(each.high.value);
+      const auto outside = both(each.low_out.standing, each.high_out.standing);
+      csv.word(is_proved(both(each.held(), outside)) ? "proved" : "computed");
       csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
     }
     if (several && number == 0)
@@ -58,7 +59,7 @@ ordered_json diagram_json(const HoldOptions& options, const wedged::LoadedProble
                       {"fine", piece.fine}});
   }
   return {{"cases", options.cases},
-          {"proved", diagram.proved},
+          {"proved", is_proved(diagram.outside)},
           {"open", diagram.unresolved},
           {"pieces", std::move(pieces)}};
 }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "answer/ending.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/wedged/problem_block.hpp"
@@ -15,6 +14,7 @@
 #include "run/hold/hold_verdict.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 
@@ -51,29 +51,39 @@ ordered_json grip_json(const wedged::GripRange& found) {
   if (!found.held) return {{"held", false}};
   const auto end = [](const wedged::GripEnd& own) -> ordered_json {
     if (own.unbounded) return nullptr;
-    return {{"held", own.known ? ordered_json(own.held) : ordered_json()},
-            {"out", own.known ? ordered_json(own.out) : ordered_json()},
-            {"held_proved", own.held_proved},
-            {"out_proved", own.out_proved}};
+    return {{"held", own.known ? ordered_json(own.held.value) : ordered_json()},
+            {"out", own.known ? ordered_json(own.out.value) : ordered_json()},
+            {"held_proved", own.held.proved()},
+            {"out_proved", own.out.proved()}};
   };
-  const ordered_json held = found.held_proved ? ordered_json(true) : ordered_json(nullptr);
+  const ordered_json held = is_proved(found.standing) ? ordered_json(true) : ordered_json(nullptr);
   return {{"held", held}, {"least", end(found.minimum)}, {"most", end(found.maximum)}};
 }
 
 std::string grip_table(const wedged::GripRange& found) {
   if (!found.held) return {};
-  const auto minimum = answer::in_table(found.minimum.out, found.minimum.held);
+  const auto minimum = support::in_table(found.minimum.out.value, found.minimum.held.value);
   if (!found.maximum.unbounded && !found.maximum.known) return {};
   if (found.maximum.unbounded)
     return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", minimum.lower);
-  const auto maximum = answer::in_table(found.maximum.held, found.maximum.out);
+  const auto maximum = support::in_table(found.maximum.held.value, found.maximum.out.value);
   return fmt::format("sum of the normal reactions: {} to {}\n", minimum.lower, maximum.upper);
 }
 
-std::string end_text(double held, double out, bool upward) {
+std::string coefficient_text(const support::Bracket& bracket) {
+  const double upper = bracket.at_most();
+  if (upper == 0) return "0";
+  if (!bracket.lower) return "at most " + support::rounded_up(upper, support::digits_of_table);
+  const auto shown = support::in_table(bracket.at_least(), upper);
+  return fmt::format("between {} and {}", shown.lower, shown.upper);
+}
+
+std::string end_text(const support::Bound& end, const support::Bound& beyond, bool upward) {
+  const double held = end.value;
+  const double out = beyond.value;
   if (std::isinf(held)) return "no end";
   if (held == out) return fmt::format("{:.12g}", held);
-  const auto shown = upward ? answer::in_table(held, out) : answer::in_table(out, held);
+  const auto shown = upward ? support::in_table(held, out) : support::in_table(out, held);
   return upward ? shown.lower : shown.upper;
 }
 
@@ -123,13 +133,13 @@ ordered_json costs_json(const HoldFindings& findings) {
 ordered_json intervals_json(const wedged::LoadedProblem& loaded, const wedged::HeldFactors& found) {
   auto intervals = ordered_json::array();
   for (const auto& each : found.intervals) {
-    intervals.push_back({{"low", answer::number_or_null(each.low)},
-                         {"low_out", answer::number_or_null(each.low_out)},
-                         {"high", answer::number_or_null(each.high)},
-                         {"high_out", answer::number_or_null(each.high_out)},
-                         {"proved", each.proved},
-                         {"low_proved", each.low_proved},
-                         {"high_proved", each.high_proved},
+    intervals.push_back({{"low", answer::number_or_null(each.low.value)},
+                         {"low_out", answer::number_or_null(each.low_out.value)},
+                         {"high", answer::number_or_null(each.high.value)},
+                         {"high_out", answer::number_or_null(each.high_out.value)},
+                         {"proved", is_proved(each.held())},
+                         {"low_proved", each.low_out.proved()},
+                         {"high_proved", each.high_out.proved()},
                          {"pattern", names_in_block(loaded, each.block, each.pattern)},
                          {"state", state_json(loaded, each.block, each.pattern, each.state)}});
   }
@@ -142,7 +152,7 @@ ordered_json points_json(const wedged::LoadedProblem& loaded,
   for (const auto& [mu, factors, grip] : points) {
     list.push_back({{"mu", mu},
                     {"intervals", intervals_json(loaded, factors)},
-                    {"proved", factors.proved},
+                    {"proved", is_proved(factors.outside)},
                     {"open", factors.unresolved}});
     if (grip) list.back()["grip"] = grip_json(*grip);
   }
@@ -156,10 +166,10 @@ ordered_json result_json(const HoldOptions& options, const wedged::LoadedProblem
   const bool one = findings.points.size() == 1 && !several;
   if (findings.friction) {
     const auto& found = *findings.friction;
-    holding = {{"lower", found.lower_known ? ordered_json(found.lower) : ordered_json()},
-               {"upper", answer::number_or_null(found.upper)},
-               {"lower_proved", found.lower_known && found.lower_proved},
-               {"upper_proved", found.upper && found.upper_proved},
+    holding = {{"lower", answer::number_or_null(found.bracket.at_least())},
+               {"upper", answer::number_or_null(found.bracket.at_most())},
+               {"lower_proved", is_proved(found.bracket.lower)},
+               {"upper_proved", is_proved(found.bracket.upper)},
                {"pattern", names_in_block(loaded, found.block, found.pattern)},
                {"state", state_json(loaded, found.block, found.pattern, found.state)}};
   }
@@ -220,11 +230,9 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
   const auto out = std::back_inserter(text);
   if (findings.friction) {
     const auto& found = *findings.friction;
-    if (found.upper) {
-      const auto shown = answer::in_table(found.lower, *found.upper);
+    if (found.bracket.upper) {
       fmt::format_to(out, "\nholding friction coefficient: {}\nin contact: {}\n",
-                     *found.upper == 0 ? std::string("0")
-                                       : fmt::format("between {} and {}", shown.lower, shown.upper),
+                     coefficient_text(found.bracket),
                      contact_of(loaded, found.block, found.pattern));
       text += reactions_text(loaded, found.block, found.pattern, found.state);
     }

@@ -15,31 +15,21 @@
 namespace kusabi::run {
 namespace {
 
-answer::Standing standing(bool proved) {
-  return proved ? answer::Standing::proved : answer::Standing::computed;
-}
-
 // The end at `held`, with a factor beyond it that is not held; nothing for an end at infinity.
-answer::Bracket end_of(double held, bool held_proved, double out, bool out_proved, bool upward) {
-  answer::Bracket bracket;
-  if (std::isinf(held)) return bracket;
-  const answer::Bound inside{held, standing(held_proved)};
-  std::optional<answer::Bound> outside;
-  if (std::isfinite(out)) outside = answer::Bound{out, standing(out_proved)};
-  return upward ? answer::Bracket{inside, outside} : answer::Bracket{outside, inside};
+support::Bracket end_of(const support::Bound& held, const support::Bound& out, bool upward) {
+  if (std::isinf(held.value)) return {};
+  const auto outside = std::isfinite(out.value) ? std::optional(out) : std::nullopt;
+  return upward ? support::Bracket{held, outside} : support::Bracket{outside, held};
 }
 
 answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                                   const wedged::HoldingFriction& found) {
-  answer::HoldingBracket answer{.bracket = {},
+  answer::HoldingBracket answer{.bracket = found.bracket,
                                 .factor = !problems::uniform_friction(loaded.problem),
                                 .maximum = found.maximum};
   answer.load_case = options.load_case;
   if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
   if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
-  if (found.lower_known)
-    answer.bracket.lower = answer::Bound{found.lower, standing(found.lower_proved)};
-  if (found.upper) answer.bracket.upper = answer::Bound{*found.upper, standing(found.upper_proved)};
   return answer;
 }
 
@@ -50,7 +40,7 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
                                 .factor = !problems::uniform_friction(loaded.problem),
                                 .of_reference = loaded.has_reference,
                                 .intervals = {},
-                                .outside = standing(found.proved),
+                                .outside = found.outside,
                                 .open = found.unresolved};
   answer.load_case = options.load_case;
   answer.total = options.parameters.total;
@@ -58,10 +48,9 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
   if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
   if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
   for (const auto& each : found.intervals) {
-    answer.intervals.push_back(
-        {each.low, each.high, standing(each.proved),
-         end_of(each.low, each.proved, each.low_out, each.low_proved, false),
-         end_of(each.high, each.proved, each.high_out, each.high_proved, true)});
+    answer.intervals.push_back({each.low.value, each.high.value, each.held(),
+                                end_of(each.low, each.low_out, false),
+                                end_of(each.high, each.high_out, true)});
   }
   return answer;
 }
@@ -76,24 +65,20 @@ answer::HoldingDiagram diagram_of(const HoldOptions& options, const wedged::Load
           .cases = options.cases,
           .pieces = found.pieces.size(),
           .everything = count([](const auto& piece) { return piece.is_whole_plane; }) > 0,
-          .outside = standing(found.proved),
+          .outside = found.outside,
           .open = found.unresolved,
           .coarse = count([](const auto& piece) { return !piece.fine; })};
 }
 
 answer::HoldingGrip grip_of(const wedged::GripRange& found) {
   answer::HoldingGrip grip{.held = found.held,
-                           .held_standing = standing(found.held_proved),
+                           .held_standing = found.standing,
                            .unbounded = found.maximum.unbounded,
-                           .unbounded_standing = standing(found.maximum.held_proved)};
+                           .unbounded_standing = found.maximum.held.standing};
   if (found.status != engine::Status::solved || !found.held) return grip;
   const auto& [minimum, maximum] = std::tie(found.minimum, found.maximum);
-  grip.minimum = {answer::Bound{minimum.out, standing(minimum.out_proved)},
-                  answer::Bound{minimum.held, standing(minimum.held_proved)}};
-  if (!maximum.unbounded && maximum.known) {
-    grip.maximum = {answer::Bound{maximum.held, standing(maximum.held_proved)},
-                    answer::Bound{maximum.out, standing(maximum.out_proved)}};
-  }
+  grip.minimum = {minimum.out, minimum.held};
+  if (!maximum.unbounded && maximum.known) grip.maximum = {maximum.held, maximum.out};
   return grip;
 }
 
@@ -113,9 +98,9 @@ std::vector<std::string> missing_certificates(const HoldFindings& findings) {
   if (findings.friction && !ended) {
     std::vector<std::string> sentences;
     const auto& found = *findings.friction;
-    if (found.upper.value_or(1) > 0 && !(found.lower_known && found.lower_proved))
+    if (found.bracket.at_most() > 0 && !is_proved(found.bracket.lower))
       sentences.emplace_back("No certificate of a lower bound was written, since none is proved.");
-    if (found.upper && !found.upper_proved)
+    if (found.bracket.upper && !is_proved(found.bracket.upper))
       sentences.emplace_back(
           "No certificate of the upper bound was written, since it is computed, not proved.");
     return sentences;

@@ -28,9 +28,10 @@ bool is_carried_at_none(const limit::LimitAnswer& answer) {
 // Factor by which cases are compared; infinity: unknown.
 double min_factor(const LimitCase& each) {
   const auto& answer = each.found.answer;
-  if (each.found.loss) return each.found.loss->ends.upper;
-  if (is_carried_at_none(answer)) return -std::numeric_limits<double>::infinity();
-  if (answer.worst) return answer.worst->ends.upper;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  if (const auto& loss = each.found.loss) return loss->fatal ? none : loss->ends.at_most();
+  if (is_carried_at_none(answer)) return none;
+  if (answer.worst) return answer.worst->ends.at_most();
   return answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity();
 }
 
@@ -48,21 +49,14 @@ std::string found_text(const LimitCase& each) {
   }
   if (!answer.nominal) return "open";
   std::vector<std::string> parts;
-  if (!has_ranges(each.truss)) {
-    const auto& nominal = answer.nominal_factors.largest;
-    parts.push_back("nominal " + factor_text(nominal.lower, nominal.upper));
-  }
-  if (const auto& worst = answer.worst) {
-    const auto& ends = worst->ends;
-    parts.push_back(worst->as_printed ? fmt::format("worst case {:.10g} ... {:.10g} (not proved)",
-                                                    ends.lower, ends.upper)
-                                      : "worst case " + factor_text(ends.lower, ends.upper));
-  }
+  if (!has_ranges(each.truss))
+    parts.push_back("nominal " + factor_text(answer.nominal_factors.largest));
+  if (answer.worst) parts.push_back("worst case " + factor_text(answer.worst->ends));
   if (!found.loss && !answer.whole()) parts.emplace_back("open");
   if (const auto& loss = found.loss) {
-    parts.push_back(loss->is_fatal() ? fmt::format("no factor after a loss, {}",
-                                                   loss->proved ? "proved" : "open")
-                                     : "after a loss " + remaining_factor_text(*loss));
+    parts.push_back(
+        loss->fatal ? fmt::format("no factor after a loss, {}", loss->proved() ? "proved" : "open")
+                    : "after a loss " + factor_text(loss->ends));
   }
   auto text = fmt::format("{}", fmt::join(parts, ", "));
   if (each.found.loss) return text;
@@ -115,7 +109,7 @@ std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> ca
 namespace {
 
 bool is_claimed(const std::optional<limit::LossAnswer>& loss) {
-  return loss && loss->statement && loss->proved;
+  return loss && loss->statement && loss->proved();
 }
 
 }  // namespace
@@ -192,15 +186,15 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
                                              answer.worst ? answer.worst->zeta : Eigen::VectorXd());
     }
     if (const auto& worst = answer.worst) {
-      row["worst_case"] = {{"lower", answer::number_or_null(worst->ends.lower)},
-                           {"upper", answer::number_or_null(worst->ends.upper)},
-                           {"proved", worst->proved}};
+      row["worst_case"] = {{"lower", answer::number_or_null(worst->ends.at_least())},
+                           {"upper", answer::number_or_null(worst->ends.at_most())},
+                           {"proved", worst->proved()}};
       row["guaranteed_interval"] = interval_json(guaranteed_interval(answer, each.found.residual));
     }
     if (const auto& loss = each.found.loss) {
-      row["member_loss"] = {{"lower", answer::number_or_null(loss->ends.lower)},
-                            {"upper", answer::number_or_null(loss->ends.upper)},
-                            {"proved", loss->proved}};
+      row["member_loss"] = {{"lower", answer::number_or_null(loss->ends.at_least())},
+                            {"upper", answer::number_or_null(loss->ends.at_most())},
+                            {"proved", loss->proved()}};
     }
     row["state"] = state_of(each.found);
     rows.push_back(std::move(row));

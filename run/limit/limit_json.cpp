@@ -86,11 +86,11 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
   result["alpha"] = answer::number_or_null(
       problems::common_half_width(report.problem, *report.options.parameters.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
-  result["worst_case"] = {{"lower", answer::number_or_null(worst.ends.lower)},
-                          {"upper", answer::number_or_null(worst.ends.upper)},
-                          {"proved", worst.proved},
-                          {"lower_proved", worst.ends.lower_proved},
-                          {"upper_proved", worst.ends.upper_proved},
+  result["worst_case"] = {{"lower", answer::number_or_null(worst.ends.at_least())},
+                          {"upper", answer::number_or_null(worst.ends.at_most())},
+                          {"proved", worst.proved()},
+                          {"lower_proved", is_proved(worst.ends.lower)},
+                          {"upper_proved", is_proved(worst.ends.upper)},
                           {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
   add_critical_load(result, report.problem, worst.zeta);

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
@@ -19,6 +18,7 @@
 #include "run/limit/strut_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -64,10 +64,11 @@ void write_nominal(std::string& text, const LimitReport& report) {
                  has_ranges(report.truss)
                      ? "with all factors of actions in the middle of their ranges: load factor"
                      : "nominal load factor",
-                 factor_text(largest.lower, largest.upper), report.residual ? upper_value : "");
-  write_zero(text, "the dead load", largest.upper);
-  if (minimum.lower > 0 && minimum.upper <= largest.lower) {
-    const auto [low, high] = answer::inside(minimum.upper, largest.lower, answer::digits_of_table);
+                 factor_text(largest), report.residual ? upper_value : "");
+  write_zero(text, "the dead load", largest.at_most());
+  if (minimum.at_least() > 0 && minimum.at_most() <= largest.at_least()) {
+    const auto [low, high] =
+        support::inside(minimum.at_most(), largest.at_least(), support::digits_of_table);
     fmt::format_to(std::back_inserter(text),
                    "  the dead load is carried at load factors from {} to {}, not at zero\n", low,
                    high);
@@ -82,9 +83,8 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
     text += printed_ends_text(worst);
     return;
   }
-  const auto& [lower, upper, lower_proved, upper_proved] = worst.ends;
-  fmt::format_to(out, "  load factor {}\n", factor_text(lower, upper));
-  if (!worst.proved && lower_proved && upper_proved && worst.search == engine::Status::solved)
+  fmt::format_to(out, "  load factor {}\n", factor_text(worst.ends));
+  if (!worst.proved() && worst.ends.has_proved_ends() && worst.search == engine::Status::solved)
     text += "  open: the two bounds differ\n";
 }
 
@@ -132,7 +132,7 @@ void write_interval(std::string& text, const LimitReport& report) {
   text += "  " + passed_text(interval) + '\n';
   const auto& carrying = report.residual ? *report.residual : report.answer;
   const auto& reversed = carrying.reversed;
-  const bool zero_is_excluded = guaranteed_interval(carrying).minimum.lower > 0;
+  const bool zero_is_excluded = guaranteed_interval(carrying).minimum.at_least() > 0;
   if (!reversed || reversed->zeta.size() == 0 || !zero_is_excluded) return;
   text += "  load that determines the least of these factors:\n" +
           critical_load_text(report.truss, report.problem, reversed->zeta);
@@ -171,7 +171,7 @@ void write_worst(std::string& text, const LimitReport& report) {
   } else {
     write_ends(text, worst);
     if (worst.collapse) {
-      write_zero(text, "some " + std::string(some_load), worst.ends.upper);
+      write_zero(text, "some " + std::string(some_load), worst.ends.at_most());
       write_mode(text, problem, *worst.collapse);
       text += utilisation_text(problem, *worst.collapse);
     }

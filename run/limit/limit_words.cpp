@@ -15,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include "answer/answer_words.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "problems/limit/action_factors.hpp"
 #include "problems/limit/collapse_mode.hpp"
@@ -24,6 +23,7 @@
 #include "run/limit/loss_report.hpp"
 #include "run/limit/strut_report.hpp"
 #include "run/output/name_ranges.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -167,19 +167,6 @@ std::string critical_load_text(const problems::Structure& truss, const LimitProb
 
 namespace {
 
-answer::Standing standing(bool proved) {
-  return proved ? answer::Standing::proved : answer::Standing::computed;
-}
-
-std::optional<answer::Bound> bound(double value, bool proved) {
-  if (!std::isfinite(value)) return std::nullopt;
-  return answer::Bound{value, standing(proved)};
-}
-
-answer::Bracket bracket(const limit::FactorBracket& found) {
-  return {bound(found.lower, found.lower_proved), bound(found.upper, found.upper_proved)};
-}
-
 // Bounds of the uncertain loads in all cases.
 answer::LoadRange load_range(const LimitOptions& options, std::span<const LimitCase> cases) {
   answer::LoadRange loads;
@@ -235,14 +222,15 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadIn
   }
   const bool worst = with_worst_case(cases);
   if (interval.carried_at_none) {
-    return cases_named(cases, [&](const auto& each) { return interval_of(each, worst).at_none; });
+    return cases_named(
+        cases, [&](const auto& each) { return interval_of(each, worst).at_none.has_value(); });
   }
   const auto& [from, to] = std::tie(interval.minimum, interval.maximum);
   if (!from.lower || !to.upper) return {};
-  const auto lower = [&](const auto& each) { return interval_of(each, worst).minimum.lower; };
+  const auto lower = [&](const auto& each) { return interval_of(each, worst).minimum.at_least(); };
   const auto upper = [&](const auto& each) {
     const auto largest = interval_of(each, worst).largest;
-    return interval.struts ? largest.lower : largest.upper;
+    return interval.struts ? largest.at_least() : largest.at_most();
   };
   const auto& begins = *std::ranges::max_element(cases, {}, lower);
   const auto& ends = *std::ranges::min_element(cases, {}, upper);
@@ -251,14 +239,14 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadIn
       return fmt::format(
           "In load case {} a load is carried only from {} on{}, and another one only "
           "up to {}{}.",
-          begins.name, answer::rounded_down(from.lower->value),
-          answer::unless_proved(from.lower->standing), answer::rounded_up(to.upper->value),
+          begins.name, support::rounded_down(from.lower->value),
+          answer::unless_proved(from.lower->standing), support::rounded_up(to.upper->value),
           answer::unless_proved(to.upper->standing));
     }
     return fmt::format(
         "Load case {} is carried only from {} on{}, load case {} only up to {}{}.", begins.name,
-        answer::rounded_down(from.lower->value), answer::unless_proved(from.lower->standing),
-        ends.name, answer::rounded_up(to.upper->value), answer::unless_proved(to.upper->standing));
+        support::rounded_down(from.lower->value), answer::unless_proved(from.lower->standing),
+        ends.name, support::rounded_up(to.upper->value), answer::unless_proved(to.upper->standing));
   }
   const auto combination = critical_combination(ends);
   return fmt::format("The least {}of the largest factors is that of load case {}{}{}.",
@@ -271,15 +259,13 @@ answer::LoadInterval load_interval(const LimitOptions& options, std::span<const 
   answer::LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
   if (with_worst_case(cases)) interval.uncertain = load_range(options, cases);
   interval.reference_action = reference_action(*cases.front().truss);
-  if (found.at_none) {
-    interval.carried_at_none = standing(found.at_none_proved);
-    return interval;
-  }
-  interval.minimum = bracket(found.minimum);
-  interval.maximum = bracket(found.largest);
+  interval.carried_at_none = found.at_none;
+  if (found.at_none) return interval;
+  interval.minimum = found.minimum;
+  interval.maximum = found.largest;
   interval.if_big_m = std::ranges::any_of(cases, [](const auto& each) {
     const auto& worst = each.found.answer.worst;
-    return worst && worst->as_printed && !worst->proved;
+    return worst && worst->as_printed && !worst->proved();
   });
   return interval;
 }
@@ -304,7 +290,7 @@ answer::Verdict limit_verdict(const LimitOptions& options, std::span<const Limit
   if (answer.worst) {
     const auto& worst = *answer.worst;
     if (worst.collapse && worst.status != limit::RootStatus::not_carried)
-      yields(*worst.collapse, worst.proved ? "In the worst case" : "Under the worst load known");
+      yields(*worst.collapse, worst.proved() ? "In the worst case" : "Under the worst load known");
   } else if (answer.nominal) {
     yields(*answer.nominal, cases.size() > 1 ? "At the least of the largest factors" : "Then");
   }
@@ -319,8 +305,9 @@ answer::Verdict limit_verdict(const LimitOptions& options, std::span<const Limit
     const auto& loss = *governs.found.loss;
     if (cases.size() > 1 && !loss.lost.empty()) {
       verdict.details.push_back(
-          loss.is_fatal()
-              ? cases_named(cases, [](const auto& each) { return each.found.loss->is_fatal(); })
+          loss.fatal
+              ? cases_named(cases,
+                            [](const auto& each) { return each.found.loss->fatal.has_value(); })
               : fmt::format("The least factor {}is that of load case {}.",
                             all_whole(cases) ? "" : "known ", governs.name));
     }

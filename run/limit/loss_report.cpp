@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -70,8 +70,7 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   const auto failed = static_cast<std::size_t>(
       std::ranges::count(singles, LoadStatus::undetermined, &SingleLoss::status));
   if (failed > 0)
-    fmt::format_to(out, "    {}: the simplex method failed\n",
-                   answer::counted(failed, "member"));
+    fmt::format_to(out, "    {}: the simplex method failed\n", answer::counted(failed, "member"));
   const auto missing = static_cast<std::size_t>(loss.eligible) - singles.size();
   if (missing > 0) {
     fmt::format_to(out, "    {}: not computed before the early end\n",
@@ -116,10 +115,10 @@ std::string fatal_text(const LimitProblem& problem, const problems::Structure& t
 
 void write_ends(std::string& text, const LossAnswer& loss) {
   const auto out = std::back_inserter(text);
-  const auto mark = [](bool proved) { return proved ? "" : " (not proved)"; };
-  if (loss.is_fatal()) {
+  const auto mark = [](bool proved) { return proved ? ", proved" : ", not proved"; };
+  if (loss.fatal) {
     fmt::format_to(out, "  after some loss no load factor is carried, of either sign{}\n",
-                   loss.proved ? ", proved" : mark(false));
+                   mark(loss.proved()));
     return;
   }
   const auto& ends = loss.ends;
@@ -128,19 +127,20 @@ void write_ends(std::string& text, const LossAnswer& loss) {
                                : *loss.reaches_target ? "yes, proved"
                                                       : "no, proved";
     fmt::format_to(out, "  load factor at least {}: {}\n", *loss.target, answer);
-  } else if (loss.proved) {
-    fmt::format_to(out, "  load factor {}\n", factor_text(ends.lower, ends.upper));
+  } else if (loss.proved()) {
+    fmt::format_to(out, "  load factor {}\n", factor_text(ends));
     return;
-  } else if (ends.lower_proved) {
-    fmt::format_to(out, "  load factor at least {}\n",
-                   answer::rounded_down(ends.lower, answer::digits_of_table));
+  } else if (ends.lower) {
+    fmt::format_to(out, "  load factor at least {}{}\n",
+                   support::rounded_down(ends.lower->value, support::digits_of_table),
+                   mark(ends.lower->proved()));
   } else {
     text += "  no lower bound of the load factor was proved\n";
   }
-  if (std::isfinite(ends.upper))
-    fmt::format_to(out, "  load factor after the worst loss known: {}{}\n",
-                   answer::rounded_up(ends.upper, answer::digits_of_table),
-                   mark(ends.upper_proved));
+  if (ends.upper)
+    fmt::format_to(out, "  load factor after the worst loss known at most {}{}\n",
+                   support::rounded_up(ends.upper->value, support::digits_of_table),
+                   mark(ends.upper->proved()));
 }
 
 }  // namespace
@@ -149,13 +149,6 @@ const char* loss_state(LoadStatus status) {
   return status == LoadStatus::collapses     ? "collapses"
          : status == LoadStatus::not_carried ? "not-carried"
                                              : "undetermined";
-}
-
-std::string remaining_factor_text(const LossAnswer& loss) {
-  const auto& ends = loss.ends;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  return factor_text(ends.lower_proved ? ends.lower : -unknown,
-                     ends.upper_proved ? ends.upper : unknown);
 }
 
 std::string loss_text(const LimitProblem& problem, const problems::Structure& truss,
@@ -172,9 +165,9 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
   } else {
     fmt::format_to(out, "  worst loss known: {}\n", fmt::join(names_of(problem, loss.lost), " "));
   }
-  if (loss.is_fatal()) text += fatal_text(problem, truss, loss);
+  if (loss.fatal) text += fatal_text(problem, truss, loss);
   if (loss.uncertain && !loss.lost.empty()) text += critical_load_text(truss, problem, loss.zeta);
-  if (loss.collapse && loss.ends.upper < 0)
+  if (loss.collapse && loss.ends.at_most() < 0)
     fmt::format_to(out, "  negative: {}{} alone then collapses the structure\n",
                    loss.sudden == 1 ? std::string() : fmt::format("{} times ", loss.sudden),
                    loss.uncertain ? "an admissible dead load" : "the dead load");
@@ -200,12 +193,12 @@ ordered_json loss_json(const LimitProblem& problem, const problems::Structure& t
       {"uncertain", loss.uncertain},
       {"sudden", loss.sudden},
       {"eligible", loss.eligible},
-      {"lower", answer::number_or_null(loss.ends.lower)},
-      {"upper", answer::number_or_null(loss.ends.upper)},
-      {"lower_proved", loss.ends.lower_proved},
-      {"upper_proved", loss.ends.upper_proved},
-      {"proved", loss.proved},
-      {"fatal", loss.is_fatal()},
+      {"lower", answer::number_or_null(loss.ends.at_least())},
+      {"upper", answer::number_or_null(loss.ends.at_most())},
+      {"lower_proved", is_proved(loss.ends.lower)},
+      {"upper_proved", loss.fatal ? loss.proved() : is_proved(loss.ends.upper)},
+      {"proved", loss.proved()},
+      {"fatal", loss.fatal.has_value()},
       {"lost", names_of(problem, loss.lost)},
       {"target", answer::number_or_null(loss.target)},
       {"reached", loss.reaches_target ? ordered_json(*loss.reaches_target) : ordered_json()},
@@ -237,9 +230,6 @@ ordered_json loss_json(const LimitProblem& problem, const problems::Structure& t
 answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept) {
   const auto& governs = governing(cases);
   const auto& worst = *governs.found.loss;
-  const auto standing = [](bool proved) {
-    return proved ? answer::Standing::proved : answer::Standing::computed;
-  };
   answer::MemberLoss answer{.maximum = static_cast<std::uint64_t>(worst.maximum),
                             .cases = cases.size(),
                             .uncertain = worst.uncertain};
@@ -248,12 +238,9 @@ answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vect
   answer.kept = names_of(governs.problem, kept);
   answer.struts = with_struts(cases);
   answer.sudden = worst.sudden;
-  if (worst.is_fatal()) {
-    answer.fatal = standing(worst.ends.upper_proved);
-    return answer;
-  }
-  if (std::isfinite(worst.ends.upper))
-    answer.factor.upper = answer::Bound{worst.ends.upper, standing(worst.ends.upper_proved)};
+  answer.fatal = worst.fatal;
+  if (worst.fatal) return answer;
+  answer.factor.upper = worst.ends.upper;
   double lower = std::numeric_limits<double>::infinity();
   bool reached = true;
   bool missed = false;
@@ -266,11 +253,10 @@ answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vect
       reached = false;
       continue;
     }
-    lower = std::min(lower, carried->ends.lower_proved ? carried->ends.lower
-                                                       : -std::numeric_limits<double>::infinity());
+    lower = std::min(lower, carried->ends.at_least());
     reached = reached && carried->reaches_target.value_or(false);
   }
-  if (std::isfinite(lower)) answer.factor.lower = answer::Bound{lower, answer::Standing::proved};
+  if (std::isfinite(lower)) answer.factor.lower = support::Bound{lower, support::Standing::proved};
   if (worst.target && (reached || missed)) answer.reached = reached;
   return answer;
 }

@@ -17,9 +17,6 @@ namespace kusabi::run {
 /// The word in results for what remains after a loss.
 const char* loss_state(limit::LoadStatus status);
 
-/// The proved bounds of the factor after the worst loss. @pre the loss is not fatal
-std::string remaining_factor_text(const limit::LossAnswer& loss);
-
 /// The worst loss, and the members whose loss alone lowers the factor.
 std::string loss_text(const problems::LimitProblem& problem, const problems::Structure& truss,
                       const limit::LossAnswer& loss);

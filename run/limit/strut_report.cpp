@@ -49,20 +49,16 @@ bool at_no_factor(const LimitAnswer& answer) {
 // The factor after the worst loss of members, if that was requested.
 std::string remaining_text(const LimitAnswer& answer,
                            const std::optional<limit::LossAnswer>& loss) {
-  if (loss && loss->is_fatal())
-    return loss->proved ? "no load factor after a loss, proved" : "no load factor after a loss";
+  if (loss && loss->fatal)
+    return loss->proved() ? "no load factor after a loss, proved" : "no load factor after a loss";
   if (loss) {
-    return fmt::format("load factor {} after the worst loss", remaining_factor_text(*loss));
+    return fmt::format("load factor {} after the worst loss", factor_text(loss->ends));
   }
   if (at_no_factor(answer)) return answer.whole() ? "no load factor, proved" : "no load factor";
   const auto& worst = answer.worst;
-  if (worst && worst->as_printed)
-    return fmt::format("load factor {:.10g} ... {:.10g} (not proved)", worst->ends.lower,
-                       worst->ends.upper);
-  if (worst) return "load factor " + factor_text(worst->ends.lower, worst->ends.upper);
+  if (worst) return "load factor " + factor_text(worst->ends);
   if (!answer.nominal) return "open";
-  const auto& nominal = answer.nominal_factors.largest;
-  return "load factor " + factor_text(nominal.lower, nominal.upper);
+  return "load factor " + factor_text(answer.nominal_factors.largest);
 }
 
 }  // namespace
@@ -95,9 +91,9 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
                                    : nlohmann::ordered_json()},
       {"at_no_factor", at_no_factor(residual)}};
   if (const auto& worst = residual.worst) {
-    json["lower"] = answer::number_or_null(worst->ends.lower);
-    json["upper"] = answer::number_or_null(worst->ends.upper);
-    json["proved"] = worst->proved;
+    json["lower"] = answer::number_or_null(worst->ends.at_least());
+    json["upper"] = answer::number_or_null(worst->ends.at_most());
+    json["proved"] = worst->proved();
     json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
   }
   if (report.residual_loss)
@@ -115,7 +111,7 @@ std::string strut_sentence(std::span<const LimitCase> cases) {
   for (const auto& each : cases) {
     const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);
     if (residual && at_no_factor(*residual)) return sentence("is carried", residual->whole());
-    if (loss && loss->is_fatal()) return sentence("remains after the worst loss", loss->proved);
+    if (loss && loss->fatal) return sentence("remains after the worst loss", loss->proved());
   }
   return {};
 }

@@ -80,13 +80,12 @@ nlohmann::ordered_json zero_one_json(const LimitZeroOne& zero_one) {
 
 bool is_refuted(const LimitWorstCase& worst) {
   if (!worst.zero_one) return false;
-  double upper = worst.ends.upper;
-  if (!worst.ends.upper_proved) {
+  if (worst.status == limit::RootStatus::not_carried) return worst.proved();
+  double upper = worst.ends.at_most();
+  if (!is_proved(worst.ends.upper)) {
     // The printed method: the load of its best point has a factor of its own.
     if (!worst.as_printed || !worst.collapse) return false;
     upper = worst.collapse->factor;
-  } else if (worst.status == limit::RootStatus::not_carried) {
-    return true;
   }
   constexpr double visible = 1e-6;
   return worst.zero_one->lower > upper + visible * std::max(1.0, std::abs(upper));

@@ -71,10 +71,10 @@ double MipReport::gap() const {
 
 // Of a point that is not known to be optimal, its own; an optimum requires the bound as well, and a
 // program without points the bounds that exclude them.
-answer::Standing MipReport::standing() const {
+support::Standing MipReport::standing() const {
   const bool point = found.point() == nullptr || found.point()->proved;
   const bool proved = point && (found.status() == MixedStatus::feasible || found.proved());
-  return proved ? answer::Standing::proved : answer::Standing::computed;
+  return proved ? support::Standing::proved : support::Standing::computed;
 }
 
 answer::Verdict MipReport::verdict() const {
@@ -103,8 +103,8 @@ answer::Verdict MipReport::verdict() const {
     answer.gap = gap();
   }
   if (std::isfinite(bound()))
-    answer.bound = answer::Bound{
-        bound(), found.proved() ? answer::Standing::proved : answer::Standing::computed};
+    answer.bound = support::Bound{
+        bound(), found.proved() ? support::Standing::proved : support::Standing::computed};
   return {.ended = found.outcome.status, .nodes_left = found.outcome.open, .answer = answer};
 }
 
@@ -179,7 +179,7 @@ ordered_json MipReport::json() const {
   } else if (found.status() == MixedStatus::unknown) {
     result["bound"] = answer::number_or_null(bound());
   } else {
-    result["proved"] = standing() == answer::Standing::proved;
+    result["proved"] = standing() == support::Standing::proved;
   }
   result["unproved"] = found.outcome.tally().unproved;
   // Those of an unbounded program are of the program without costs.

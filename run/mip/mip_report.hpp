@@ -40,7 +40,7 @@ struct MipReport {
 
  private:
   [[nodiscard]] double in_the_files_sense(double objective) const;
-  [[nodiscard]] answer::Standing standing() const;
+  [[nodiscard]] support::Standing standing() const;
   [[nodiscard]] bool has_point() const;  // the result file has a point
 };
 

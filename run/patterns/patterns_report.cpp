@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "answer/ending.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
@@ -20,6 +19,7 @@
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -94,7 +94,7 @@ answer::Verdict PatternsReport::verdict() const {
           .factor = !problems::uniform_friction(problem_),
           .count = findings_.count(),
           .undecided = findings_.unresolved(),
-          .standing = proved ? answer::Standing::proved : answer::Standing::computed,
+          .standing = proved ? support::Standing::proved : support::Standing::computed,
           .grounds =
               exact.done ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds,
           .degenerate = exact.unproved,
@@ -164,11 +164,11 @@ std::string PatternsReport::largest_load() const {
       findings_.blocks.size() > 1 ? "part of the reference load on its block" : "reference load");
   if (std::isinf(high)) {
     return fmt::format("Number {} at any factor{}.", held,
-                       std::isinf(low) ? "" : fmt::format(" from {} on", answer::rounded_up(low)));
+                       std::isinf(low) ? "" : fmt::format(" from {} on", support::rounded_up(low)));
   }
   return fmt::format(
       "While its normal reactions add up to 1, number {} up to a factor of {}, the largest of {}.",
-      held, answer::rounded_down(high), all ? "all patterns" : "those known to have a margin");
+      held, support::rounded_down(high), all ? "all patterns" : "those known to have a margin");
 }
 
 std::string PatternsReport::details() const {

@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -41,11 +41,11 @@ std::string held_text(const std::optional<wedged::Firmness>& firmness) {
     return std::isinf(factor) ? std::string("any") : shown;
   };
   const auto [low, high] =
-      firmness
-          ? std::pair(
-                end(firmness->low, answer::rounded_up(firmness->low, answer::digits_of_table)),
-                end(firmness->high, answer::rounded_down(firmness->high, answer::digits_of_table)))
-          : std::pair(std::string("-"), std::string("-"));
+      firmness ? std::pair(end(firmness->low,
+                               support::rounded_up(firmness->low, support::digits_of_table)),
+                           end(firmness->high,
+                               support::rounded_down(firmness->high, support::digits_of_table)))
+               : std::pair(std::string("-"), std::string("-"));
   return fmt::format("{:>14}  {:>12}", low, high);
 }
 

@@ -1,65 +1,68 @@
 // Bounds of both ends, each with its standing.
 #include "run/pictures/guaranteed_interval_report.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
 
-using limit::FactorBracket;
 using limit::GuaranteedInterval;
 using nlohmann::ordered_json;
 
-ordered_json bracket_json(const FactorBracket& bracket) {
-  return {{"lower", answer::number_or_null(bracket.lower)},
-          {"upper", answer::number_or_null(bracket.upper)},
-          {"lower_proved", bracket.lower_proved},
-          {"upper_proved", bracket.upper_proved}};
+ordered_json bracket_json(const support::Bracket& bracket) {
+  return {{"lower", answer::number_or_null(bracket.at_least())},
+          {"upper", answer::number_or_null(bracket.at_most())},
+          {"lower_proved", is_proved(bracket.lower)},
+          {"upper_proved", is_proved(bracket.upper)}};
 }
 
-const char* proved_word(bool proved) {
-  return proved ? "proved" : "not proved";
+const char* proved_word(support::Standing standing) {
+  return is_proved(standing) ? "proved" : "not proved";
 }
 
 }  // namespace
 
-std::string factor_text(double lower, double upper) {
-  if (std::isfinite(lower) && std::isfinite(upper)) {
-    const auto shown = answer::in_table(lower, upper);
-    return fmt::format("{} ... {}, proved", shown.lower, shown.upper);
+std::string factor_text(const support::Bracket& factor) {
+  const auto& [lower, upper] = factor;
+  if (lower && upper) {
+    const auto shown = support::in_table(lower->value, upper->value);
+    if (lower->standing == upper->standing)
+      return fmt::format("{} ... {}, {}", shown.lower, shown.upper, proved_word(lower->standing));
+    return fmt::format("{} ({}) ... {} ({})", shown.lower, proved_word(lower->standing),
+                       shown.upper, proved_word(upper->standing));
   }
-  if (std::isfinite(lower))
-    return fmt::format("at least {}, proved; open above",
-                       answer::rounded_down(lower, answer::digits_of_table));
-  if (std::isfinite(upper))
-    return fmt::format("at most {}, proved; open below",
-                       answer::rounded_up(upper, answer::digits_of_table));
+  if (lower)
+    return fmt::format("at least {}, {}; open above",
+                       support::rounded_down(lower->value, support::digits_of_table),
+                       proved_word(lower->standing));
+  if (upper)
+    return fmt::format("at most {}, {}; open below",
+                       support::rounded_up(upper->value, support::digits_of_table),
+                       proved_word(upper->standing));
   return "open";
 }
 
 std::string interval_text(const GuaranteedInterval& interval, std::string_view loads) {
-  if (interval.is_empty()) {
-    return fmt::format("no factor is carried{}, {}", loads, proved_word(interval.decided()));
-  }
-  const auto& [minimum, largest, at_none, at_none_proved] = interval;
+  const auto proved = proved_word(interval.standing());
+  if (interval.is_empty()) return fmt::format("no factor is carried{}, {}", loads, proved);
+  const auto& [minimum, largest, at_none] = interval;
   if (interval.has_factors()) {
-    const auto [low, high] = answer::inside(minimum.upper, largest.lower, answer::digits_of_table);
-    return fmt::format("factors {} ... {} are carried{}, {}", low, high, loads,
-                       proved_word(interval.decided()));
+    const auto [low, high] =
+        support::inside(minimum.at_most(), largest.at_least(), support::digits_of_table);
+    return fmt::format("factors {} ... {} are carried{}, {}", low, high, loads, proved);
   }
-  const auto known = [](double bound, std::string text) {
-    return std::isfinite(bound) ? std::move(text) : std::string("unknown");
-  };
+  const std::string unknown = "unknown";
   return fmt::format(
       "open: factors carried{} lie between {} and {}; their existence is undecided", loads,
-      known(minimum.lower, answer::rounded_down(minimum.lower, answer::digits_of_table)),
-      known(largest.upper, answer::rounded_up(largest.upper, answer::digits_of_table)));
+      minimum.lower ? support::rounded_down(minimum.lower->value, support::digits_of_table)
+                    : unknown,
+      largest.upper ? support::rounded_up(largest.upper->value, support::digits_of_table)
+                    : unknown);
 }
 
 std::string passed_text(const GuaranteedInterval& interval) {
@@ -78,7 +81,7 @@ ordered_json interval_json(const GuaranteedInterval& interval) {
           {"upper", bracket_json(interval.largest)},
           {"empty", known()},
           {"passed", interval.passed() ? ordered_json(*interval.passed()) : ordered_json()},
-          {"proved", interval.decided()}};
+          {"proved", is_proved(interval.standing())}};
 }
 
 }  // namespace kusabi::run

@@ -10,9 +10,9 @@
 
 namespace kusabi::run {
 
-/// "2.26027659894 ... 2.2602765995, proved": proved bounds of a factor, rounded outwards. Infinite:
-/// no bound is proved.
-std::string factor_text(double lower, double upper);
+/// "2.26027659894 ... 2.2602765995, proved": bounds of a factor with their standing, rounded
+/// outwards.
+std::string factor_text(const support::Bracket& factor);
 
 /// "factors -2.634577 ... 1.882777 are carried under all admissible loads, proved": the known
 /// bounds, without a line end. @param loads those of the interval

@@ -254,7 +254,7 @@ answer::Verdict Rays::verdict() const {
                                      .friction = options_.friction,
                                      .factor = !uniform_friction(contact_.problem),
                                      .count = found_.count(),
-                                     .standing = answer::Standing::computed,
+                                     .standing = support::Standing::computed,
                                      .ambiguous = !found_.health.sound(),
                                      .remainder = remainder_of(exact_)}};
 }

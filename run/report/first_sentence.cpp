@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -39,25 +39,25 @@ std::string friction_text(const std::string& shown, double coefficient, bool fac
 }
 
 // The upper end of a bracket. In an open one, less friction may do.
-std::string from_friction(const answer::CriticalBracket& found, bool solved,
-                          const Answer& leading, const ShortNames& names) {
+std::string from_friction(const answer::CriticalBracket& found, bool solved, const Answer& leading,
+                          const ShortNames& names) {
   const bool closed = solved && !found.wide && found.bracket.lower;
   const auto head = fmt::format(
       "It {} from friction coefficient {} on, with {}", closed ? "sticks" : "is known to stick",
-      friction_text(answer::rounded_up(*leading.order), *leading.order, found.factor),
+      friction_text(support::rounded_up(*leading.order), *leading.order, found.factor),
       contact(leading, names));
   if (!closed || leading.slips.empty()) return head + ".";
   return fmt::format("{}; with less friction {}.", head, slipping(leading, names));
 }
 
-std::string from_friction(const answer::HoldingBracket& found, bool solved,
-                          const Answer& leading, const ShortNames& names) {
+std::string from_friction(const answer::HoldingBracket& found, bool solved, const Answer& leading,
+                          const ShortNames& names) {
   if (leading.slips.empty()) return {};
   const bool closed = solved && found.bracket.lower;
   return fmt::format(
       "It {} hold the load from friction coefficient {} on, with {}{}.",
       closed ? "can" : "is known to",
-      friction_text(answer::rounded_up(*leading.order), *leading.order, found.factor),
+      friction_text(support::rounded_up(*leading.order), *leading.order, found.factor),
       contact(leading, names), closed ? "; with less, " + slipping(leading, names) : "");
 }
 
@@ -66,8 +66,8 @@ std::string of_largest_margin(const answer::Sticking& found, bool solved, bool r
                               const Answer& leading, const ShortNames& names) {
   // Flat and undecided patterns have no margin.
   if (!leading.needed || !leading.state.empty()) return {};
-  const bool complete = solved && found.undecided == 0 && !found.example &&
-                        !found.ambiguous && !found.remainder;
+  const bool complete =
+      solved && found.undecided == 0 && !found.example && !found.ambiguous && !found.remainder;
   const auto head =
       ray ? fmt::format("The extremal ray{} that needs the least friction is number {} ({})",
                         complete ? "" : " known", leading.number, contact(leading, names))
@@ -77,7 +77,7 @@ std::string of_largest_margin(const answer::Sticking& found, bool solved, bool r
   return fmt::format(
       "{}, {} friction coefficient {}: with less, {}.", head,
       ray ? "which needs" : "whose configuration needs",
-      friction_text(answer::rounded_down(*leading.needed), *leading.needed, found.factor),
+      friction_text(support::rounded_down(*leading.needed), *leading.needed, found.factor),
       slipping(leading, names));
 }
 

@@ -91,11 +91,11 @@ class WrittenVerdict {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;
     return reader_.text(object, key);
   }
-  [[nodiscard]] answer::Standing standing(const ResultJson& object, const char* key) const {
+  [[nodiscard]] support::Standing standing(const ResultJson& object, const char* key) const {
     const auto word = reader_.text(object, key);
     if (word != "proved" && word != "computed")
       reader_.refuse(fmt::format("'{}' is neither proved nor computed", key));
-    return word == "proved" ? answer::Standing::proved : answer::Standing::computed;
+    return word == "proved" ? support::Standing::proved : support::Standing::computed;
   }
   [[nodiscard]] answer::Grounds grounds(const ResultJson& answer) const {
     const auto word = reader_.text(answer, "grounds");
@@ -103,18 +103,18 @@ class WrittenVerdict {
       if (word == answer::grounds_name(each)) return each;
     reader_.refuse("'grounds' is neither exact-arithmetic nor solver-bounds");
   }
-  [[nodiscard]] std::optional<answer::Standing> some_standing(const ResultJson& object,
-                                                              const char* key) const {
+  [[nodiscard]] std::optional<support::Standing> some_standing(const ResultJson& object,
+                                                               const char* key) const {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;
     return standing(object, key);
   }
-  [[nodiscard]] std::optional<answer::Bound> bound(const ResultJson& object,
-                                                   const char* key) const {
+  [[nodiscard]] std::optional<support::Bound> bound(const ResultJson& object,
+                                                    const char* key) const {
     const auto* const found = ResultReader::find(object, key);
     if (found == nullptr) return std::nullopt;
-    return answer::Bound{reader_.number(*found, "value"), standing(*found, "standing")};
+    return support::Bound{reader_.number(*found, "value"), standing(*found, "standing")};
   }
-  [[nodiscard]] answer::Bracket bracket(const ResultJson& object, const char* key) const {
+  [[nodiscard]] support::Bracket bracket(const ResultJson& object, const char* key) const {
     const auto& found = reader_.at(object, key);
     return {bound(found, "lower"), bound(found, "upper")};
   }

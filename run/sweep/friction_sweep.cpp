@@ -7,7 +7,6 @@
 #include <fmt/ostream.h>
 
 #include "answer/ending.hpp"
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/sweep/sweep_search.hpp"
@@ -20,6 +19,7 @@
 #include "run/wedged/exact_json.hpp"
 #include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -197,18 +197,18 @@ std::string FrictionSweep::cones_text() const {
                  "in contact (U)");
   std::size_t number = 0;
   for (const auto& cone : found_.cones) {
-    const auto begins = answer::in_table(cone.begins.lower, cone.begins.upper);
+    const auto begins = support::in_table(cone.begins.lower, cone.begins.upper);
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}", ++number, begins.lower, begins.upper,
                    names(cone.pattern.contact));
     if (!cone.solid()) fmt::format_to(out, "  inactive: {}", names(cone.pattern.inactive));
     if (cone.absorbed)
       fmt::format_to(out, "  part of a larger one from {} on",
-                     answer::in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
+                     support::in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
     text += '\n';
   }
   for (const auto& leaf : found_.unresolved) {
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}\n", "open",
-                   answer::rounded_down(leaf.lower, answer::digits_of_table), "?",
+                   support::rounded_down(leaf.lower, support::digits_of_table), "?",
                    names(leaf.pattern.contact));
   }
   return text + begins_explained;
@@ -237,7 +237,7 @@ answer::Verdict FrictionSweep::verdict() const {
     double infeasible = parameters_.maximum;
     for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
     for (const auto& leaf : found_.unresolved) infeasible = std::min(infeasible, leaf.lower);
-    steps.infeasible = answer::Bound{infeasible, answer::Standing::computed};
+    steps.infeasible = support::Bound{infeasible, support::Standing::computed};
     const auto last = found_.count_at(found_.maximum);
     steps.count = last.known;
     steps.open_at_most = last.unresolved;

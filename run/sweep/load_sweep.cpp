@@ -25,6 +25,7 @@
 #include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/sweep/swept.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -33,16 +34,18 @@ using limit::RootStatus;
 using nlohmann::ordered_json;
 
 const char* state_of(const limit::LimitWorstCase& worst) {
-  if (!worst.proved) return "open";
+  if (!worst.proved()) return "open";
   return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
 }
 
 // Load factors below the worst case that are carried under every admissible load.
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
-  const char* const standing = interval.decided() ? "" : ", not proved";
+  const char* const standing = is_proved(interval.standing()) ? "" : ", not proved";
   if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
   if (!interval.has_factors()) return "; the least factor for all loads is undecided";
-  return fmt::format("; for all loads from {:.10g} on{}", interval.minimum.upper, standing);
+  return fmt::format("; for all loads from {} on{}",
+                     support::rounded_up(interval.minimum.at_most(), support::digits_of_table),
+                     standing);
 }
 
 class LoadSweep final : public Swept {
@@ -157,9 +160,9 @@ ordered_json LoadSweep::json() const {
   auto points = ordered_json::array();
   for (const auto& [alpha, worst, interval] : found_.points) {
     points.push_back({{"alpha", alpha},
-                      {"lower", answer::number_or_null(worst.ends.lower)},
-                      {"upper", answer::number_or_null(worst.ends.upper)},
-                      {"proved", worst.proved},
+                      {"lower", answer::number_or_null(worst.ends.at_least())},
+                      {"upper", answer::number_or_null(worst.ends.at_most())},
+                      {"proved", worst.proved()},
                       {"guaranteed_interval", interval_json(interval)},
                       {"state", state_of(worst)}});
   }
@@ -175,7 +178,7 @@ ordered_json LoadSweep::json() const {
     const auto& end = *curve()->end;
     result["curve_end"] = {{"carried_at", alpha_at(end.carried_at)},
                            {"not_carried_at", alpha_at(end.not_carried_at)},
-                           {"proved", end.proved}};
+                           {"proved", is_proved(end.standing)}};
   }
   return {{"command", "sweep"},
           {"version", KUSABI_VERSION},
@@ -195,10 +198,11 @@ void LoadSweep::write_csv(std::ostream& out) const {
   out << "row,alpha,lower,upper,proved,carried_from,carried_to,carried_proved\n";
   for (const auto& [alpha, worst, interval] : found_.points) {
     const bool some = interval.has_factors();
-    fmt::print(out, "point,{},{},{},{},{},{},{}\n", alpha, finite(worst.ends.lower),
-               finite(worst.ends.upper), worst.proved ? 1 : 0,
-               some ? finite(interval.minimum.upper) : "",
-               some ? finite(interval.largest.lower) : "", interval.decided() ? 1 : 0);
+    fmt::print(out, "point,{},{},{},{},{},{},{}\n", alpha, finite(worst.ends.at_least()),
+               finite(worst.ends.at_most()), worst.proved() ? 1 : 0,
+               some ? finite(interval.minimum.at_most()) : "",
+               some ? finite(interval.largest.at_least()) : "",
+               is_proved(interval.standing()) ? 1 : 0);
   }
   if (!curve()) return;
   const auto row = [&](double beta, double factor, const std::optional<double>& error) {
@@ -225,7 +229,8 @@ std::string LoadSweep::curve_text() const {
   fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);
   if (curve()->end) {
     fmt::format_to(out, "{:>12.8g}     not carried at any factor from here on{}\n",
-                   alpha_at(curve()->end->not_carried_at), curve()->end->proved ? ", proved" : "");
+                   alpha_at(curve()->end->not_carried_at),
+                   is_proved(curve()->end->standing) ? ", proved" : "");
   }
   return text;
 }
@@ -237,11 +242,11 @@ std::string LoadSweep::table() const {
   for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
-      fmt::format_to(out, "not carried at any factor{}\n", worst.proved ? ", proved" : "");
+      fmt::format_to(out, "not carried at any factor{}\n", worst.proved() ? ", proved" : "");
     } else {
       const auto& ends = worst.ends;
-      const bool apart = !worst.proved && ends.lower_proved && ends.upper_proved;
-      fmt::format_to(out, "{}{}{}\n", factor_text(ends.lower, ends.upper),
+      const bool apart = !worst.proved() && ends.has_proved_ends();
+      fmt::format_to(out, "{}{}{}\n", factor_text(ends),
                      apart ? "; open: the two bounds differ" : "", lower_end_text(interval));
     }
   }
@@ -250,33 +255,21 @@ std::string LoadSweep::table() const {
 
 answer::Verdict LoadSweep::verdict() const {
   answer::LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
-  const auto standing = [](bool proved) {
-    return proved ? answer::Standing::proved : answer::Standing::computed;
-  };
   if (const auto& nominal = found_.last.nominal) {
-    const auto& largest = found_.last.nominal_factors.largest;
-    steps.nominal = answer::Bound{largest.lower_proved ? largest.lower : nominal->factor,
-                                  standing(largest.lower_proved)};
+    steps.nominal =
+        found_.last.nominal_factors.largest.lower.value_or(support::Bound{nominal->factor});
   } else if (found_.last.status == limit::LoadStatus::not_carried) {
-    steps.nominal_at_none = answer::Standing::proved;
+    steps.nominal_at_none = support::Standing::proved;
   }
   if (problems::alpha_is_force(problem_)) steps.force = problem_.units.force;
   if (!found_.points.empty()) {
     const auto& [alpha, worst, interval] = found_.points.back();
     steps.half_width = alpha;
     if (worst.status == RootStatus::not_carried) {
-      steps.worst_at_none = standing(worst.proved);
+      steps.worst_at_none = worst.standing;
     } else {
-      const auto& ends = worst.ends;
-      if (std::isfinite(ends.lower))
-        steps.worst.lower = answer::Bound{ends.lower, standing(ends.lower_proved)};
-      if (std::isfinite(ends.upper))
-        steps.worst.upper = answer::Bound{ends.upper, standing(ends.upper_proved)};
-      const auto& minimum = interval.minimum;
-      if (std::isfinite(minimum.lower))
-        steps.minimum.lower = answer::Bound{minimum.lower, standing(minimum.lower_proved)};
-      if (std::isfinite(minimum.upper))
-        steps.minimum.upper = answer::Bound{minimum.upper, standing(minimum.upper_proved)};
+      steps.worst = worst.ends;
+      steps.minimum = interval.minimum;
     }
   }
   steps.open = !found_.whole(alphas_.size());

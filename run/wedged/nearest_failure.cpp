@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "answer/shown_bracket.hpp"
 #include "answer/values.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -126,7 +126,7 @@ std::string nearest_failure_text(const problems::WedgedProblem& problem,
   for (const int i : nearest.slips_there) slips |= support::IndexSet::single(i);
   return fmt::format(
       "{} This configuration needs a friction coefficient of at least {}{}; with less, {} {}.",
-      text, answer::rounded_down(nearest.holds_from),
+      text, support::rounded_down(nearest.holds_from),
       answer::of_each_candidate(!problems::uniform_friction(problem)),
       with_ranges(candidate_names(problem, slips)),
       nearest.slips_there.size() == 1 ? "slips" : "slip");

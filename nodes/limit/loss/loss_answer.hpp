@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -43,22 +42,20 @@ struct LossAnswer {
   std::optional<LimitCollapse> collapse;
   Eigen::VectorXd zeta;          ///< its worst load, m; empty: the dead load as given
   Eigen::VectorXd fatal_motion;  ///< shows that no factor remains after it; may be empty
-  /// Minus infinity: no load factor remains after the worst loss known.
-  LimitEnds ends;
+  support::Bracket ends;         ///< open on both sides if the worst loss is fatal
+  /// No load factor remains after the worst loss known; absent: one does.
+  std::optional<support::Standing> fatal;
   /// Of `--at-least`: its factor, and true, false, or nothing: undecided.
   std::optional<double> target;
   std::optional<bool> reaches_target;
-  bool proved = false;          ///< true if the requested result is proved
-  std::uint64_t undecided = 0;  ///< nodes where a program or a proof failed
+  support::Standing standing{};  ///< of the requested result
+  std::uint64_t undecided = 0;   ///< nodes where a program or a proof failed
   LossCounts counts;
   engine::Status search = engine::Status::solved;  ///< reason of an early end
   /// The proved claims with their evidence, on rank 0; nothing: a bound is not proved.
   std::optional<verify::LossStatement> statement;
 
-  /// True if no load factor remains after the worst loss known.
-  [[nodiscard]] bool is_fatal() const {
-    return ends.upper == -std::numeric_limits<double>::infinity();
-  }
+  [[nodiscard]] bool proved() const { return is_proved(standing); }
 };
 
 }  // namespace kusabi::limit

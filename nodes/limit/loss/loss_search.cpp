@@ -286,10 +286,11 @@ void LossSearch::settle_target() {
   answer_.target = parameters_.at_least;
   const auto& ends = answer_.ends;
   if (lower_.value_or(-infinite) >= *parameters_.at_least) {
-    answer_.reaches_target = answer_.proved = true;
-  } else if (ends.upper_proved && ends.upper < *parameters_.at_least) {
+    answer_.reaches_target = true;
+    answer_.standing = support::Standing::proved;
+  } else if (is_proved(ends.upper) && ends.at_most() < *parameters_.at_least) {
     answer_.reaches_target = false;
-    answer_.proved = true;
+    answer_.standing = support::Standing::proved;
   }
 }
 
@@ -303,20 +304,15 @@ void LossSearch::conclude() {
   if (worst_.status == LoadStatus::collapses) {
     answer_.collapse = worst_.collapse;
     const auto proved = proof_.upper(worst_.lost, answer_.zeta, worst_.collapse.motion);
-    ends.upper = proved.value_or(worst_.collapse.factor);
-    ends.upper_proved = proved.has_value();
-    if (lower_) {
-      ends.lower = *lower_;
-      ends.lower_proved = true;
-    }
-    answer_.proved =
-        ends.lower_proved && ends.upper_proved && ends.upper - ends.lower <= answered_gap * unit;
-  } else if (worst_.status == LoadStatus::undetermined) {
-    ends.upper = infinite;
-  } else {
+    ends.upper = support::Bound{proved.value_or(worst_.collapse.factor),
+                                support::proved_if(proved.has_value())};
+    if (lower_) ends.lower = support::Bound{*lower_, support::Standing::proved};
+    answer_.standing = support::proved_if(ends.proved_within(answered_gap * unit));
+  } else if (worst_.status != LoadStatus::undetermined) {
     answer_.fatal_motion = worst_.collapse.motion;
-    ends.upper_proved = proof_.shows_no_factor(worst_.lost, answer_.zeta, worst_.collapse.motion);
-    answer_.proved = ends.upper_proved;
+    answer_.standing = support::proved_if(
+        proof_.shows_no_factor(worst_.lost, answer_.zeta, worst_.collapse.motion));
+    answer_.fatal = answer_.standing;
   }
 }
 
@@ -328,8 +324,8 @@ verify::LossCover LossSearch::cover() const {
 
 // The claims that are proved, with the states that the proof needs.
 void LossSearch::record() {
-  const auto& ends = answer_.ends;
-  if (!analysis_.is_first() || !ends.upper_proved) return;
+  const bool fatal = answer_.fatal.has_value();
+  if (!analysis_.is_first() || !(fatal ? answer_.proved() : is_proved(answer_.ends.upper))) return;
   auto& statement = answer_.statement.emplace();
   statement.truss = truss_;
   statement.sudden = parameters_.sudden;
@@ -338,8 +334,8 @@ void LossSearch::record() {
   for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
     statement.kept.push_back(static_cast<std::size_t>(i));
   statement.lost.assign(worst_.lost.begin(), worst_.lost.end());
-  statement.fatal = answer_.is_fatal();
-  const auto& motion = statement.fatal ? answer_.fatal_motion : answer_.collapse->motion;
+  statement.fatal = fatal;
+  const auto& motion = fatal ? answer_.fatal_motion : answer_.collapse->motion;
   statement.motion.assign(motion.begin(), motion.end());
   proof_.write_loads(alpha_ > 0, statement);
   if (!lower_) return;
@@ -370,7 +366,7 @@ LossAnswer LossSearch::solve() {
   if (analysis_.ended())
     std::erase_if(answer_.singles,
                   [](const auto& each) { return each.status == LoadStatus::undetermined; });
-  if (analysis_.ended() && !complete && !answer_.proved)
+  if (analysis_.ended() && !complete && !answer_.proved())
     answer_.search = analysis_.budget().stop_reason();
   record();
   return std::move(answer_);

@@ -25,7 +25,7 @@ double line(const CurvePoint& point, double at) {
 std::optional<std::pair<CurvePoint, CurveEnd>> last_carried(const Sample& sample, CurvePoint first,
                                                             double end, NotCarried beyond,
                                                             double end_width) {
-  CurveEnd bracket{first.at, end, beyond.proved};
+  CurveEnd bracket{first.at, end, beyond.standing};
   for (;;) {
     const double width = std::max(end_width * bracket.not_carried_at, no_place * end);
     if (bracket.not_carried_at - bracket.carried_at <= width) break;
@@ -42,7 +42,7 @@ std::optional<std::pair<CurvePoint, CurveEnd>> last_carried(const Sample& sample
     } else if (const auto* const none = std::get_if<NotCarried>(&found)) {
       beyond = *none;
       bracket.not_carried_at = at;
-      bracket.proved = none->proved;
+      bracket.standing = none->standing;
     } else {
       return {};
     }
@@ -121,7 +121,8 @@ void Parametric::add(const CurvePoint& mode, double to) {
 
 bool LoadCurve::proved() const {
   const auto is_shown = [](const CurvePiece& piece) { return piece.error.has_value(); };
-  return !pieces.empty() && std::ranges::all_of(pieces, is_shown) && (!end || end->proved);
+  return !pieces.empty() && std::ranges::all_of(pieces, is_shown) &&
+         (!end || is_proved(end->standing));
 }
 
 LoadCurve concave_curve(const Sample& sample, double end, double tolerance, double end_width) {

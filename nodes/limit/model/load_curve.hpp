@@ -17,6 +17,8 @@
 
 #include <Eigen/Core>
 
+#include "support/bracket.hpp"
+
 namespace kusabi::limit {
 
 /// The curve at one place, and the mode found there.
@@ -31,7 +33,7 @@ struct CurvePoint {
 struct NotCarried {
   double last = 0;  ///< upper bound, exact or approximate, of the places with a factor, by a motion
                     ///< found there
-  bool proved = false;  ///< true if it is proved in exact arithmetic that the place has no factor
+  support::Standing standing{};  ///< of the claim that the place has no factor
 };
 
 /// Result at a place; nothing: unknown, since the simplex method failed or was stopped.
@@ -52,7 +54,7 @@ struct CurvePiece {
 struct CurveEnd {
   double carried_at = 0;
   double not_carried_at = 0;
-  bool proved = false;  ///< true if it is proved in exact arithmetic that the latter has no factor
+  support::Standing standing{};  ///< of the claim that the latter has no factor
 };
 
 struct LoadCurve {

@@ -11,6 +11,7 @@
 #include "engine/outcome.hpp"
 #include "nodes/limit/model/load_curve.hpp"
 #include "nodes/limit/root/worst_case.hpp"
+#include "support/bracket.hpp"
 
 namespace kusabi::limit {
 
@@ -23,50 +24,14 @@ struct LimitCollapse {
   Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1
 };
 
-/// Bounds of a load factor; infinite: none is known.
-struct FactorBracket {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool lower_proved = false;
-  bool upper_proved = false;
-
-  /// True if both bounds are proved and not further apart than `gap`.
-  [[nodiscard]] bool proved(double gap) const {
-    return lower_proved && upper_proved && upper - lower <= gap;
-  }
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& lower& upper& lower_proved& upper_proved;
-  }
-};
-
-/// Bounds of minus the number. Minus zero is zero.
-inline FactorBracket negative(const FactorBracket& bracket) {
-  return {0.0 - bracket.upper, 0.0 - bracket.lower, bracket.upper_proved, bracket.lower_proved};
-}
-
 /// Proved bounds of the factors that carry the nominal dead load.
 struct NominalFactors {
-  FactorBracket minimum;
-  FactorBracket largest;
+  support::Bracket minimum;
+  support::Bracket largest;
   double gap = 0;  ///< width up to which a bracket is an answer
 
-  [[nodiscard]] bool proved() const { return minimum.proved(gap) && largest.proved(gap); }
-};
-
-/// Bounds of the worst case, and whether they are proved in exact arithmetic.
-struct LimitEnds {
-  /// Minus infinity: none is known.
-  double lower = -std::numeric_limits<double>::infinity();
-  /// Minus infinity: some load has no factor.
-  double upper = -std::numeric_limits<double>::infinity();
-  bool lower_proved = false;
-  bool upper_proved = false;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& lower& upper& lower_proved& upper_proved;
+  [[nodiscard]] bool proved() const {
+    return minimum.proved_within(gap) && largest.proved_within(gap);
   }
 };
 
@@ -91,8 +56,9 @@ struct LimitZeroOne {
 struct LimitWorstCase {
   /// closed: the bounds meet, those of the simplex method where they are not proved.
   RootStatus status = RootStatus::failed;
-  LimitEnds ends;
-  bool proved = false;  ///< true if both bounds are proved and close to each other
+  support::Bracket ends;  ///< open on both sides if some load has no factor
+  /// Proved if both bounds are, and are close to each other; or that some load has no factor.
+  support::Standing standing{};
   /// If (29) was requested.
   std::optional<LimitZeroOne> zero_one;
   /// The bounds are those of (29) only: M was given without evidence requested, or the run was
@@ -109,6 +75,8 @@ struct LimitWorstCase {
   std::uint64_t tree_programs = 0;
   WorstCaseCounts counts;
   engine::Status search = engine::Status::solved;  ///< reason of an early end
+
+  [[nodiscard]] bool proved() const { return is_proved(standing); }
 };
 
 struct LimitAnswer {

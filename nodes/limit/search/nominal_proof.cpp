@@ -26,7 +26,7 @@ struct WithBasis {
 
 /// The best proved bounds of an end of the carried factors by all models so far.
 struct Known {
-  FactorBracket bracket;
+  support::Bracket bracket;
   /// Width of the narrowest bracket by one model, and its evidence; infinity: there is none.
   double width = linear::infinity;
   verify::LimitCertificate certificate;
@@ -37,23 +37,17 @@ struct Known {
 // A later model may prove less than an earlier one.
 void Known::add(ProvedEnds&& found) {
   const auto& ends = found.ends;
-  if (ends.lower_proved && !(bracket.lower >= ends.lower)) {
-    bracket.lower = ends.lower;
-    bracket.lower_proved = true;
-  }
-  if (ends.upper_proved && !(bracket.upper <= ends.upper)) {
-    bracket.upper = ends.upper;
-    bracket.upper_proved = true;
-  }
-  if (!ends.lower_proved || !ends.upper_proved || ends.upper - ends.lower >= width) return;
-  width = ends.upper - ends.lower;
+  if (ends.lower && !(bracket.at_least() >= ends.lower->value)) bracket.lower = ends.lower;
+  if (ends.upper && !(bracket.at_most() <= ends.upper->value)) bracket.upper = ends.upper;
+  if (!(ends.width() < width)) return;
+  width = ends.width();
   certificate = std::move(found.certificate);
 }
 
 // Without a dead load factor zero is carried without any force, exactly: no margin is needed.
 void prove_zero(const verify::Structure& truss, ProvedEnds& proved) {
   auto& [ends, certificate] = proved;
-  if (ends.lower_proved && ends.lower >= 0) return;
+  if (ends.at_least() >= 0) return;
   const auto is_zero = [](double load) { return load == 0; };
   if (!std::ranges::all_of(certificate.dead, is_zero)) return;
   verify::LimitNode unstressed;
@@ -65,8 +59,7 @@ void prove_zero(const verify::Structure& truss, ProvedEnds& proved) {
   const auto lower = verify::LimitProof(certificate, *std::move(meant)).lower(unstressed);
   if (!std::holds_alternative<mpq_class>(lower)) return;
   certificate.nodes = {std::move(unstressed)};
-  ends.lower = 0;
-  ends.lower_proved = true;
+  ends.lower = support::Bound{0, support::Standing::proved};
 }
 
 // Both bounds of the largest factor of `problem`, which may have the opposite reference load.
@@ -119,7 +112,7 @@ NominalProof proof_in_model(RootSearch& search, const verify::Structure& truss, 
     return std::pair(known.largest.bracket, known.opposite.bracket);
   });
   proof.factors.largest = above;
-  proof.factors.minimum = negative(below);
+  proof.factors.minimum = below.negative();
   proof.factors.gap = answered_gap * search.model().factor_unit;
   const auto least = opposite ? std::optional(-opposite->collapse.factor) : std::nullopt;
   proof.collapse = search.in_units(search.nominal(), least);

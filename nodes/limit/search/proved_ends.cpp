@@ -127,14 +127,13 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
     const verify::LimitProof proof(certificate, truss);
     const auto upper = proof.upper();
     if (const auto* value = std::get_if<mpq_class>(&upper)) {
-      ends.upper = verify::rounded_up(*value);
-      ends.upper_proved = true;
+      ends.upper = support::Bound{verify::rounded_up(*value), support::Standing::proved};
     }
     double minimum = infinite();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       double shown = has_proof[k] ? lower_end(proof, certificate.nodes[k]) : -infinite();
       const double wanted =
-          std::min(ends.upper, evidence.lower) - 2 * closed_gap * evidence.model.factor_unit;
+          std::min(ends.at_most(), evidence.lower) - 2 * closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
         const double more =
             with_more_room(evidence, truss, proof, nodes[k], has_proof[k], shown, wanted);
@@ -144,8 +143,7 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
       minimum = std::min(minimum, shown);
     }
     if (std::isfinite(minimum) && !verify::flaw_of_sign_cover(certificate)) {
-      ends.lower = minimum;
-      ends.lower_proved = true;
+      ends.lower = support::Bound{minimum, support::Standing::proved};
     }
   }
   if (changed) certificate = certificate_of(evidence, nodes);

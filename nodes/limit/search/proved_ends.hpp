@@ -31,7 +31,7 @@ struct LimitEvidence {
 
 /// The proved bounds with their evidence.
 struct ProvedEnds {
-  LimitEnds ends;  ///< in the unit of the load factor; meaningless if not proved
+  support::Bracket ends;  ///< in the unit of the load factor; what is not proved is open
   verify::LimitCertificate certificate;
 };
 

@@ -106,23 +106,20 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
                                         : root.lower * unit},
         again);
     if (enough) certificate.nodes.clear();
-    if (ends.upper_proved && (ends.lower_proved || enough)) certificate_ = std::move(certificate);
-    // A bound without a proof is none.
-    constexpr double none = std::numeric_limits<double>::infinity();
-    if (!ends.upper_proved) ends.upper = none;
-    if (!ends.lower_proved) ends.lower = -none;
+    if (ends.upper && (ends.lower || enough)) certificate_ = std::move(certificate);
     // Proofs of nodes beyond the gap depend on the incumbent when they were closed, and so on the
     // number of ranks; those of corners do not.
     const bool rounded = of_a_tree && !only_corners;
-    ends.lower = std::min(ends.lower, rounded ? ends.upper - 2 * closed_gap * unit : ends.upper);
+    const double below = rounded ? ends.at_most() - 2 * closed_gap * unit : ends.at_most();
+    if (ends.lower) ends.lower->value = std::min(ends.lower->value, below);
     return ends;
   });
   const auto& ends = worst.ends;
-  const double upper = ends.upper_proved ? ends.upper : root.worst->collapse.factor * unit;
-  const double lower = ends.lower_proved ? ends.lower : root.lower * unit;
+  const double upper = ends.upper ? ends.upper->value : root.worst->collapse.factor * unit;
+  const double lower = ends.lower ? ends.lower->value : root.lower * unit;
   const bool near = upper - lower <= answered_gap * unit;
   worst.status = near ? RootStatus::closed : RootStatus::open;
-  worst.proved = near && ends.lower_proved && ends.upper_proved;
+  worst.standing = support::proved_if(near && ends.has_proved_ends());
 }
 
 // Takes the result that a load has no factor, if the motion proves it.
@@ -135,7 +132,7 @@ bool WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::
   worst.ends = {};
   worst.zeta = zeta * model().force_unit;
   worst.overpowering_motion = problems::motion_in_units(model(), motion);
-  worst.proved = worst.ends.upper_proved = true;
+  worst.standing = support::Standing::proved;
   return true;
 }
 
@@ -220,7 +217,7 @@ LimitWorstCase WorstCaseSearch::by_static_cuts() {
     worst.counts = result.counts;
     worst.cuts = result.cuts.size();
     conclude(result, worst);
-    if (worst.proved || worst.search != engine::Status::solved) return worst;
+    if (worst.proved() || worst.search != engine::Status::solved) return worst;
     auto model_with_more = with_more_yield(search_.problem(), model());
     if (!model_with_more) return worst;
     if (search_.set_up(*std::move(model_with_more)) != LoadStatus::collapses) return worst;
@@ -294,8 +291,10 @@ LimitWorstCase WorstCaseSearch::as_printed() {
     worst.as_printed = true;
     worst.nodes = 0;
     worst.search = printed.status;
-    worst.ends = {.lower = printed.found.lower, .upper = printed.found.upper};
-    const bool near = worst.ends.upper - worst.ends.lower <= answered_gap * model().factor_unit;
+    worst.ends = {};
+    if (std::isfinite(printed.found.lower)) worst.ends.lower = support::Bound{printed.found.lower};
+    if (std::isfinite(printed.found.upper)) worst.ends.upper = support::Bound{printed.found.upper};
+    const bool near = worst.ends.width() <= answered_gap * model().factor_unit;
     worst.status = near ? RootStatus::closed : RootStatus::open;
     if (printed.motion.size() > 0) show_critical_load(printed.motion, worst);
   }

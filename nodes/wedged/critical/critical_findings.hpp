@@ -11,6 +11,7 @@
 #include "nodes/wedged/friction/critical_pattern_tree.hpp"
 #include "nodes/wedged/relaxation/pattern_options.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
+#include "support/bracket.hpp"
 
 namespace kusabi::wedged {
 
@@ -117,12 +118,9 @@ struct CriticalFindings {
   /// In increasing order. For the smallest coefficient: the known patterns that are feasible at the
   /// upper bound, first the one that proves it, and all if requested.
   std::vector<CriticalEntry> patterns;
-  double lower = 0;  ///< no leaf is feasible at this coefficient or below
-  /// A leaf is feasible at this coefficient; nothing: none up to the largest.
-  std::optional<double> upper;
-  bool lower_proved = false;  ///< every sign pattern was proved infeasible at `lower`
-  bool upper_proved = false;  ///< a solid cone was proved feasible at `upper`
-  bool exact = false;         ///< proved in exact arithmetic; otherwise by the solver's bounds
+  /// No leaf is feasible at `lower` or below; one is at `upper`, if that is not open.
+  support::Bracket bracket{.lower = support::Bound{0, support::Standing::proved}};
+  bool exact = false;  ///< proved in exact arithmetic; otherwise by the solver's bounds
   /// Proved for displacements up to this many times the strains only; absent: for all.
   std::optional<double> displacement_ratio;
   bool lower_recorded = false;  ///< there is a certificate of `lower`

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -18,52 +17,43 @@ constexpr double rounding_of_ends = 1e-9;
 
 }  // namespace
 
-double NarrowingBracket::upper_or_infinity() const {
-  return upper_.value_or(std::numeric_limits<double>::infinity());
+std::optional<double> NarrowingBracket::upper() const {
+  if (!upper_) return {};
+  return upper_->value;
 }
 
 bool NarrowingBracket::is_one_cell(double width) const {
-  return upper_or_infinity() - lower_ <= width * (1 + rounding_of_ends);
+  return bracket().width() <= width * (1 + rounding_of_ends);
 }
 
 void NarrowingBracket::raise_lower(double lower) {
-  if (!(lower > lower_)) return;
-  lower_ = lower;
-  lower_proved_ = false;
-  changed_ = true;
+  if (lower > lower_.value) move_lower(lower);
 }
 
 void NarrowingBracket::reduce_upper(double upper, const PatternNode& leaf) {
   upper = std::max(upper, minimum_);
-  if (!(upper < upper_or_infinity())) return;
-  upper_ = upper;
-  leaf_ = leaf;
-  upper_proved_ = false;
-  changed_ = true;
+  if (upper < upper_or_infinity()) move_upper(upper, leaf);
 }
 
 void NarrowingBracket::prove_lower(double lower) {
-  lower_ = lower;
-  lower_proved_ = true;
+  lower_ = {lower, support::Standing::proved};
   changed_ = true;
 }
 
 void NarrowingBracket::prove_upper(double upper, const PatternNode& leaf) {
-  upper_ = upper;
+  upper_ = {upper, support::Standing::proved};
   leaf_ = leaf;
-  upper_proved_ = true;
   changed_ = true;
 }
 
 void NarrowingBracket::move_lower(double lower) {
-  lower_ = lower;
-  lower_proved_ = false;
+  lower_ = {lower, support::proved_if(lower == 0)};
   changed_ = true;
 }
 
 void NarrowingBracket::move_upper(std::optional<double> upper) {
-  upper_ = upper;
-  upper_proved_ = false;
+  upper_.reset();
+  if (upper) upper_ = support::Bound{*upper};
   changed_ = true;
 }
 
@@ -76,10 +66,11 @@ void NarrowingBracket::show() {
   if (!changed_ || analysis_.seconds() < short_run) return;
   changed_ = false;
   const auto proof = [](bool proved) { return proved ? "proved" : "not yet proved"; };
-  const auto lower = fmt::format("cannot stick up to {:.9g} ({})", lower_, proof(lower_proved()));
+  const auto lower =
+      fmt::format("cannot stick up to {:.9g} ({})", lower_.value, proof(lower_proved()));
   analysis_.say(
-      upper_ ? fmt::format("bracket so far: {}, sticks at {:.9g} ({})", lower, *upper_,
-                           proof(upper_proved_))
+      upper_ ? fmt::format("bracket so far: {}, sticks at {:.9g} ({})", lower, upper_->value,
+                           proof(upper_->proved()))
              : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, maximum_));
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
+#include "support/bracket.hpp"
 
 namespace kusabi::wedged {
 
@@ -20,14 +21,16 @@ class NarrowingBracket {
   [[nodiscard]] double minimum() const { return minimum_; }
 
   /// No configuration is wedged at this coefficient or below.
-  [[nodiscard]] double lower() const { return lower_; }
+  [[nodiscard]] double lower() const { return lower_.value; }
   /// A leaf is feasible at this coefficient; nothing if none is known.
-  [[nodiscard]] const std::optional<double>& upper() const { return upper_; }
-  [[nodiscard]] double upper_or_infinity() const;
+  [[nodiscard]] std::optional<double> upper() const;
+  [[nodiscard]] double upper_or_infinity() const { return bracket().at_most(); }
+  /// Both bounds with their standing.
+  [[nodiscard]] support::Bracket bracket() const { return {lower_, upper_}; }
   /// The leaf of upper(), with the candidates of its block.
   [[nodiscard]] const std::optional<PatternNode>& leaf() const { return leaf_; }
-  [[nodiscard]] bool lower_proved() const { return lower_ == 0 || lower_proved_; }
-  [[nodiscard]] bool upper_proved() const { return upper_proved_; }
+  [[nodiscard]] bool lower_proved() const { return lower_.proved(); }
+  [[nodiscard]] bool upper_proved() const { return support::is_proved(upper_); }
   [[nodiscard]] bool is_one_cell(double width) const;
 
   /// Raises the lower bound; without effect if a better one is known.
@@ -53,10 +56,9 @@ class NarrowingBracket {
  private:
   engine::Analysis& analysis_;
   double minimum_, maximum_;
-  double lower_ = 0;
-  std::optional<double> upper_;
+  support::Bound lower_{0, support::Standing::proved};  // nothing sticks without friction
+  std::optional<support::Bound> upper_;
   std::optional<PatternNode> leaf_;
-  bool lower_proved_ = false, upper_proved_ = false;
   bool changed_ = false;
 };
 

@@ -28,8 +28,7 @@ double min_of_factors(const problems::WedgedProblem& problem) {
 bool BlockHold::take_upper(HoldingFriction& found, const HoldOutcome& outcome, double mu) {
   const bool proved = !outcome.leaves.empty();
   if (!proved && outcome.tally.limits.empty()) return false;
-  found.upper = mu;
-  found.upper_proved = proved;
+  found.bracket.upper = support::Bound{mu, support::proved_if(proved)};
   found.pattern = (proved ? outcome.leaves.front() : outcome.tally.limits.front()).pattern;
   return true;
 }
@@ -38,9 +37,7 @@ bool BlockHold::take_upper(HoldingFriction& found, const HoldOutcome& outcome, d
 // are infeasible, a computed one if some are degenerate, none if some are undecided.
 void BlockHold::take_lower(HoldingFriction& found, const HoldOutcome& outcome, double mu) {
   if (outcome.is_unresolved()) return;
-  found.lower = mu;
-  found.lower_known = true;
-  found.lower_proved = outcome.is_infeasible();
+  found.bracket.lower = support::Bound{mu, support::proved_if(outcome.is_infeasible())};
 }
 
 // A proved lower bound at or below a coefficient at which the leaf itself is infeasible. False if
@@ -71,23 +68,24 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
 // narrow range between proved bounds may remain undecided. Otherwise a state at a limit is an upper
 // bound that is computed, and a tree with neither a state nor a proof a lower one.
 void BlockHold::narrow(HoldingFriction& found) {
-  const bool proved = found.upper && found.upper_proved && found.lower_proved &&
-                      *found.upper - found.lower <= 2 * steps_below.back() * *found.upper;
-  double low = found.lower;               // also where nodes are undecided
-  double open = found.upper.value_or(0);  // least undecided coefficient, or the upper bound
+  const auto& [lower, upper] = found.bracket;
+  if (!upper) return;
+  const bool proved = found.bracket.proved_within(2 * steps_below.back() * upper->value);
+  double low = lower ? lower->value : 0;  // also where nodes are undecided
+  double open = upper->value;             // least undecided coefficient, or the upper bound
   double last_open = open;                // the largest one
-  for (int step = 0; found.upper && step < max_halvings; ++step) {
+  for (int step = 0; step < max_halvings; ++step) {
     const bool below = open - low > close_enough * open;
-    if (!below && *found.upper - last_open <= close_enough * *found.upper) return;
+    if (!below && upper->value - last_open <= close_enough * upper->value) return;
     const double from = below ? low : last_open;
-    const double mu = from + ((below ? open : *found.upper) - from) / 2;
+    const double mu = from + ((below ? open : upper->value) - from) / 2;
     if (mu * min_of_factors(block_.problem) < min_friction) return;
     const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return;
     const bool is_open = proved && outcome.leaves.empty() && !outcome.is_infeasible();
     if (is_open) {
-      if (!below || open == *found.upper) last_open = mu;
+      if (!below || open == upper->value) last_open = mu;
       if (below) open = mu;
       continue;
     }
@@ -140,21 +138,22 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
 // infeasible.
 // @param minimum coefficient that is not zero
 void BlockHold::follow(HoldingFriction& found, double minimum) {
-  for (int round = 0; round<max_halvings&& * found.upper> minimum; ++round) {
-    const auto standard = found.upper_proved ? Standard::proved : Standard::computed;
-    HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, *found.upper, parameters_.precision);
-    const double start = std::max(found.lower, minimum);
+  const auto& [lower, upper] = found.bracket;
+  for (int round = 0; round < max_halvings && upper->value > minimum; ++round) {
+    const auto standard = upper->proved() ? Standard::proved : Standard::computed;
+    HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, upper->value, parameters_.precision);
+    const double start = std::max(found.bracket.at_least(), minimum);
     const auto result_at = [&](double mu) {
       nodes.set_friction(mu);
       return by_standard(nodes.solve(*found.pattern), standard);
     };
     if (start == minimum && result_at(minimum) == HoldResult::feasible) {
-      found.upper = minimum;
+      found.bracket.upper->value = minimum;
       return;
     }
-    const Ends ends = bisect({*found.upper, start}, 0, result_at);
-    found.upper = ends.feasible;
-    if (ends.infeasible <= found.lower || prove_lower(found, ends.infeasible)) return;
+    const Ends ends = bisect({upper->value, start}, 0, result_at);
+    found.bracket.upper->value = ends.feasible;
+    if (ends.infeasible <= found.bracket.at_least() || prove_lower(found, ends.infeasible)) return;
   }
 }
 

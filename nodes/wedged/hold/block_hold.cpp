@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "nodes/wedged/hold/bounded_search.hpp"
 
 namespace kusabi::wedged {
 namespace {
+
+using support::Standing;
 
 /// Maximum number of intervals of one block.
 constexpr int max_intervals = 64;
@@ -60,8 +63,8 @@ bool BlockHold::wedges(double mu) {
 
 // Without a dead part, states can be multiplied: the factors are 0, and all of one sign or none.
 HeldFactors BlockHold::homogeneous_factors(double mu) {
-  HeldFactors found;
-  HeldInterval all{0, 0, 0, 0};
+  HeldFactors found{.outside = Standing::proved};
+  auto all = HeldInterval::from(0, 0, Standing::proved);
   for (const int direction : {-1, 1}) {
     const LoadShare share{0, static_cast<double>(direction)};
     const auto outcome = search(std::array{share}, mu, direction < 0 ? -unbounded_end : 0,
@@ -72,13 +75,13 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     const bool at_limit = outcome.leaves.empty() && !outcome.tally.limits.empty();
     const bool held = !outcome.leaves.empty() || at_limit;
-    if (at_limit) all.proved = false;
-    if (!held && !outcome.is_infeasible()) found.proved = false;
+    if (at_limit) all.low.standing = all.high.standing = Standing::computed;
+    if (!held && !outcome.is_infeasible()) found.outside = Standing::computed;
     if (!held && outcome.is_unresolved()) found.unresolved = true;
-    (direction < 0 ? all.low_proved : all.high_proved) = held || outcome.is_infeasible();
+    auto& out = direction < 0 ? all.low_out : all.high_out;
+    out.standing = support::proved_if(held || outcome.is_infeasible());
     if (!held) continue;
-    (direction < 0 ? all.low : all.high) = direction * unbounded_end;
-    (direction < 0 ? all.low_out : all.high_out) = direction * unbounded_end;
+    out.value = (direction < 0 ? all.low : all.high).value = direction * unbounded_end;
     all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
   }
   found.intervals.push_back(all);
@@ -91,9 +94,11 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
                      HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const double from = factor_in(leaf, range_of(low, high));
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
-  found.unresolved = found.unresolved || !held.high_proved || !held.low_proved;
-  const double below = std::isfinite(held.low_out) ? held.low_out : held.low;
-  const double above = std::isfinite(held.high_out) ? held.high_out : held.high;
+  found.unresolved = found.unresolved || !held.high_out.proved() || !held.low_out.proved();
+  const auto& [low_out, low_end, high_end, high_out] =
+      std::tie(held.low_out.value, held.low.value, held.high.value, held.high_out.value);
+  const double below = std::isfinite(low_out) ? low_out : low_end;
+  const double above = std::isfinite(high_out) ? high_out : high_end;
   std::vector<FactorRange> left;
   for (const FactorRange& each : unknown) {
     if (each.low < below) left.push_back({each.low, std::min(each.high, below), true});
@@ -101,7 +106,7 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   }
   unknown = std::move(left);
   found.intervals.push_back(held);
-  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, held.low, held.high, from});
+  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, low_end, high_end, from});
 }
 
 // Degenerate states of a range: the rest of it beside the first of them that has an interval is
@@ -150,32 +155,28 @@ namespace {
 // Adds an interval that begins in the last one, or at an end that is not distinguished from its
 // own. Each end keeps the factor that is not held beyond it, and what is proved of that.
 void extend_by(HeldInterval& last, const HeldInterval& each) {
-  if (each.low_out < last.low_out) {
-    last.low_out = each.low_out;
-    last.low_proved = each.low_proved;
-  }
-  if (each.high_out > last.high_out) {
-    last.high_out = each.high_out;
-    last.high_proved = each.high_proved;
-  }
-  if (each.low >= last.low && each.high <= last.high) return;  // also if it is only computed
-  last.proved = last.proved && each.proved && each.low <= last.high;
-  if (each.high > last.high) last.pattern = each.pattern;
-  last.high = std::max(last.high, each.high);
+  if (each.low_out.value < last.low_out.value) last.low_out = each.low_out;
+  if (each.high_out.value > last.high_out.value) last.high_out = each.high_out;
+  const bool inside = each.low.value >= last.low.value && each.high.value <= last.high.value;
+  if (inside) return;  // also if it is only computed
+  const bool overlap = each.low.value <= last.high.value;
+  last.low.standing = last.high.standing =
+      overlap ? both(last.held(), each.held()) : Standing::computed;
+  if (each.high.value > last.high.value) last.pattern = each.pattern;
+  last.high.value = std::max(last.high.value, each.high.value);
 }
 
 // The union of all. Between intervals whose brackets overlap, but are wide, no factor is known that
 // is not held.
 std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
-  std::ranges::sort(all, {}, &HeldInterval::low);
+  std::ranges::sort(all, {}, [](const auto& each) { return each.low.value; });
   std::vector<HeldInterval> result;
   for (auto& each : all) {
-    const bool apart = result.empty() || each.low > result.back().high;
-    const bool close = !result.empty() && each.low_out <= result.back().high_out;
-    if (apart && close && !(each.low_proved && result.back().high_proved)) {
-      result.back().high_proved = each.low_proved = false;
-      result.back().high_out = unbounded_end;
-      each.low_out = -unbounded_end;
+    const bool apart = result.empty() || each.low.value > result.back().high.value;
+    const bool close = !result.empty() && each.low_out.value <= result.back().high_out.value;
+    if (apart && close && !(each.low_out.proved() && result.back().high_out.proved())) {
+      result.back().high_out = support::Bound{unbounded_end};
+      each.low_out = support::Bound{-unbounded_end};
     } else if (!apart || close) {
       extend_by(result.back(), each);
       continue;
@@ -188,10 +189,10 @@ std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
 }  // namespace
 
 HeldFactors BlockHold::factors(double mu, bool with_dead) {
-  HeldFactors found;
+  HeldFactors found{.outside = Standing::proved};
   if (!grip_ && wedges(mu)) {
     found.any_by_wedging = true;
-    found.intervals.push_back({-unbounded_end, -unbounded_end, unbounded_end, unbounded_end});
+    found.intervals.push_back(HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved));
     return found;
   }
   if (!with_dead && !grip_) return homogeneous_factors(mu);
@@ -201,41 +202,44 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   for (const FactorRange& gap : empty_ranges) {
     if (!gap.proved) continue;
     for (auto& each : found.intervals) {
-      if (gap.high <= each.low && !std::isfinite(each.low_out)) each.low_out = gap.high;
-      if (gap.low >= each.high && !std::isfinite(each.high_out)) each.high_out = gap.low;
+      if (gap.high <= each.low.value && !std::isfinite(each.low_out.value))
+        each.low_out.value = gap.high;
+      if (gap.low >= each.high.value && !std::isfinite(each.high_out.value))
+        each.high_out.value = gap.low;
     }
   }
   found.intervals = joined(std::move(found.intervals));
   for (const FactorRange& gap : empty_ranges) {
-    found.proved = found.proved && gap.proved;
-    for (auto& each : found.intervals) {
-      if (gap.proved) continue;
-      if (gap.low <= each.high_out && gap.high > each.high_out) each.high_proved = false;
-      if (gap.high >= each.low_out && gap.low < each.low_out) each.low_proved = false;
+    if (gap.proved) continue;
+    found.outside = Standing::computed;
+    for (auto& [low_out, low, high, high_out, block, pattern, state] : found.intervals) {
+      if (gap.low <= high_out.value && gap.high > high_out.value)
+        high_out.standing = Standing::computed;
+      if (gap.high >= low_out.value && gap.low < low_out.value)
+        low_out.standing = Standing::computed;
     }
   }
-  for (const auto& each : found.intervals)
-    found.proved = found.proved && each.low_proved && each.high_proved;
   for (auto& each : found.intervals) {
-    each.state = state(each.pattern, each.high, mu);
-    if (!each.state) each.state = state(each.pattern, each.low, mu);
+    found.outside = both(found.outside, both(each.low_out.standing, each.high_out.standing));
+    each.state = state(each.pattern, each.high.value, mu);
+    if (!each.state) each.state = state(each.pattern, each.low.value, mu);
   }
   return found;
 }
 
 HeldFactors BlockHold::dead_alone(double mu) {
-  HeldFactors found;
+  HeldFactors found{.outside = Standing::proved};
   const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
   found.status = outcome.status;
   const bool at_limit = outcome.leaves.empty() && !outcome.tally.limits.empty();
   if (outcome.leaves.empty() && !at_limit) {
-    found.proved = outcome.is_infeasible();
+    found.outside = support::proved_if(outcome.is_infeasible());
     found.unresolved = outcome.is_unresolved();
     return found;
   }
   if (!at_limit) pieces_.push_back({outcome.leaves.front().pattern, 0, 0, 0});
-  HeldInterval all{-unbounded_end, -unbounded_end, unbounded_end, unbounded_end};
-  all.proved = !at_limit;
+  auto all = HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved);
+  if (at_limit) all.low.standing = all.high.standing = Standing::computed;
   all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
   all.state = state(all.pattern, 0, mu);
   found.intervals.push_back(all);

@@ -71,8 +71,8 @@ std::vector<Begin> patterns_of(engine::Analysis& analysis, const LoadedProblem& 
         return resists_all(block.problem, leaf.pattern.contact, mu);
       });
       found.unresolved = found.unresolved || outcome.tally.undecided > 0 || at_limit;
-      found.proved = found.proved && outcome.tally.undecided + outcome.tally.computed == 0 &&
-                     outcome.tally.limits.empty();
+      if (outcome.tally.undecided + outcome.tally.computed != 0 || !outcome.tally.limits.empty())
+        found.outside = support::Standing::computed;
       for (const auto& leaf : outcome.leaves) {
         const bool known = std::ranges::any_of(
             all, [&](const Begin& each) { return each.pattern == leaf.pattern; });
@@ -113,7 +113,7 @@ std::vector<DiagramPiece> common_pieces(const std::vector<DiagramPiece>& one,
 
 Diagram diagram_of(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                    Precision precision) {
-  Diagram found;
+  Diagram found{.outside = support::Standing::proved};
   found.pieces.push_back({.pattern = {}, .is_whole_plane = true});
   const auto unit = units_of(loaded);
   for (const auto& candidates : problems::blocks_of(loaded.problem)) {

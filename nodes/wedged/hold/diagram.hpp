@@ -14,9 +14,8 @@ namespace kusabi::wedged {
 
 struct Diagram {
   engine::Status status = engine::Status::solved;
-  /// True if it is proved that no other sign pattern holds a pair of factors, except for pairs on
-  /// lines; otherwise this is computed.
-  bool proved = true;
+  /// Of the claim that no other sign pattern holds a pair of factors, except for pairs on lines.
+  support::Standing outside{};
   bool unresolved = false;  ///< patterns are undecided: pieces may be missing
   std::vector<DiagramPiece> pieces{};
   std::vector<HoldCost> costs{};

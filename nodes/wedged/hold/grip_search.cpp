@@ -97,81 +97,85 @@ std::optional<GripEnd> BlockGrip::no_end(const LoadedPattern& pattern) const {
   const HoldResult result = nodes.solve(pattern);
   const bool flat = result == HoldResult::at_limit || result == HoldResult::face;
   if (!flat && result != HoldResult::feasible) return {};
-  return GripEnd{.held_proved = !flat, .out_proved = !flat, .unbounded = true};
+  const support::Bound none{0, support::proved_if(!flat)};
+  return GripEnd{.held = none, .out = none, .unbounded = true};
 }
 
 // Moves `held` to the end of its pattern, and `out` beside it.
 void BlockGrip::follow(GripEnd& end, Kind kind) const {
   const bool up = kind == Kind::above;
   const double floor = up ? min_sum_share * scale_of(block_, dead_load) : 0;
-  double out = up ? std::max(2 * end.held, floor) : 0;
+  double& held = end.held.value;
+  double out = up ? std::max(2 * held, floor) : 0;
   if (up) {
     for (int step = 0; step < max_steps && reaches(*end.pattern, GripRestriction{kind, out});
          ++step) {
-      end.held = out;
+      held = out;
       out *= 2;
     }
   }
   for (int step = 0; step < max_steps && !analysis_.ended(); ++step) {
-    if (std::abs(out - end.held) <= std::max(floor, parameters_.width * std::max(out, end.held)))
-      break;
-    const double middle = end.held + (out - end.held) / 2;
-    if (middle == end.held || middle == out) break;
-    (reaches(*end.pattern, GripRestriction{kind, middle}) ? end.held : out) = middle;
+    if (std::abs(out - held) <= std::max(floor, parameters_.width * std::max(out, held))) break;
+    const double middle = held + (out - held) / 2;
+    if (middle == held || middle == out) break;
+    (reaches(*end.pattern, GripRestriction{kind, middle}) ? held : out) = middle;
   }
-  end.out = out;
+  end.out.value = out;
 }
 
-const GripEnd unknown_end{.held_proved = false, .out_proved = false, .known = false};
+const GripEnd unknown_end{.known = false};
+/// Sum of no reactions.
+constexpr support::Bound zero{0, support::Standing::proved};
 
 GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   const double away = kind == Kind::above ? 1 : -1;
   const LoadedPattern apart{{}, problems::all_candidates(block_.problem)};
-  if (kind == Kind::below && reaches(apart, {})) return {.pattern = apart};
-  GripEnd end{.held = sum_of(leaf), .out = 0, .pattern = leaf.pattern};
-  const double begin = end.held;
+  if (kind == Kind::below && reaches(apart, {}))
+    return {.held = zero, .out = zero, .pattern = apart};
+  const double begin = sum_of(leaf);
+  GripEnd end{.held = {begin, support::Standing::proved}, .out = zero, .pattern = leaf.pattern};
   for (int round = 0; round < max_steps; ++round) {
     if (kind == Kind::above) {
       if (const auto unbounded = no_end(*end.pattern)) return *unbounded;
     }
     follow(end, kind);
-    if (kind == Kind::below && end.held <= negligible_sum * begin) {
-      end.out = 0;  // the sum is never negative
+    if (kind == Kind::below && end.held.value <= negligible_sum * begin) {
+      end.out = zero;  // the sum is never negative
       return end;
     }
     bool again = false;
     bool may_be_beyond = false;  // states at a limit, or undecided leaves, at the last step
     for (const double step : steps_beyond) {
-      const double out = end.out * (1 + away * step);
+      const double out = end.out.value * (1 + away * step);
       const auto outcome = search(std::array{dead_load}, GripRestriction{kind, out});
       if (status_ != engine::Status::solved) {
-        end.out_proved = false;
+        end.out.standing = support::Standing::computed;
         return end;
       }
       if (!outcome.leaves.empty()) {
-        end.held = out;
+        end.held.value = out;
         end.pattern = outcome.leaves.front().pattern;
         again = true;
         break;
       }
-      end.out_proved = outcome.is_infeasible();
-      if (end.out_proved) {
-        end.out = out;
+      end.out.standing = support::proved_if(outcome.is_infeasible());
+      if (end.out.proved()) {
+        end.out.value = out;
         return end;
       }
       may_be_beyond = outcome.is_unresolved() || !outcome.tally.limits.empty();
     }
     if (again) continue;
     if (may_be_beyond && kind == Kind::above) return unknown_end;
-    if (may_be_beyond) end.out = 0;
+    if (may_be_beyond) end.out.value = 0;
     return end;
   }
-  end.out_proved = false;
+  end.out.standing = support::Standing::computed;
   return end;
 }
 
 std::optional<GripOfBlock> BlockGrip::range() {
-  GripOfBlock own;
+  GripOfBlock own{.minimum = {.held = zero, .out = zero}, .maximum = {.held = zero, .out = zero}};
   const auto wedged = search({}, {});
   // A wedged pattern whose contacts resist all modes has a state. Without a dead load its
   // configurations are states.
@@ -179,7 +183,7 @@ std::optional<GripOfBlock> BlockGrip::range() {
                           (!is_under_dead(block_) ||
                            resists_all(block_.problem, wedged.leaves.front().pattern.contact, mu_));
   const bool known = own.maximum.unbounded || wedged.is_infeasible();
-  own.maximum.out_proved = known;
+  own.maximum.out.standing = support::proved_if(known);
   if (!is_under_dead(block_)) {
     if (!known && !wedged.tally.limits.empty()) own.maximum = unknown_end;
     return own;
@@ -188,22 +192,22 @@ std::optional<GripOfBlock> BlockGrip::range() {
   if (first.is_infeasible()) return {};
   if (first.leaves.empty()) {  // degenerate states, if any: no bound but zero
     if (!own.maximum.unbounded) own.maximum = unknown_end;
-    own.minimum.held_proved = false;
+    own.minimum.held.standing = support::Standing::computed;
     return own;
   }
   own.minimum = end(Kind::below, first.leaves.front());
   if (own.maximum.unbounded) return own;
   own.maximum = end(Kind::above, first.leaves.front());
   // With wedged configurations an end that is not proved may be that of a pattern only.
-  if (!known && !own.maximum.unbounded && !own.maximum.out_proved) own.maximum = unknown_end;
+  if (!known && !own.maximum.unbounded && !own.maximum.out.proved()) own.maximum = unknown_end;
   return own;
 }
 
 void add(GripEnd& sum, const GripEnd& own) {
-  sum.held += own.held;
-  sum.out += own.out;
-  sum.held_proved = sum.held_proved && own.held_proved;
-  sum.out_proved = sum.out_proved && own.out_proved;
+  for (const auto part : {&GripEnd::held, &GripEnd::out}) {
+    (sum.*part).value += (own.*part).value;
+    (sum.*part).standing = both((sum.*part).standing, (own.*part).standing);
+  }
   sum.known = sum.known && own.known;
   sum.unbounded = sum.unbounded || own.unbounded;
 }
@@ -214,8 +218,8 @@ void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const G
   for (const auto* end : {&own.minimum, &own.maximum}) {
     const Kind kind = end == &own.minimum ? Kind::below : Kind::above;
     if (end->pattern)
-      record_state(analysis, block, *end->pattern, dead_load, GripRestriction{kind, end->held},
-                   record);
+      record_state(analysis, block, *end->pattern, dead_load,
+                   GripRestriction{kind, end->held.value}, record);
   }
   for (const auto& tree : trees) record_tree(analysis, block, tree, record);
 }
@@ -224,7 +228,8 @@ void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const G
 
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                      const HoldParameters& parameters, HoldRecord* record) {
-  GripRange found;
+  const GripEnd none{.held = zero, .out = zero};
+  GripRange found{.standing = support::Standing::proved, .minimum = none, .maximum = none};
   if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.held = false;
     return found;
@@ -238,7 +243,7 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     if (found.status != engine::Status::solved) break;
     found.held = range.has_value();
     if (!found.held) break;
-    found.held_proved = found.held_proved && range->minimum.held_proved;
+    found.standing = both(found.standing, range->minimum.held.standing);
     add(found.minimum, range->minimum);
     add(found.maximum, range->maximum);
     if (record != nullptr) {

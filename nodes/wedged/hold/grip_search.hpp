@@ -14,10 +14,8 @@ namespace kusabi::wedged {
 
 /// An end of the range. There is a state with `held`, and none with `out` or beyond.
 struct GripEnd {
-  double held = 0;
-  double out = 0;
-  bool held_proved = true;
-  bool out_proved = true;  ///< false: open, or computed
+  support::Bound held{};
+  support::Bound out{};
   bool known = true;       ///< false: neither number is known, only that there may be states
   bool unbounded = false;  ///< no end: a wedged configuration may be added in any multiple
   std::optional<LoadedPattern> pattern{};  ///< of the block, at `held`
@@ -26,14 +24,15 @@ struct GripEnd {
 /// The range of one block.
 struct GripOfBlock {
   std::uint32_t block = 0;
-  GripEnd minimum{}, maximum{};
+  GripEnd minimum{}, maximum{};  ///< of both: zero, proved, if nothing presses on the block
 };
 
 /// The range of the sum over all candidates.
 struct GripRange {
   engine::Status status = engine::Status::solved;
-  bool held = true;         ///< false: there is no state
-  bool held_proved = true;  ///< false: it is not decided whether there is a state
+  bool held = true;  ///< false: there is no state
+  support::Standing
+      standing{};  ///< of `held`; computed: it is not decided whether there is a state
   GripEnd minimum{}, maximum{};
   std::vector<GripOfBlock> blocks{};  ///< those on which a load acts or that can be wedged
   std::vector<HoldCost> costs{};

@@ -127,13 +127,18 @@ HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, doub
                                  Standard standard) const {
   const Ends up = extend(pattern, from, 1, mu, standard);
   const Ends down = extend(pattern, from, -1, mu, standard);
-  HeldInterval held{down.infeasible, down.feasible, up.feasible, up.infeasible};
+  const auto states = support::proved_if(
+      standard == Standard::proved && !up.unbounded_by_limit && !down.unbounded_by_limit &&
+      at(pattern, {1, from}, mu, standard) == HoldResult::feasible);
+  const auto outside = [](const Ends& ends) {
+    return support::proved_if(std::isinf(ends.feasible) ||
+                              (std::isfinite(ends.infeasible) && !ends.wide));
+  };
+  HeldInterval held{{down.infeasible, outside(down)},
+                    {down.feasible, states},
+                    {up.feasible, states},
+                    {up.infeasible, outside(up)}};
   held.pattern = pattern;
-  held.proved = standard == Standard::proved && !up.unbounded_by_limit &&
-                !down.unbounded_by_limit &&
-                at(pattern, {1, from}, mu, standard) == HoldResult::feasible;
-  held.high_proved = std::isinf(up.feasible) || (std::isfinite(up.infeasible) && !up.wide);
-  held.low_proved = std::isinf(down.feasible) || (std::isfinite(down.infeasible) && !down.wide);
   return held;
 }
 

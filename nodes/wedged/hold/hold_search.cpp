@@ -14,6 +14,8 @@
 namespace kusabi::wedged {
 namespace {
 
+using support::Bound;
+using support::Standing;
 using Candidates = std::vector<support::IndexSet>;
 
 // True if a load acts on one of the blocks from `first` on: it may hold less than those before.
@@ -34,19 +36,20 @@ std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
   std::vector<HeldInterval> result;
   for (const auto& a : one) {
     for (const auto& b : other) {
-      HeldInterval both = a.high < b.high ? a : b;  // a may be unbounded, without a pattern
-      const auto& lower = a.low >= b.low ? a : b;
-      both.low = lower.low;
-      both.low_out = lower.low_out;
-      both.low_proved = lower.low_proved;
-      both.proved = a.proved && b.proved;
-      if (both.low <= both.high)
-        result.push_back(both);
+      // One may be unbounded, without a pattern.
+      HeldInterval common = a.high.value < b.high.value ? a : b;
+      const auto& lower = a.low.value >= b.low.value ? a : b;
+      common.low = lower.low;
+      common.low_out = lower.low_out;
+      common.low.standing = common.high.standing = both(a.held(), b.held());
+      if (common.low.value <= common.high.value)
+        result.push_back(common);
       else
-        open = open || std::max(a.low_out, b.low_out) < std::min(a.high_out, b.high_out);
+        open = open || std::max(a.low_out.value, b.low_out.value) <
+                           std::min(a.high_out.value, b.high_out.value);
     }
   }
-  std::ranges::sort(result, {}, &HeldInterval::low);
+  std::ranges::sort(result, {}, [](const auto& each) { return each.low.value; });
   return result;
 }
 
@@ -68,7 +71,8 @@ std::optional<double> only_factor(const LoadedProblem& loaded) {
 HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                           const HoldParameters& parameters) {
   const auto factor = only_factor(loaded);
-  if (!factor) return {.one_factor_at_most = true, .not_in_equilibrium = true};
+  if (!factor)
+    return {.outside = Standing::proved, .one_factor_at_most = true, .not_in_equilibrium = true};
   LoadedProblem fixed = loaded;  // the dead load of that factor alone
   if (loaded.has_dead) {
     fixed.loads.displacements.col(0) +=
@@ -93,10 +97,9 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   at.one_factor_at_most = true;
   // The factor is that of equilibrium up to its rounding.
   for (auto& each : at.intervals) {
-    each.low = each.high = *factor;
-    each.low_out = std::nextafter(std::nextafter(*factor, -unbounded_end), -unbounded_end);
-    each.high_out = std::nextafter(std::nextafter(*factor, unbounded_end), unbounded_end);
-    each.proved = false;
+    each.low = each.high = Bound{*factor};
+    each.low_out.value = std::nextafter(std::nextafter(*factor, -unbounded_end), -unbounded_end);
+    each.high_out.value = std::nextafter(std::nextafter(*factor, unbounded_end), unbounded_end);
     if (each.state) each.state->factor = *factor;
   }
   return at;
@@ -120,7 +123,7 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
 
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldParameters& parameters, HoldRecord* record) {
-  HeldFactors found;
+  HeldFactors found{.outside = Standing::proved};
   found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (loaded.has_reference && work_on_other_modes(loaded, {0, 1}) > negligible_work)
     return at_one_factor(analysis, loaded, mu, parameters);
@@ -130,7 +133,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     return found;
   }
   if (parameters.total) return with_total(analysis, loaded, mu, parameters, record);
-  found.intervals.push_back({-unbounded_end, -unbounded_end, unbounded_end, unbounded_end});
+  found.intervals.push_back(HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved));
   bool searched = false;
   bool wedged = true;
   const auto blocks = problems::blocks_of(loaded.problem);
@@ -145,15 +148,15 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     wedged = wedged && own.any_by_wedging;
     for (auto& each : own.intervals) each.block = number;
     if (own.status != engine::Status::solved) found.status = own.status;
-    found.proved = found.proved && own.proved;
+    found.outside = both(found.outside, own.outside);
     found.unresolved = found.unresolved || own.unresolved;
     bool open = false;
     found.intervals = common(found.intervals, own.intervals, open);
-    found.proved = found.proved && !open;
+    if (open) found.outside = Standing::computed;
     found.unresolved = found.unresolved || open;
     if (found.status != engine::Status::solved) {
       if (is_loaded_from(loaded, blocks, number + 1)) found.intervals.clear();
-      found.proved = false;
+      found.outside = Standing::computed;
       found.unresolved = true;
       break;
     }
@@ -179,23 +182,24 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                      const HoldParameters& parameters) {
   constexpr LoadShare dead{1, 0};
   const auto blocks = problems::blocks_of(loaded.problem);
-  if (found.not_in_equilibrium || (found.lower_proved && evidence.tree)) {
-    const auto record = parameters.recorder(HoldClaim::lower, found.lower);
+  const auto& [lower, upper] = found.bracket;
+  if (is_proved(lower) && (found.not_in_equilibrium || evidence.tree)) {
+    const auto record = parameters.recorder(HoldClaim::lower, lower->value);
     if (evidence.tree) {
       const auto number = evidence.lower_block;
       const LoadedProblem block = loaded_block(loaded, blocks[number]);
-      record_tree(analysis, {block, blocks[number], number, found.lower, parameters.precision},
+      record_tree(analysis, {block, blocks[number], number, lower->value, parameters.precision},
                   *evidence.tree, *record);
     }
     record->finish();
   }
-  if (!found.upper || !found.upper_proved) return;
-  const auto record = parameters.recorder(HoldClaim::upper, *found.upper);
+  if (!is_proved(upper)) return;
+  const auto record = parameters.recorder(HoldClaim::upper, upper->value);
   for (std::uint32_t number = 0; number < evidence.patterns.size(); ++number) {
     const auto& pattern = evidence.patterns[number];
     if (!pattern) continue;
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    record_state(analysis, {block, blocks[number], number, *found.upper, parameters.precision},
+    record_state(analysis, {block, blocks[number], number, upper->value, parameters.precision},
                  *pattern, dead, {}, *record);
   }
   record->finish();
@@ -206,13 +210,12 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
                                  const HoldParameters& parameters) {
   HoldingFriction found;
-  found.upper = 0;
+  found.bracket.upper = Bound{0, Standing::proved};
   found.maximum = parameters.maximum;
   found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
   if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.not_in_equilibrium = true;
-    found.upper.reset();
-    found.lower_known = true;
+    found.bracket = {.lower = Bound{0, Standing::proved}};
     if (parameters.recorder) record_friction(analysis, loaded, found, {}, parameters);
     return found;
   }
@@ -225,31 +228,31 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     BlockHold hold(analysis, block, parameters, found.costs,
                    static_cast<bool>(parameters.recorder));
     auto own = hold.friction();
-    if (own.upper) own.state = hold.state(own.pattern, 0, *own.upper);
+    const auto& [lower, upper] = own.bracket;
+    if (upper) own.state = hold.state(own.pattern, 0, upper->value);
     if (own.status != engine::Status::solved) found.status = own.status;
-    if (own.lower_known && (!found.lower_known || own.lower > found.lower)) {
-      found.lower = own.lower;
-      found.lower_known = true;
-      found.lower_proved = own.lower_proved;
+    if (lower && lower->value > found.bracket.at_least()) {
+      found.bracket.lower = lower;
       evidence.lower_block = number;
-      evidence.tree = hold.tree_at(own.lower);
+      evidence.tree = hold.tree_at(lower->value);
     }
     evidence.patterns[number] = own.pattern;
-    found.upper_proved = found.upper_proved && own.upper_proved;
-    const bool decides = !own.upper || (found.upper && *own.upper >= *found.upper);
-    if (decides) {
-      found.upper = own.upper;
+    const auto standing =
+        upper ? both(found.bracket.upper->standing, upper->standing) : Standing::computed;
+    if (!upper || upper->value >= found.bracket.at_most()) {
+      found.bracket.upper = upper;
       found.block = number;
       found.pattern = own.pattern;
       found.state = own.state;
     }
-    if (!found.upper) found.maximum = own.maximum;
+    if (found.bracket.upper) found.bracket.upper->standing = standing;
+    if (!found.bracket.upper) found.maximum = own.maximum;
     if (found.status != engine::Status::solved && is_loaded_from(loaded, blocks, number + 1)) {
-      found.upper.reset();
+      found.bracket.upper.reset();
       found.pattern.reset();
       found.state.reset();
     }
-    if (found.status != engine::Status::solved || !found.upper) break;
+    if (found.status != engine::Status::solved || !found.bracket.upper) break;
   }
   if (parameters.recorder && found.status == engine::Status::solved)
     record_friction(analysis, loaded, found, evidence, parameters);

@@ -17,6 +17,7 @@
 #include "nodes/wedged/hold/hold_tree.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/relaxation/pattern_options.hpp"
+#include "support/bracket.hpp"
 
 namespace kusabi::wedged {
 
@@ -31,10 +32,17 @@ struct HeldState {
 
 /// Factors of the reference load that can be held, from `low` to `high`; infinite: unbounded.
 struct HeldInterval {
-  double low_out, low;    ///< no state at low_out: the end is between them
-  double high, high_out;  ///< likewise
-  bool proved = true;     ///< there are states at the ends, proved; otherwise computed
-  bool low_proved = true, high_proved = true;  ///< no state outside, up to the next interval
+  support::Bound low_out, low;  ///< no state at low_out and below it, up to the next interval, and
+                                ///< one at low: the end is between them
+  support::Bound high, high_out;  ///< likewise
+
+  /// With equal standing of states and of what is outside.
+  static HeldInterval from(double low, double high, support::Standing standing) {
+    return {{low, standing}, {low, standing}, {high, standing}, {high, standing}};
+  }
+  /// Standing of the states at the ends.
+  [[nodiscard]] support::Standing held() const { return both(low.standing, high.standing); }
+
   std::uint32_t block = 0;
   std::optional<LoadedPattern> pattern{};  ///< of the block, with a state at `high` or inside
   std::optional<HeldState> state{};        ///< of the pattern, at an end that is not infinite
@@ -51,7 +59,7 @@ struct HoldCost {
 struct HeldFactors {
   engine::Status status = engine::Status::solved;
   std::vector<HeldInterval> intervals{};  ///< in ascending order
-  bool proved = true;                     ///< no state outside of the intervals; otherwise computed
+  support::Standing outside{};            ///< of the claim that there is no state outside of them
   bool unresolved = false;                ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
@@ -64,11 +72,8 @@ struct HeldFactors {
 /// Bracket of the smallest friction coefficient at which the dead load can be held.
 struct HoldingFriction {
   engine::Status status = engine::Status::solved;
-  double lower = 0;  ///< if lower_known: the load cannot be held at this coefficient
-  bool lower_known = false;
-  bool lower_proved = true;
-  std::optional<double> upper{};  ///< the load can be held at this coefficient
-  bool upper_proved = true;
+  /// The load cannot be held at `lower`, and can at `upper`.
+  support::Bracket bracket{};
   bool any_by_supports = false;
   bool not_in_equilibrium = false;
   double maximum = 0;       ///< upper limit of the search

@@ -70,9 +70,9 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
 void add_bracket(Markup& page, const answer::CriticalBracket& found) {
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
   auto facts = ResultJson::object();
-  const auto take = [&](const std::optional<answer::Bound>& bound, const std::string& name) {
+  const auto take = [&](const std::optional<support::Bound>& bound, const std::string& name) {
     if (!bound) return;
-    const bool proved = bound->standing == answer::Standing::proved;
+    const bool proved = bound->standing == support::Standing::proved;
     facts[fmt::format("{} ({})", name, proved ? "proved" : "computed, not proved")] = bound->value;
   };
   take(found.bracket.lower, "cannot stick at");

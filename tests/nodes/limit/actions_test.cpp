@@ -68,8 +68,8 @@ double min_factor_by_box(const Structure& truss, const std::string& load_case) {
   engine::Analysis analysis(alone);
   const auto answer = limit_loads(analysis, of_case, problem, {.alpha = alpha}).answer;
   EXPECT_TRUE(answer.worst);
-  EXPECT_NEAR(answer.worst->ends.lower, answer.worst->ends.upper, 1e-6);
-  return answer.worst->ends.upper;
+  EXPECT_NEAR(answer.worst->ends.at_least(), answer.worst->ends.at_most(), 1e-6);
+  return answer.worst->ends.at_most();
 }
 
 TEST(Actions, BoxOfALeadingActionCoversAllItsCombinations) {

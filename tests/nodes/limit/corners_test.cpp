@@ -70,13 +70,13 @@ TEST(Corners, HaveTheFactorsOfAllVertices) {
       continue;
     }
     EXPECT_EQ(worst.corners, 1U << truss.uncertain->size());
-    EXPECT_NEAR(worst.ends.upper, *minimum, near);
-    EXPECT_NEAR(worst.ends.lower, *minimum, near);
+    EXPECT_NEAR(worst.ends.at_most(), *minimum, near);
+    EXPECT_NEAR(worst.ends.at_least(), *minimum, near);
     const auto opposite = with_opposite_reference(truss);
     const auto least = PlainTruss(opposite).min_over_corners(alpha).value();
     const auto interval = guaranteed_interval(found.answer);
-    EXPECT_NEAR(interval.minimum.lower, -least, near);
-    EXPECT_NEAR(interval.minimum.upper, -least, near);
+    EXPECT_NEAR(interval.minimum.at_least(), -least, near);
+    EXPECT_NEAR(interval.minimum.at_most(), -least, near);
     ASSERT_EQ(found.statements.size(), 2U);
     expect_all_corners(found.statements[0], truss, *minimum);
     expect_all_corners(found.statements[1], opposite, least);
@@ -106,8 +106,8 @@ TEST(Corners, LeaveOutLoadsOfNoWidth) {
     engine::Analysis analysis(alone);
     const auto found = limit_loads(analysis, truss, half, {.alpha = 1, .corners = Corners::always});
     EXPECT_EQ(found.answer.worst->corners, 2U);
-    EXPECT_NEAR(found.answer.worst->ends.lower, *minimum, near);
-    EXPECT_NEAR(found.answer.worst->ends.upper, *minimum, near);
+    EXPECT_NEAR(found.answer.worst->ends.at_least(), *minimum, near);
+    EXPECT_NEAR(found.answer.worst->ends.at_most(), *minimum, near);
     EXPECT_TRUE(found.answer.whole());
     ++compared;
   }
@@ -123,7 +123,7 @@ TEST(Corners, OfEqualFactorsAreProved) {
       "two-bars.toml");
   for (auto& member : truss.members) member.yield = problems::YieldForces{3, 3};
   const auto found = findings(truss, {.alpha = 0.5, .corners = Corners::always});
-  EXPECT_NEAR(found.answer.worst->ends.upper, 2, 1e-9);
+  EXPECT_NEAR(found.answer.worst->ends.at_most(), 2, 1e-9);
   EXPECT_TRUE(found.answer.whole());
   expect_all_corners(found.statements.at(0), truss, 2);
 }
@@ -165,9 +165,9 @@ TEST(Corners, BoundTheWorstCaseWhereTheSearchWasStopped) {
       const auto& worst = *found.answer.worst;
       EXPECT_EQ(worst.search, engine::Status::node_limit);
       EXPECT_LT(worst.corners, 1U << truss.uncertain->size());
-      EXPECT_TRUE(worst.ends.upper_proved);
-      EXPECT_GE(worst.ends.upper, *minimum - near);
-      EXPECT_LE(worst.ends.lower, *minimum + near);
+      EXPECT_TRUE(is_proved(worst.ends.upper));
+      EXPECT_GE(worst.ends.at_most(), *minimum - near);
+      EXPECT_LE(worst.ends.at_least(), *minimum + near);
       EXPECT_FALSE(found.answer.whole());
       for (const auto& statement : found.statements) {
         if (statement.claim != verify::LimitClaim::largest) continue;
@@ -206,8 +206,8 @@ TEST(Corners, HaveValidBoundsWhereverTheyAreStopped) {
     EXPECT_EQ(found.ended(), engine::Status::interrupted);
     EXPECT_FALSE(found.whole());
     if (!found.worst) continue;
-    EXPECT_LE(found.worst->ends.lower, minimum + near);
-    EXPECT_GE(found.worst->ends.upper, minimum - near);
+    EXPECT_LE(found.worst->ends.at_least(), minimum + near);
+    EXPECT_GE(found.worst->ends.at_most(), minimum - near);
   }
 }
 
@@ -237,8 +237,8 @@ TEST(CornerChoice, DependsOnTheSizeOfTheTruss) {
     EXPECT_EQ(found.answer.worst->corners, corners);
     EXPECT_EQ(found.answer.worst->cuts == 0, corners > 0);
     const auto minimum = PlainTruss(truss).min_over_corners(20).value();
-    EXPECT_NEAR(found.answer.worst->ends.upper, minimum, near * std::abs(minimum));
-    EXPECT_NEAR(found.answer.worst->ends.lower, minimum, near * std::abs(minimum));
+    EXPECT_NEAR(found.answer.worst->ends.at_most(), minimum, near * std::abs(minimum));
+    EXPECT_NEAR(found.answer.worst->ends.at_least(), minimum, near * std::abs(minimum));
   }
 }
 

@@ -57,7 +57,7 @@ TEST(HalfWidths, OfTheFileApplyToTheirParameters) {
     ASSERT_TRUE(answer.worst && !findings.statements.empty());
     const auto& certificate = findings.statements.front().evidence;
     EXPECT_TRUE(answer.whole());
-    EXPECT_NEAR(answer.worst->ends.upper, *minimum, near);
+    EXPECT_NEAR(answer.worst->ends.at_most(), *minimum, near);
     for (const auto* file : {&truss, &all}) {
       const auto claim = test::shown(certificate, *file);
       EXPECT_EQ(claim.why, "");
@@ -92,7 +92,7 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
   const auto upper = [](const Structure& truss, const RequestedHalfWidths& asked) {
     const auto answer = found(truss, asked).first.answer;
     EXPECT_TRUE(answer.whole());
-    return answer.worst->ends.upper;
+    return answer.worst->ends.at_most();
   };
   // q = (lambda + zeta, lambda - zeta + eta): 3 - 0.5, and 5 - 0.5 - 3 for a large eta.
   const auto open = read("", "group = \"side\"\n");
@@ -105,7 +105,7 @@ forces = [{ nodes = ["tip"], force = [1, -1] }]
     const RequestedHalfWidths one_is_zero{.alpha = 0.5, .groups = {{"side", 0}}};
     const auto answer = found(open, one_is_zero, split_from).first.answer;
     EXPECT_TRUE(answer.whole()) << split_from;
-    EXPECT_NEAR(answer.worst->ends.upper, 2.5, 1e-9);
+    EXPECT_NEAR(answer.worst->ends.at_most(), 2.5, 1e-9);
   }
   const auto why = [](const Structure& truss, const RequestedHalfWidths& asked) -> std::string {
     try {
@@ -154,7 +154,7 @@ force = [[-0.25, 1.75], 0]
                                               "one-bar.toml");
   const auto [findings, problem] = found(truss, {});
   EXPECT_NEAR(findings.answer.nominal->factor, 4.25, 1e-9);
-  EXPECT_NEAR(findings.answer.worst->ends.upper, 3.25, 1e-9);
+  EXPECT_NEAR(findings.answer.worst->ends.at_most(), 3.25, 1e-9);
   ASSERT_FALSE(findings.statements.empty());
   EXPECT_EQ(test::shown(findings.statements.front().evidence, truss).why, "");
   const auto again = problems::read_structure(problems::structure_text(truss), "again");

@@ -190,7 +190,7 @@ TEST(LimitLoads, AreProvedAtTheWorstVertexOfRandomTrusses) {
     const auto expected = worst_corner(*problem, alpha);
     if (expected.status != LoadStatus::collapses) {
       EXPECT_EQ(found.worst->status, RootStatus::not_carried)
-          << found.worst->ends.lower << " to " << found.worst->ends.upper;
+          << found.worst->ends.at_least() << " to " << found.worst->ends.at_most();
       ++not_carried;
       continue;
     }
@@ -204,8 +204,8 @@ TEST(LimitLoads, AreProvedAtTheWorstVertexOfRandomTrusses) {
     constexpr double of_units = 2e-8;  // twice closed_gap
     const double near = share * (std::abs(expected.factor) + expected.dissipation) +
                         of_units * problems::limit_model(*problem).factor_unit;
-    EXPECT_NEAR(found.worst->ends.upper, expected.factor, near);
-    EXPECT_NEAR(found.worst->ends.lower, expected.factor, near);
+    EXPECT_NEAR(found.worst->ends.at_most(), expected.factor, near);
+    EXPECT_NEAR(found.worst->ends.at_least(), expected.factor, near);
     ++compared;
   }
   RecordProperty("compared", static_cast<int>(compared));
@@ -292,9 +292,9 @@ TEST(LimitLoads, HaveValidBoundsWhereverTheyAreStopped) {
     EXPECT_EQ(found.ended(), engine::Status::interrupted);
     EXPECT_FALSE(found.whole());
     if (!found.worst) continue;
-    EXPECT_GE(found.worst->ends.upper, truth.lower);
-    EXPECT_LE(found.worst->ends.lower, truth.upper);
-    if (!found.worst->proved) ++bounded;
+    EXPECT_GE(found.worst->ends.at_most(), truth.at_least());
+    EXPECT_LE(found.worst->ends.at_least(), truth.at_most());
+    if (!found.worst->proved()) ++bounded;
   }
   EXPECT_GE(bounded, 4);
 }

@@ -87,9 +87,9 @@ void expect_least_factors(const Structure& truss, double alpha, const LimitAnswe
   const auto minimum = PlainTruss(mirrored).min_over_corners(alpha);
   ASSERT_TRUE(minimum);
   const auto interval = guaranteed_interval(answer);
-  EXPECT_NEAR(interval.minimum.lower, -*minimum, near);
-  EXPECT_NEAR(interval.minimum.upper, -*minimum, near);
-  EXPECT_TRUE(interval.decided());
+  EXPECT_NEAR(interval.minimum.at_least(), -*minimum, near);
+  EXPECT_NEAR(interval.minimum.at_most(), -*minimum, near);
+  EXPECT_TRUE(is_proved(interval.standing()));
 }
 
 TEST(LoadModel, ProvesTheWorstVertexForColumnsOfAnyDirection) {
@@ -119,8 +119,8 @@ TEST(LoadModel, ProvesTheWorstVertexForColumnsOfAnyDirection) {
       ++not_carried;
       continue;
     }
-    EXPECT_NEAR(worst.ends.upper, *minimum, near);
-    EXPECT_NEAR(worst.ends.lower, *minimum, near);
+    EXPECT_NEAR(worst.ends.at_most(), *minimum, near);
+    EXPECT_NEAR(worst.ends.at_least(), *minimum, near);
     expect_least_factors(truss, alpha, found.answer);
     trees += worst.nodes > 1 ? 1 : 0;
     ++compared;
@@ -129,8 +129,8 @@ TEST(LoadModel, ProvesTheWorstVertexForColumnsOfAnyDirection) {
     const auto read = verify::read_limit_certificate(text, "certificate").front().evidence;
     const auto claim = shown(read, truss);
     EXPECT_EQ(claim.why, "");
-    EXPECT_GE(claim.lower, worst.ends.lower);
-    EXPECT_EQ(claim.upper, worst.ends.upper);
+    EXPECT_GE(claim.lower, worst.ends.at_least());
+    EXPECT_EQ(claim.upper, worst.ends.at_most());
     expect_other_columns_refused(read, truss);
     expect_nothing_wrong_is_shown(read, truss);
   }
@@ -149,8 +149,8 @@ TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
     const auto [truss, alpha] = test::correlated_truss(seed);
     const auto found = findings(truss, {.alpha = alpha});
     EXPECT_GT(found.answer.worst->nodes, 1U);
-    EXPECT_NEAR(found.answer.worst->ends.upper, PlainTruss(truss).min_over_corners(alpha).value(),
-                near);
+    EXPECT_NEAR(found.answer.worst->ends.at_most(),
+                PlainTruss(truss).min_over_corners(alpha).value(), near);
     ASSERT_FALSE(found.statements.empty());
     const auto& certificate = found.statements.front().evidence;
     EXPECT_GT(certificate.nodes.size(), 1U);

@@ -31,7 +31,7 @@ TEST(LoadModel, WorstCaseOfTheExampleIsThatOfAllVertices) {
     EXPECT_EQ(answer.worst->status, minimum ? RootStatus::closed : RootStatus::not_carried)
         << alpha;
     if (minimum) {
-      EXPECT_NEAR(answer.worst->ends.upper, *minimum, near);
+      EXPECT_NEAR(answer.worst->ends.at_most(), *minimum, near);
     }
   }
 }
@@ -92,7 +92,7 @@ TEST(LoadModel, AgreesWithTheZeroOneProgram) {
          {LimitMethod::fixed, LimitMethod::disjunctive, LimitMethod::tightened, LimitMethod::all}) {
       const auto found = findings(truss, {.alpha = alpha, .method = method}).answer;
       ASSERT_TRUE(found.worst);
-      EXPECT_NEAR(found.worst->ends.upper, *minimum, near);
+      EXPECT_NEAR(found.worst->ends.at_most(), *minimum, near);
       if (!found.worst->zero_one) continue;
       EXPECT_NEAR(found.worst->zero_one->lower, *minimum, near);
       ++compared;
@@ -123,9 +123,9 @@ TEST(LoadModel, AgreesWithCurvesAndSamples) {
       EXPECT_NEAR(factor_at(*found.worst_curve, beta), minimum, near);
       EXPECT_GE(factor_at(*found.curve, beta), minimum - near);
     }
-    EXPECT_NEAR(factor_at(*found.curve, 1), found.worst->ends.upper, near);
+    EXPECT_NEAR(factor_at(*found.curve, 1), found.worst->ends.at_most(), near);
     ASSERT_EQ(found.samples.size(), 20U);
-    EXPECT_GE(std::ranges::min(found.samples), found.worst->ends.lower - near);
+    EXPECT_GE(std::ranges::min(found.samples), found.worst->ends.at_least() - near);
     ++compared;
   }
   EXPECT_GE(compared, 5U);
@@ -149,7 +149,7 @@ TEST(LoadModel, AddsUpEqualParameters) {
     if (!one.worst) continue;
     EXPECT_EQ(one.worst->status, two.worst->status);
     if (one.worst->status != RootStatus::closed) continue;
-    EXPECT_NEAR(one.worst->ends.upper, two.worst->ends.upper, near);
+    EXPECT_NEAR(one.worst->ends.at_most(), two.worst->ends.at_most(), near);
   }
 }
 
@@ -159,7 +159,7 @@ TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
     const auto truss = problems::read_structure(two_bars(uncertainty), "two-bars.toml");
     const auto answer = findings(truss, {.alpha = alpha}).answer;
     EXPECT_TRUE(answer.whole());
-    return answer.worst->ends.upper;
+    return answer.worst->ends.at_most();
   };
   const std::string across =
       "[[uncertainty]]\nname = \"across\"\nforces = [{ nodes = [\"tip\"], force = [1, -1] }]\n";
@@ -206,7 +206,7 @@ TEST(LoadModel, AdmitsParametersAlongTheReferenceLoad) {
     if (!minimum) continue;
     ASSERT_TRUE(found.answer.worst && !found.statements.empty());
     EXPECT_TRUE(found.answer.whole());
-    EXPECT_NEAR(found.answer.worst->ends.upper, *minimum, near);
+    EXPECT_NEAR(found.answer.worst->ends.at_most(), *minimum, near);
     const auto claim = test::shown(found.statements.front().evidence, truss);
     EXPECT_EQ(claim.why, "");
     EXPECT_LE(claim.lower, *minimum + near);

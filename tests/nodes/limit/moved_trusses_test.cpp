@@ -145,17 +145,17 @@ TEST_P(MovedTruss, HasTheFactorsOfTheTrussAsItWas) {
     EXPECT_TRUE(found.whole());
     ASSERT_EQ(largest.has_value(), least.has_value());
     const auto interval = guaranteed_interval(found);
-    EXPECT_EQ(interval.at_none_proved, !largest.has_value());
+    EXPECT_EQ(interval.at_none == support::Standing::proved, !largest.has_value());
     if (!largest) continue;
     const double size = near * (1 + std::abs(*largest) + std::abs(*least));
-    EXPECT_NEAR(interval.largest.lower, *largest, size);
-    EXPECT_NEAR(interval.largest.upper, *largest, size);
-    EXPECT_NEAR(interval.minimum.lower, -*least, size);
-    EXPECT_NEAR(interval.minimum.upper, -*least, size);
+    EXPECT_NEAR(interval.largest.at_least(), *largest, size);
+    EXPECT_NEAR(interval.largest.at_most(), *largest, size);
+    EXPECT_NEAR(interval.minimum.at_least(), -*least, size);
+    EXPECT_NEAR(interval.minimum.at_most(), -*least, size);
     const auto nominal = PlainTruss(without_zeros(truss)).factor(Eigen::VectorXd::Zero(2));
     ASSERT_TRUE(nominal);
-    EXPECT_NEAR(found.nominal_factors.largest.lower, *nominal, size);
-    EXPECT_NEAR(found.nominal_factors.largest.upper, *nominal, size);
+    EXPECT_NEAR(found.nominal_factors.largest.at_least(), *nominal, size);
+    EXPECT_NEAR(found.nominal_factors.largest.at_most(), *nominal, size);
     ++compared;
   }
   EXPECT_GE(compared, 30U);

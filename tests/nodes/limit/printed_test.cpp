@@ -83,13 +83,13 @@ TEST(PrintedMethod, FindsTheWorstVertexWithoutStaticCuts) {
       ASSERT_TRUE(found.worst && found.worst->zero_one);
       const auto& worst = *found.worst;
       expect_nothing_of_static_cuts(worst);
-      EXPECT_NEAR(worst.ends.upper, expected, near);
-      EXPECT_NEAR(worst.ends.lower, expected, near);
-      EXPECT_EQ(worst.zero_one->upper, worst.ends.upper);
+      EXPECT_NEAR(worst.ends.at_most(), expected, near);
+      EXPECT_NEAR(worst.ends.at_least(), expected, near);
+      EXPECT_EQ(worst.zero_one->upper, worst.ends.at_most());
       ASSERT_TRUE(worst.collapse);
       EXPECT_NEAR(worst.collapse->factor, expected, near);
       // Floating point and a given M: no proof.
-      EXPECT_FALSE(worst.proved || worst.ends.lower_proved || worst.ends.upper_proved);
+      EXPECT_FALSE(worst.proved() || is_proved(worst.ends.lower) || is_proved(worst.ends.upper));
       EXPECT_FALSE(found.whole());
       EXPECT_EQ(worst.zero_one->cut_programs > 0, method == LimitMethod::disjunctive);
     }
@@ -104,8 +104,8 @@ TEST(PrintedMethod, IsProvedAfterwardsOnRequest) {
     EXPECT_TRUE(found.whole());
     EXPECT_FALSE(found.worst->as_printed);
     EXPECT_GT(found.worst->counts.pricings, 0U);
-    EXPECT_NEAR(found.worst->zero_one->lower, found.worst->ends.lower, 1e-5);
-    EXPECT_NEAR(found.worst->zero_one->upper, found.worst->ends.upper, 1e-5);
+    EXPECT_NEAR(found.worst->zero_one->lower, found.worst->ends.at_least(), 1e-5);
+    EXPECT_NEAR(found.worst->zero_one->upper, found.worst->ends.at_most(), 1e-5);
   }
 }
 
@@ -116,7 +116,7 @@ TEST(PrintedMethod, IsCorrectedByTheProofIfMIsTooSmall) {
   const auto found = answered(
       truss, {.alpha = 0.35, .method = LimitMethod::fixed, .big_m = 0.05, .evidence = true});
   EXPECT_TRUE(found.whole());
-  EXPECT_NEAR(found.worst->ends.upper, expected, 1e-6);
+  EXPECT_NEAR(found.worst->ends.at_most(), expected, 1e-6);
   EXPECT_GT(found.worst->zero_one->lower, expected + 0.01);
 }
 
@@ -130,8 +130,8 @@ TEST(PrintedMethod, HasOnlyTheBoundsOfItsTreeIfStopped) {
   EXPECT_EQ(worst.search, engine::Status::node_limit);
   expect_nothing_of_static_cuts(worst);
   // The relaxation (38) gains M/2 from each gamma.
-  EXPECT_LT(worst.ends.lower, 0);
-  EXPECT_GT(worst.ends.upper, truth);
+  EXPECT_LT(worst.ends.at_least(), 0);
+  EXPECT_GT(worst.ends.at_most(), truth);
   EXPECT_FALSE(found.whole());
 }
 
@@ -144,12 +144,12 @@ TEST(PrintedMethod, StartsFromTheBestSample) {
     const auto& start = found.worst->zero_one->start;
     ASSERT_TRUE(start);
     EXPECT_EQ(*start, *std::ranges::min_element(found.samples));
-    EXPECT_LE(found.worst->ends.upper, *start);
-    EXPECT_NEAR(found.worst->ends.upper,
+    EXPECT_LE(found.worst->ends.at_most(), *start);
+    EXPECT_NEAR(found.worst->ends.at_most(),
                 worst_corner(problems::limit_problem(checked(truss)), alpha), 1e-6);
     // Stopped before its first point, it still has that of the sample.
     const auto stopped = answered(truss, parameters, {.nodes = 1});
-    EXPECT_EQ(stopped.worst->ends.upper, *start);
+    EXPECT_EQ(stopped.worst->ends.at_most(), *start);
   }
 }
 

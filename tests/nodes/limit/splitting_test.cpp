@@ -333,14 +333,14 @@ TEST(Splitting, AgreesWithAllVerticesOnRandomTrusses) {
       continue;
     }
     ++compared;
-    EXPECT_NEAR(found.answer.worst->ends.upper, *minimum, test::near);
-    EXPECT_NEAR(found.answer.worst->ends.lower, *minimum, test::near);
+    EXPECT_NEAR(found.answer.worst->ends.at_most(), *minimum, test::near);
+    EXPECT_NEAR(found.answer.worst->ends.at_least(), *minimum, test::near);
     ASSERT_FALSE(found.statements.empty());
     EXPECT_EQ(shown(found.statements.front().evidence, truss).why, "");
     const double from = greatest_least_factor(truss, alpha).value();
     const auto interval = guaranteed_interval(found.answer);
-    EXPECT_LE(interval.minimum.lower, from + test::near);
-    EXPECT_GE(interval.minimum.upper, from - test::near);
+    EXPECT_LE(interval.minimum.at_least(), from + test::near);
+    EXPECT_GE(interval.minimum.at_most(), from - test::near);
     if (std::abs(from - *minimum) < test::near) continue;
     EXPECT_EQ(interval.is_empty(), from > *minimum);
     ASSERT_EQ(found.statements.size(), 2U);
@@ -358,8 +358,8 @@ TEST(Splitting, LeavesGapsOfStaticCutsToTheTree) {
     const auto [truss, alpha] = test::correlated_truss(seed);
     const auto found = findings(truss, {.alpha = alpha, .split_from = 1});
     EXPECT_GT(found.answer.worst->nodes, 1U);
-    EXPECT_NEAR(found.answer.worst->ends.upper, PlainTruss(truss).min_over_corners(alpha).value(),
-                test::near);
+    EXPECT_NEAR(found.answer.worst->ends.at_most(),
+                PlainTruss(truss).min_over_corners(alpha).value(), test::near);
     EXPECT_FALSE(found.statements.empty());
   }
 }

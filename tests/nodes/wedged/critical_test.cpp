@@ -169,13 +169,13 @@ TEST(CriticalFriction, IsTheSameByDescentAndGlobalSearch) {
       const auto down = found(CriticalStrategy::descent, factor, maximum);
       const auto up = found(CriticalStrategy::global, factor, maximum);
       EXPECT_EQ(down.lower, up.lower) << factor;
-      EXPECT_EQ(down.upper, up.upper) << factor;
+      EXPECT_EQ(down.bracket.upper, up.bracket.upper) << factor;
       EXPECT_NEAR(down.lower, factor, 2e-6 * factor);
-      EXPECT_TRUE(down.lower_proved && down.upper_proved) << factor;
+      EXPECT_TRUE(is_proved(down.bracket.lower) && is_proved(down.bracket.upper)) << factor;
     }
     const auto below = found(CriticalStrategy::descent, factor, factor * 0.999);
     EXPECT_EQ(below.lower, factor * 0.999);
-    EXPECT_FALSE(below.upper) << factor;
+    EXPECT_FALSE(below.bracket.upper) << factor;
   }
 }
 
@@ -188,9 +188,9 @@ CriticalFindings found_of(const problems::Structure& structure,
 }
 
 void expect_same_answer(const CriticalFindings& one, const CriticalFindings& other) {
-  EXPECT_EQ(one.lower, other.lower);
-  EXPECT_EQ(one.upper, other.upper);
-  EXPECT_EQ(one.lower_proved, other.lower_proved);
+  EXPECT_EQ(one.bracket.at_least(), other.bracket.at_least());
+  EXPECT_EQ(one.bracket.at_most(), other.bracket.at_most());
+  EXPECT_EQ(is_proved(one.bracket.lower), is_proved(other.bracket.lower));
   ASSERT_EQ(one.patterns.size(), other.patterns.size());
   for (std::size_t i = 0; i < one.patterns.size(); ++i)
     EXPECT_EQ(one.patterns[i].pattern, other.patterns[i].pattern);
@@ -320,8 +320,8 @@ TEST(CriticalFriction, HasTheBracketOfTheListWithoutListingPatterns) {
     const auto one = found_of(structure, {});
     const auto all = found_of(structure, {.list = true});
     EXPECT_EQ(one.lower, all.lower);
-    EXPECT_EQ(one.upper, all.upper);
-    EXPECT_TRUE(one.upper_proved);
+    EXPECT_EQ(one.bracket.upper, all.bracket.upper);
+    EXPECT_TRUE(is_proved(one.bracket.upper));
     ASSERT_EQ(one.patterns.size(), 1U);
     EXPECT_FALSE(one.patterns.front().reaction.empty());
     EXPECT_TRUE(std::ranges::any_of(all.patterns, [&](const auto& entry) {
@@ -336,7 +336,7 @@ TEST(CriticalFriction, BracketDoesNotDependOnTheNodeLimitOfTheList) {
   const auto part = found_of(structure, {.list = true, .list_nodes = 1});
   EXPECT_EQ(part.status, engine::Status::solved);
   EXPECT_EQ(part.lower, all.lower);
-  EXPECT_EQ(part.upper, all.upper);
+  EXPECT_EQ(part.bracket.upper, all.bracket.upper);
   EXPECT_THAT(part.open_points, ::testing::Contains(OpenPoint::list_not_complete));
   EXPECT_EQ(part.patterns.size(), 1U);
 }
@@ -360,12 +360,12 @@ TEST(CriticalFriction, BracketNarrowsAsTheNodeLimitGrows) {
     for (const auto& cost : found.costs)
       if (cost.phase != CriticalPhase::upper_bound) opened += cost.opened;
     EXPECT_LE(opened, nodes + 10);
-    EXPECT_GE(found.lower, lower);
-    EXPECT_LE(found.upper.value_or(std::numeric_limits<double>::infinity()), upper);
-    lower = found.lower;
-    upper = found.upper.value_or(upper);
+    EXPECT_GE(found.bracket.at_least(), lower);
+    EXPECT_LE(found.bracket.at_most(), upper);
+    lower = found.bracket.at_least();
+    upper = std::min(found.bracket.at_most(), upper);
     EXPECT_LE(lower, whole.lower);
-    EXPECT_GE(upper, *whole.upper);
+    EXPECT_GE(upper, whole.bracket.at_most());
     if (found.status == engine::Status::solved) break;
     EXPECT_EQ(found.status, engine::Status::node_limit);
     EXPECT_TRUE(found.stopped_in);

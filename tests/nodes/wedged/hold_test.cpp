@@ -182,11 +182,11 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
       engine::Analysis analysis(alone);
       const auto found = held_factors(analysis, *loaded, mu, {.tightening = tightening});
       EXPECT_FALSE(found.unresolved);
-      proved += found.proved ? 1 : 0;
+      proved += is_proved(found.outside) ? 1 : 0;
       ASSERT_EQ(found.intervals.size(), wanted.size());
       for (std::size_t i = 0; i < wanted.size(); ++i) {
-        EXPECT_PRED2(near, found.intervals[i].low, wanted[i].first);
-        EXPECT_PRED2(near, found.intervals[i].high, wanted[i].second);
+        EXPECT_PRED2(near, found.intervals[i].low.value, wanted[i].first);
+        EXPECT_PRED2(near, found.intervals[i].high.value, wanted[i].second);
       }
     }
     ++compared;
@@ -227,9 +227,9 @@ TEST(HeldFactors, InSpaceAreBetweenThoseOfConesInsideAndAround) {
       engine::Analysis analysis(alone);
       const auto found = held_factors(analysis, *loaded, mu, {.tightening = tightening});
       std::vector<Interval> held;
-      for (const auto& each : found.intervals) held.emplace_back(each.low, each.high);
+      for (const auto& each : found.intervals) held.emplace_back(each.low.value, each.high.value);
       EXPECT_TRUE(within(held, outer)) << fmt::format("{} not within {}", held, outer);
-      proved += found.proved && !found.unresolved ? 1 : 0;
+      proved += is_proved(found.outside) && !found.unresolved ? 1 : 0;
       if (found.unresolved) continue;
       EXPECT_TRUE(within(inner, held)) << fmt::format("{} not within {}", inner, held);
     }
@@ -259,15 +259,16 @@ TEST(HoldingFriction, IsTheLeastAtWhichSomePatternHoldsTheDeadLoad) {
       });
     };
     ++compared;
-    if (!found.upper) {
+    if (!found.bracket.upper) {
       EXPECT_FALSE(holds(99));
       continue;
     }
-    EXPECT_TRUE(holds(*found.upper * (1 + 1e-5) + 1e-9));
-    if (!found.lower_known) continue;
-    EXPECT_FALSE(holds(found.lower * (1 - 1e-5)));
-    EXPECT_LE(*found.upper - found.lower, 1e-6 * std::max(*found.upper, 1e-6) + 1e-6);
-    inside += found.lower > 0 ? 1 : 0;
+    EXPECT_TRUE(holds(found.bracket.at_most() * (1 + 1e-5) + 1e-9));
+    if (!found.bracket.lower) continue;
+    EXPECT_FALSE(holds(found.bracket.at_least() * (1 - 1e-5)));
+    EXPECT_LE(found.bracket.at_most() - found.bracket.at_least(),
+              1e-6 * std::max(found.bracket.at_most(), 1e-6) + 1e-6);
+    inside += found.bracket.at_least() > 0 ? 1 : 0;
   }
   EXPECT_GT(compared, 30);
   EXPECT_GT(inside, 10);
@@ -399,12 +400,12 @@ TEST(HoldingFriction, OfALadderIsThatOfStatics) {
     engine::SingleProcess alone;
     engine::Analysis analysis(alone);
     const auto found = holding_friction(analysis, loaded);
-    ASSERT_TRUE(found.upper);
-    EXPECT_TRUE(found.lower_proved && found.upper_proved);
-    EXPECT_NEAR(found.lower, wanted, 1e-8);
-    EXPECT_NEAR(*found.upper, wanted, 1e-8);
-    EXPECT_LE(found.lower, wanted + 1e-15);
-    EXPECT_GE(*found.upper, wanted - 1e-15);
+    ASSERT_TRUE(found.bracket.upper);
+    EXPECT_TRUE(found.bracket.has_proved_ends());
+    EXPECT_NEAR(found.bracket.at_least(), wanted, 1e-8);
+    EXPECT_NEAR(found.bracket.at_most(), wanted, 1e-8);
+    EXPECT_LE(found.bracket.at_least(), wanted + 1e-15);
+    EXPECT_GE(found.bracket.at_most(), wanted - 1e-15);
   }
 }
 

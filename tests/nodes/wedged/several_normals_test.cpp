@@ -265,11 +265,11 @@ TEST(SeveralNormals, OfAGrooveWedgeFromTheTangentOfItsHalfAngle) {
   for (const double degrees : {10.0, 30.0}) {
     const double theta = degrees * std::numbers::pi / 180;
     const auto found = critical(tip_in_groove(theta));
-    ASSERT_TRUE(found.upper);
-    EXPECT_LT(found.lower, std::tan(theta) + 1e-12);
-    EXPECT_GT(*found.upper, std::tan(theta) - 1e-12);
-    EXPECT_LE(*found.upper - found.lower, 2.5e-8);
-    EXPECT_TRUE(found.lower_proved && found.upper_proved);
+    ASSERT_TRUE(found.bracket.upper);
+    EXPECT_LT(found.bracket.at_least(), std::tan(theta) + 1e-12);
+    EXPECT_GT(found.bracket.at_most(), std::tan(theta) - 1e-12);
+    EXPECT_LE(found.bracket.at_most() - found.bracket.at_least(), 2.5e-8);
+    EXPECT_TRUE(is_proved(found.bracket.lower) && is_proved(found.bracket.upper));
   }
 }
 
@@ -289,11 +289,11 @@ TEST(SeveralNormals, AtTheBottomOfAWedgeAreTheOnlyLoadedCandidates) {
     EXPECT_EQ(above[0].pattern.contact, support::IndexSet(0b0101));
     EXPECT_EQ(above[0].pattern.inactive, support::IndexSet(0b1010));
     const auto found = critical(structure);
-    ASSERT_TRUE(found.upper);
-    EXPECT_GT(*found.upper, std::tan(theta) - 1e-12);
-    EXPECT_LT(found.lower, std::tan(theta) + 1e-12);
-    EXPECT_GT(found.lower, std::tan(theta) - 1e-4);
-    EXPECT_TRUE(found.lower_proved);
+    ASSERT_TRUE(found.bracket.upper);
+    EXPECT_GT(found.bracket.at_most(), std::tan(theta) - 1e-12);
+    EXPECT_LT(found.bracket.at_least(), std::tan(theta) + 1e-12);
+    EXPECT_GT(found.bracket.at_least(), std::tan(theta) - 1e-4);
+    EXPECT_TRUE(is_proved(found.bracket.lower));
   }
 }
 

@@ -41,10 +41,10 @@ problems::Structure in_groove(double theta, int across, int along, double ratio 
 }
 
 void expect_from(const CriticalFindings& found, double mu) {
-  ASSERT_TRUE(found.upper);
-  EXPECT_LT(found.lower, mu + 1e-12);
-  EXPECT_GT(*found.upper, mu - 1e-12);
-  EXPECT_LE(*found.upper - found.lower, 2.5e-8);
+  ASSERT_TRUE(found.bracket.upper);
+  EXPECT_LT(found.bracket.at_least(), mu + 1e-12);
+  EXPECT_GT(found.bracket.at_most(), mu - 1e-12);
+  EXPECT_LE(found.bracket.at_most() - found.bracket.at_least(), 2.5e-8);
 }
 
 TEST(UnconstrainedBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
@@ -52,7 +52,8 @@ TEST(UnconstrainedBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
     for (const int elements : {1, 2, 4}) {
       const auto found = critical(in_groove(theta, elements, elements));
       expect_from(found, std::tan(theta));
-      EXPECT_TRUE(found.lower_proved && found.upper_proved) << theta << " " << elements;
+      EXPECT_TRUE(is_proved(found.bracket.lower) && is_proved(found.bracket.upper))
+          << theta << " " << elements;
     }
   }
   // The coefficient does not depend on the material and the proportions.
@@ -108,7 +109,7 @@ TEST(UnconstrainedBodies, OnAFloorDoNotWedge) {
       "[[contact]]\nnodes = [\"p.bottom\"]\nnormal = [0, 1]\n",
       "floor.toml");
   const auto found = critical(structure);
-  EXPECT_FALSE(found.upper);
+  EXPECT_FALSE(found.bracket.upper);
 }
 
 }  // namespace

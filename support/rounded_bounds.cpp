@@ -1,5 +1,5 @@
 // Decimal places are chosen first, then each bound is rounded outwards.
-#include "answer/shown_bracket.hpp"
+#include "support/rounded_bounds.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace kusabi::answer {
+namespace kusabi::support {
 namespace {
 
 /// Numbers with more decimal places than these are shown with a power of ten.
@@ -98,4 +98,4 @@ ShownBracket in_table(double lower, double upper) {
   return {fmt::format("{}", lower), fmt::format("{}", upper)};
 }
 
-}  // namespace kusabi::answer
+}  // namespace kusabi::support

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace kusabi::answer {
+namespace kusabi::support {
 
 /// Significant digits in a sentence.
 inline constexpr int digits_of_sentence = 5;
@@ -28,4 +28,4 @@ ShownBracket inside(double low, double high, int digits = digits_of_sentence);
 /// one; at least 12.
 ShownBracket in_table(double lower, double upper);
 
-}  // namespace kusabi::answer
+}  // namespace kusabi::support

@@ -1,12 +1,12 @@
 // Decimal bounds remain bounds, and lower and upper ones differ.
-#include "answer/shown_bracket.hpp"
+#include "support/rounded_bounds.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-namespace kusabi::answer {
+namespace kusabi::support {
 namespace {
 
 TEST(ShownBracket, HasOneDecimalPlaceOnBothSidesOfAPowerOfTen) {
@@ -74,4 +74,4 @@ TEST(ShownBracket, KeepsZero) {
 }
 
 }  // namespace
-}  // namespace kusabi::answer
+}  // namespace kusabi::support
